@@ -1,0 +1,262 @@
+#include "app/cli/commands.h"
+
+#include "app/cli/console.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/map_file.h"
+#include "core/session/export.h"
+#include "core/session/run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace texloom::cli {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const char* typeName(Param::Type type) {
+    switch (type) {
+    case Param::Type::Toggle:
+        return "toggle";
+    case Param::Type::Integer:
+        return "integer";
+    case Param::Type::Real:
+        return "real";
+    case Param::Type::Choice:
+        break;
+    }
+    return "choice";
+}
+
+Json toJson(const Value& value) {
+    return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+Json toJson(const Param& param) {
+    Json json = {{"name", param.name()},
+                 {"title", param.title()},
+                 {"type", typeName(param.type())},
+                 {"default", toJson(param.defaultFor(0))}};
+    if (param.scale())
+        json["defaultShareOfShorterSide"] = *param.scale();
+    if (param.hasRange())
+        json["range"] = {param.smallest(), param.largest()};
+    for (const Choice& choice : param.choices())
+        json["choices"].push_back({{"id", choice.id}, {"title", choice.title}});
+    if (const auto& condition = param.condition())
+        json["onlyWhen"] = {{condition->name, toJson(condition->value)}};
+    json["unit"] = param.unit();
+    json["symbol"] = param.symbol();
+    json["help"] = param.help();
+    return json;
+}
+
+Json toJson(const Method& method) {
+    const MethodInfo& info = method.info();
+    Json json = {{"id", method.id()},          {"title", info.title},
+                 {"summary", info.summary},    {"citation", info.citation},
+                 {"wraps", info.wraps},        {"startsFromImage", info.startsFromImage},
+                 {"usesMask", info.usesMask},  {"severalExemplars", info.severalExemplars},
+                 {"parameters", Json::array()}};
+    for (const Param& param : method.params())
+        json["parameters"].push_back(toJson(param));
+    return json;
+}
+
+std::string defaultText(const Param& param) {
+    if (param.scale())
+        return fmt::format("{:.0f} % of the exemplar's shorter side", *param.scale() * 100);
+    const std::string unit = param.unit().empty() ? "" : " " + param.unit();
+    return toText(param.defaultFor(0)) + unit;
+}
+
+void printMethod(const Method& method) {
+    const MethodInfo& info = method.info();
+    fmt::print("{}: {}\n  {}\n  {}\n", method.id(), info.title, info.summary, info.citation);
+    for (const Param& param : method.params()) {
+        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limitsText(),
+                   defaultText(param), param.help());
+        if (const auto& condition = param.condition())
+            fmt::print("      Matters only with {}={}.\n", condition->name, toText(condition->value));
+    }
+}
+
+Size parseSize(const std::string& text) {
+    const std::size_t by = text.find('x');
+    long long width = 0, height = 0;
+    const bool read = by == std::string::npos ? parseInteger(text, width) && parseInteger(text, height)
+                                              : parseInteger(text.substr(0, by), width) &&
+                                                    parseInteger(text.substr(by + 1), height);
+    if (!read || width < 1 || height < 1 || width > kLargestSide || height > kLargestSide)
+        failUsage("--size {}: write it as 512x512 or 512, each side from 1 to {} px.", text,
+                  grouped(kLargestSide));
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+Wrap parseWrap(const std::string& axes) {
+    if (axes != "" && axes != "x" && axes != "y" && axes != "xy")
+        failUsage("--wrap {}: it is one of x, y and xy.", axes);
+    return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
+}
+
+Values parseSettings(const Method& method, const std::vector<std::string>& settings) {
+    Values values;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos)
+            failUsage("--set {}: write it as name=value.", setting);
+        const std::string name = setting.substr(0, equals);
+        values[name] = method.param(name).parse(setting.substr(equals + 1));
+    }
+    return values;
+}
+
+/// Shares files that belong to the exemplars out to them, in order.
+void attach(RunInput& input, const SynthOptions& options) {
+    const std::size_t count = input.exemplars.size();
+    if (options.masks.size() > count)
+        failUsage("{} masks were given for {} exemplar(s); there is at most one for each.",
+                  options.masks.size(), count);
+    for (std::size_t i = 0; i < options.masks.size(); ++i)
+        input.exemplars[i].mask = loadMask(options.masks[i]);
+    if (options.companions.size() % count != 0)
+        failUsage("{} companion maps were given for {} exemplars; every exemplar needs the same number.",
+                  options.companions.size(), count);
+    const std::size_t each = options.companions.size() / count;
+    for (std::size_t i = 0; i < options.companions.size(); ++i)
+        input.exemplars[i / each].companions.push_back(loadData(options.companions[i]));
+}
+
+RunInput inputFor(const SynthOptions& options) {
+    const Method& method = findMethod(options.method);
+    RunInput input;
+    input.method = options.method;
+    input.settings = parseSettings(method, options.settings);
+    input.wrap = parseWrap(options.wrap);
+    input.seed = options.seed;
+    if (!options.size.empty())
+        input.size = parseSize(options.size);
+    for (const fs::path& path : options.exemplars)
+        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
+    attach(input, options);
+    if (options.initial)
+        input.initial = loadExemplar(*options.initial);
+    if (options.size.empty()) {
+        const Size exemplar = input.exemplars.front().image.image->size();
+        input.size =
+            input.initial ? input.initial->image->size() : Size{2 * exemplar.width, 2 * exemplar.height};
+    }
+    return input;
+}
+
+Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs::path& path) {
+    if (text.empty())
+        return depthLike(exemplar, path);
+    for (const Depth depth : {Depth::Bits8, Depth::Bits16, Depth::Half, Depth::Float})
+        if (depthName(depth) == text || depthName(depth) == text + "-bit")
+            return depth;
+    failUsage("--depth {}: it is one of 8, 16, half and float.", text);
+}
+
+void checkOutputs(const RunPlan& plan, const OutputOptions& out) {
+    checkWritable(out.output, plan.request.channels());
+    for (const fs::path& map : out.maps) {
+        mapConvention(map);
+        checkWritable(map, 3);
+    }
+}
+
+/// Runs a planned synthesis to the end and writes what was asked for.
+void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& out) {
+    checkOutputs(plan, out);
+    ExportOptions options;
+    options.image = out.output;
+    options.depth = parseDepth(out.depth, exemplar, out.output);
+    options.space = out.space;
+    options.maps = out.maps;
+    options.sidecar = !out.noSidecar;
+    options.check = checkInterrupt;
+
+    const auto job = startRun(std::move(plan), false);
+    follow(*job, out.quiet);
+    Outcome<Result> outcome = job->take();
+    if (std::holds_alternative<Cancelled>(outcome))
+        throw Cancelled{};
+    if (const auto* failure = std::get_if<Failure>(&outcome))
+        throw Error(failure->message);
+    const Result& result = std::get<Result>(outcome);
+    exportResult(result, options);
+    if (!out.report.empty())
+        writeText(out.report, reportJson(result, out.report.parent_path()));
+    if (!out.quiet)
+        fmt::print("{}: {} × {} px in {}\n", out.output.string(), result.plan.request.size.width,
+                   result.plan.request.size.height, durationText(result.seconds));
+}
+
+} // namespace
+
+void listMethods(const std::string& id, bool json) {
+    Json all = Json::array();
+    for (const Method& method : methods()) {
+        if (!id.empty() && method.id() != findMethod(id).id())
+            continue;
+        if (json)
+            all.push_back(toJson(method));
+        else
+            printMethod(method);
+    }
+    if (json)
+        fmt::print("{}\n", all.dump(2));
+}
+
+void synth(const SynthOptions& options) {
+    RunInput input = inputFor(options);
+    input.threads = options.out.threads;
+    execute(planRun(input), input.exemplars.front().image, options.out);
+}
+
+void runRecipe(const RunOptions& options) {
+    RunInput input = loadRecipe(readRecipe(options.recipe), [](const fs::path& file) {
+        fmt::print(stderr,
+                   "texloom-cli: {} is not the file that the recipe was made with; the result will differ.\n",
+                   file.string());
+    });
+    input.threads = options.out.threads;
+    RunPlan plan = planRun(input);
+    OutputOptions out = options.out;
+    if (out.output.empty()) {
+        Result unnamed;
+        unnamed.plan = plan;
+        out.output = unnamed.fileName() + ".png";
+        if (fs::exists(out.output))
+            fail("{} is there already; name the output with -o.", out.output.string());
+    }
+    execute(std::move(plan), input.exemplars.front().image, out);
+}
+
+void applyMap(const ApplyOptions& options) {
+    std::vector<ExemplarFile> files;
+    std::vector<ImageView> images;
+    std::vector<Size> sizes;
+    for (const fs::path& path : options.exemplars) {
+        files.push_back(loadData(path));
+        images.push_back(*files.back().image);
+        sizes.push_back(files.back().image->size());
+    }
+    checkWritable(options.output, images.front().channels);
+    const PositionMap map = readPositionMap(options.map, sizes);
+    checkInterrupt();
+    WriteOptions write;
+    write.depth = depthLike(files.front(), options.output);
+    write.space = files.front().info.space;
+    write.check = checkInterrupt;
+    writeImage(options.output, map.apply(images), write);
+    if (!options.quiet)
+        fmt::print("{}: {} × {} px\n", options.output.string(), map.width(), map.height());
+}
+
+} // namespace texloom::cli

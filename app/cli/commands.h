@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texloom::cli {
+
+/// Options that `synth` and `run` share.
+struct OutputOptions {
+    std::filesystem::path output;
+    std::vector<std::filesystem::path> maps;
+    std::string depth; ///< "8", "16", "half", "float", or empty for the exemplar's
+    std::string space; ///< of the output, or empty for what the format's users expect
+    std::filesystem::path report;
+    int threads = 0;
+    bool noSidecar = false;
+    bool quiet = false;
+};
+
+struct SynthOptions {
+    std::string method;
+    std::vector<std::filesystem::path> exemplars;
+    std::string exemplarSpace;
+    std::string size; ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
+    std::uint64_t seed = 0;
+    std::vector<std::string> settings; ///< "name=value"
+    std::string wrap;
+    std::vector<std::filesystem::path> companions;
+    std::vector<std::filesystem::path> masks;
+    std::optional<std::filesystem::path> initial;
+    OutputOptions out;
+};
+
+struct RunOptions {
+    std::filesystem::path recipe;
+    OutputOptions out;
+};
+
+struct ApplyOptions {
+    std::filesystem::path map;
+    std::vector<std::filesystem::path> exemplars;
+    std::filesystem::path output;
+    bool quiet = false;
+};
+
+/// Each does one command. @throws Error, UsageError, Cancelled
+void listMethods(const std::string& id, bool json);
+void synth(const SynthOptions& options);
+void runRecipe(const RunOptions& options);
+void applyMap(const ApplyOptions& options);
+
+} // namespace texloom::cli

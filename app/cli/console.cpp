@@ -1,0 +1,64 @@
+#include "app/cli/console.h"
+
+#include "core/base/text.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+namespace texloom::cli {
+
+std::atomic<bool> interrupted = false;
+
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{20};
+constexpr int kBarWidth = 30;
+
+void onSignal(int) {
+    interrupted = true;
+}
+
+std::string barText(JobMonitor& monitor) {
+    const double progress = monitor.progress();
+    const auto filled = static_cast<std::size_t>(progress * kBarWidth);
+    const double seconds = monitor.seconds();
+    const std::string left =
+        progress > 0.02 && seconds > 0.5 ? durationText(seconds * (1 - progress) / progress) + " left" : "";
+    return fmt::format("\r[{}{}] {:3.0f} %  {}  {}\x1b[K", std::string(filled, '#'),
+                       std::string(kBarWidth - filled, '.'), progress * 100, monitor.stage(), left);
+}
+
+} // namespace
+
+void watchInterrupts() {
+    struct sigaction action {};
+    action.sa_handler = onSignal;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
+
+void checkInterrupt() {
+    if (interrupted)
+        throw Cancelled{};
+}
+
+void follow(JobRunner& job, bool quiet) {
+    const bool bar = !quiet && ::isatty(STDERR_FILENO) != 0;
+    while (!job.finished()) {
+        if (interrupted)
+            job.cancel();
+        if (bar)
+            fmt::print(stderr, "{}", barText(job.monitor()));
+        std::this_thread::sleep_for(kPoll);
+    }
+    if (bar)
+        fmt::print(stderr, "\r\x1b[K");
+}
+
+} // namespace texloom::cli

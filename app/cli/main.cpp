@@ -1,0 +1,130 @@
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "core/base/error.h"
+#include "core/base/version.h"
+
+#include <CLI/CLI.hpp>
+
+#include <new>
+
+namespace {
+
+using namespace texloom;
+
+enum Exit { kDone = 0, kFailed = 1, kUsage = 2, kCancelled = 130 };
+
+void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputRequired) {
+    auto* output = command.add_option("-o,--output", out.output, "File to write: .png .jpg .tif .exr .hdr");
+    if (outputRequired)
+        output->required();
+    command.add_option("--map", out.maps,
+                       "Position map to write: .exr (STMap) or .png (16-bit); may be repeated");
+    command.add_option("--depth", out.depth,
+                       "Depth of the output: 8, 16, half or float; the exemplar's if not given");
+    command.add_option("--out-space", out.space, "Colour space of the output: srgb, linear, acescg or raw");
+    command
+        .add_option("--threads", out.threads,
+                    "Number of threads; one per core if not given. The result is the same")
+        ->check(CLI::Range(1, 1024));
+    command.add_option("--report", out.report, "JSON file for recipe, timings, peak memory and figures");
+    command.add_flag("--no-sidecar", out.noSidecar, "Do not write the recipe beside the output");
+    command.add_flag("--quiet", out.quiet, "Print nothing but errors");
+}
+
+void addMethods(CLI::App& app) {
+    static std::string id;
+    static bool json = false;
+    CLI::App* command = app.add_subcommand("methods", "List every method with its parameters");
+    command->add_option("method", id, "Only this one");
+    command->add_flag("--json", json, "As JSON");
+    command->callback([] { cli::listMethods(id, json); });
+}
+
+void addSynth(CLI::App& app) {
+    static cli::SynthOptions options;
+    CLI::App* command = app.add_subcommand("synth", "Make a texture from one or more exemplars");
+    command->add_option("method", options.method, "Id of the method; see `methods`")->required();
+    command->add_option("exemplar", options.exemplars, "Images to learn from")->required();
+    command->add_option("--size", options.size,
+                        "Size of the output, as 512x256 or 512; twice the exemplar if not given");
+    command->add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
+    command->add_option("--set", options.settings, "Parameter of the method, as name=value; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
+    command
+        ->add_option("--companion", options.companions,
+                     "Map of the exemplar's size to lay out alike; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--init", options.initial, "Image of the output's size to start from");
+    command
+        ->add_option("--mask", options.masks,
+                     "Image of the exemplar's size; where it is black nothing is copied")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--space", options.exemplarSpace,
+                        "Colour space of the exemplars; what the file says if not given");
+    addOutputOptions(*command, options.out, true);
+    command->callback([] { cli::synth(options); });
+}
+
+void addRun(CLI::App& app) {
+    static cli::RunOptions options;
+    CLI::App* command = app.add_subcommand("run", "Do again what a recipe says");
+    command->add_option("recipe", options.recipe, "A .json recipe, or an image that Texloom wrote")
+        ->required();
+    addOutputOptions(*command, options.out, false);
+    command->callback([] { cli::runRecipe(options); });
+}
+
+void addApply(CLI::App& app) {
+    static cli::ApplyOptions options;
+    CLI::App* command = app.add_subcommand("apply", "Lay out another image as a position map says");
+    command->add_option("map", options.map, "Position map: .exr (STMap) or .png (16-bit)")->required();
+    command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of its size")
+        ->required();
+    command->add_option("-o,--output", options.output, "File to write")->required();
+    command->add_flag("--quiet", options.quiet, "Print nothing but errors");
+    command->callback([] { cli::applyMap(options); });
+}
+
+int complain(const std::string& sentence, Exit code) {
+    fmt::print(stderr, "texloom-cli: {}\n", sentence);
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Texloom makes more of a texture.", "texloom-cli");
+    app.set_version_flag("--version", std::string("texloom-cli ") + kVersion);
+    app.require_subcommand(1);
+    addMethods(app);
+    addSynth(app);
+    addRun(app);
+    addApply(app);
+    cli::watchInterrupts();
+    try {
+        app.parse(argc, argv);
+        return kDone;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0)
+            return app.exit(error);
+        return complain(std::string(error.what()) + ". See texloom-cli --help.", kUsage);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const Cancelled&) {
+        return complain("Cancelled.", kCancelled);
+    } catch (const UsageError& error) {
+        return complain(error.what(), kUsage);
+    } catch (const std::bad_alloc&) {
+        return complain("There is not enough memory for this; try a smaller output.", kFailed);
+    } catch (const std::exception& error) {
+        return complain(error.what(), kFailed);
+    }
+}

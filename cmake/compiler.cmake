@@ -1,0 +1,24 @@
+# One interface target carries every compile option of the project.
+add_library(texloom_options INTERFACE)
+target_compile_options(texloom_options INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+  -ffp-contract=off # the same bits whether or not the machine has fused multiply-add
+  $<$<BOOL:${TEXLOOM_WERROR}>:-Werror>)
+target_include_directories(texloom_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+if(TEXLOOM_SANITIZE)
+  target_compile_options(texloom_options INTERFACE -fsanitize=${TEXLOOM_SANITIZE} -fno-omit-frame-pointer -O1
+    $<$<BOOL:$<STREQUAL:${TEXLOOM_SANITIZE},address,undefined>>:-fno-sanitize-recover=all>)
+  target_link_options(texloom_options INTERFACE -fsanitize=${TEXLOOM_SANITIZE})
+endif()
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+# Inner loops are written to vectorise; -O3 does so in every optimised build.
+string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

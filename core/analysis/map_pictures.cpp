@@ -1,0 +1,71 @@
+#include "core/analysis/map_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace texloom {
+
+namespace {
+
+using Color = std::array<float, 3>;
+
+/// Hue turns with the angle around the exemplar's centre; saturation grows outwards and lightness falls from
+/// top to bottom, so that position and colour determine each other.
+Color colorAt(double u, double v, int exemplar, int count) {
+    const double angle = std::atan2(v - 0.5, u - 0.5) / (2 * std::numbers::pi) + 0.5;
+    const double hue = (exemplar + angle * (count > 1 ? 0.8 : 1.0)) / count;
+    const double radius = std::min(1.0, 2 * std::max(std::abs(u - 0.5), std::abs(v - 0.5)));
+    const double saturation = 0.15 + 0.85 * std::sqrt(radius);
+    const double value = 0.95 - 0.45 * v;
+    Color color{};
+    for (int c = 0; c < 3; ++c) {
+        const double ramp = std::abs(std::fmod(hue * 6 + 6 - 2 * c, 6.0) - 3) - 1;
+        color[static_cast<std::size_t>(c)] =
+            static_cast<float>(value * (1 - saturation * (1 - std::clamp(ramp, 0.0, 1.0))));
+    }
+    return color;
+}
+
+} // namespace
+
+Image positionPicture(Size exemplarSize, int exemplar, int count) {
+    Image picture(exemplarSize, 3);
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            const Color color =
+                colorAt((x + 0.5) / exemplarSize.width, (y + 0.5) / exemplarSize.height, exemplar, count);
+            for (int c = 0; c < 3; ++c)
+                picture(x, y, c) = color[static_cast<std::size_t>(c)];
+        }
+    return picture;
+}
+
+Image synthesisPicture(const PositionMap& map) {
+    const int count = static_cast<int>(map.exemplarSizes().size());
+    std::vector<Image> pictures;
+    for (int i = 0; i < count; ++i)
+        pictures.push_back(positionPicture(map.exemplarSizes()[static_cast<std::size_t>(i)], i, count));
+    const std::vector<ImageView> views(pictures.begin(), pictures.end());
+    return map.apply(views);
+}
+
+double innovation(const PositionMap& map) {
+    std::int64_t pairs = 0;
+    std::int64_t broken = 0;
+    const auto count = [&](const Source& a, const Source& b, int dx, int dy) {
+        ++pairs;
+        broken += a.exemplar != b.exemplar || b.x - a.x != dx || b.y - a.y != dy;
+    };
+    for (int y = 0; y < map.height(); ++y)
+        for (int x = 0; x < map.width(); ++x) {
+            if (x + 1 < map.width())
+                count(map.at(x, y), map.at(x + 1, y), 1, 0);
+            if (y + 1 < map.height())
+                count(map.at(x, y), map.at(x, y + 1), 0, 1);
+        }
+    return pairs == 0 ? 0 : static_cast<double>(broken) / static_cast<double>(pairs);
+}
+
+} // namespace texloom

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/image/position_map.h"
+
+namespace texloom {
+
+/// Gives every pixel of an exemplar a colour of its own, so that neighbours differ little and far pixels much
+/// (Raad & Galerne, IPOL 2017, section 4: the position map, fig. 5). Three channels, 0 to 1.
+/// @param exemplar its number, @param count of how many: each gets a range of hues for itself.
+Image positionPicture(Size exemplarSize, int exemplar = 0, int count = 1);
+
+/// The synthesis map as a picture: every output pixel in the colour that positionPicture() gives its source;
+/// pixels without a source are 0. Even areas are verbatim copies.
+Image synthesisPicture(const PositionMap& map);
+
+/// Share of horizontally and vertically neighbouring output pixels whose sources are not neighbours in the
+/// same way: 0 for a copy of the exemplar, near 1 where every pixel comes from elsewhere.
+double innovation(const PositionMap& map);
+
+} // namespace texloom

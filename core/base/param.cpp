@@ -1,0 +1,149 @@
+#include "core/base/param.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
+namespace texloom {
+
+Param Param::range(double smallest, double largest) && {
+    m_smallest = smallest;
+    m_largest = largest;
+    return std::move(*this);
+}
+
+Param Param::unit(std::string text) && {
+    m_unit = std::move(text);
+    return std::move(*this);
+}
+
+Param Param::help(std::string text) && {
+    m_help = std::move(text);
+    return std::move(*this);
+}
+
+Param Param::symbol(std::string text) && {
+    m_symbol = std::move(text);
+    return std::move(*this);
+}
+
+Param Param::group(std::string text) && {
+    m_group = std::move(text);
+    return std::move(*this);
+}
+
+Param Param::scaled(double share) && {
+    m_scale = share;
+    return std::move(*this);
+}
+
+Param Param::when(std::string name, Value value) && {
+    m_condition = Condition{std::move(name), std::move(value)};
+    return std::move(*this);
+}
+
+Param Param::choices(std::vector<Choice> entries) && {
+    m_choices = std::move(entries);
+    m_default = m_choices.at(m_defaultChoice).id;
+    return std::move(*this);
+}
+
+Value Param::defaultFor(int shorterSide) const {
+    if (!m_scale || shorterSide <= 0)
+        return m_default;
+    const double scaled = std::clamp(*m_scale * shorterSide, smallest(), largest());
+    if (m_type == Type::Integer)
+        return std::min(static_cast<int>(std::lround(scaled)),
+                        std::max(shorterSide, static_cast<int>(smallest())));
+    return scaled;
+}
+
+std::string Param::limitsText() const {
+    switch (m_type) {
+    case Type::Toggle:
+        return "on or off";
+    case Type::Choice: {
+        std::string ids;
+        for (const Choice& choice : m_choices)
+            ids += (ids.empty() ? "" : ", ") + choice.id;
+        return ids;
+    }
+    case Type::Integer:
+    case Type::Real:
+        break;
+    }
+    if (!hasRange())
+        return m_type == Type::Integer ? "any whole number" : "any number";
+    const std::string unitText = m_unit.empty() ? "" : " " + m_unit;
+    return numberText(smallest()) + " to " + numberText(largest()) + unitText;
+}
+
+void Param::refuse(const std::string& value) const {
+    const std::string verb = m_type == Type::Choice   ? "is one of"
+                             : m_type == Type::Toggle ? "is"
+                                                      : "goes from";
+    failUsage("{} = {}: {} {} {}.", m_name, value, m_title, verb, limitsText());
+}
+
+Value Param::checked(const Value& value) const {
+    switch (m_type) {
+    case Type::Toggle:
+        if (!std::holds_alternative<bool>(value))
+            refuse(toText(value));
+        return value;
+    case Type::Choice: {
+        const auto* id = std::get_if<std::string>(&value);
+        if (!id ||
+            std::none_of(m_choices.begin(), m_choices.end(), [&](const Choice& c) { return c.id == *id; }))
+            refuse(toText(value));
+        return value;
+    }
+    case Type::Integer:
+    case Type::Real:
+        break;
+    }
+    double number = 0;
+    if (const auto* whole = std::get_if<int>(&value))
+        number = *whole;
+    else if (const auto* real = std::get_if<double>(&value))
+        number = *real;
+    else
+        refuse(toText(value));
+    const bool wrongKind =
+        m_type == Type::Integer && (number != std::floor(number) || std::abs(number) > INT_MAX);
+    if (!std::isfinite(number) || wrongKind || (hasRange() && (number < smallest() || number > largest())))
+        refuse(toText(value));
+    if (m_type == Type::Integer)
+        return static_cast<int>(number);
+    return number;
+}
+
+Value Param::parse(std::string_view text) const {
+    if (m_type == Type::Choice)
+        return checked(std::string(text));
+    if (m_type == Type::Toggle) {
+        for (const char* yes : {"on", "true", "yes", "1"})
+            if (text == yes)
+                return true;
+        for (const char* no : {"off", "false", "no", "0"})
+            if (text == no)
+                return false;
+        refuse(std::string(text));
+    }
+    double number = 0;
+    if (!parseNumber(text, number))
+        refuse(text.empty() ? "(nothing)" : std::string(text));
+    return checked(number);
+}
+
+bool Param::applies(const Values& settings) const {
+    if (!m_condition)
+        return true;
+    const auto it = settings.find(m_condition->name);
+    return it != settings.end() && it->second == m_condition->value;
+}
+
+} // namespace texloom

@@ -1,0 +1,90 @@
+#include "core/color/color_pipeline.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/color/color_config.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+
+#include <sstream>
+
+namespace ocio = OCIO_NAMESPACE;
+
+namespace texloom::color {
+
+namespace {
+
+const char* const kWorkingSpace = "srgb";
+const char* const kDisplay = "sRGB";
+const char* const kView = "Plain";
+
+const ocio::ConstConfigRcPtr& config() {
+    static const ocio::ConstConfigRcPtr loaded = [] {
+        std::istringstream text(kColorConfig);
+        return ocio::Config::CreateFromStream(text);
+    }();
+    return loaded;
+}
+
+void process(Image& image, const ocio::ConstProcessorRcPtr& processor) {
+    if (processor->isNoOp())
+        return;
+    // Lossless: the fast approximations of pow() would not bring an 8-bit or half value back to itself.
+    const auto cpu = processor->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    const PlaneSpan red = image.plane(0);
+    const bool grey = image.channels() < 3;
+    const PlaneSpan green = grey ? red : image.plane(1);
+    const PlaneSpan blue = grey ? red : image.plane(2);
+    ocio::PlanarImageDesc pixels(red.data, green.data, blue.data, nullptr, red.width, red.height,
+                                 ocio::BIT_DEPTH_F32, sizeof(float),
+                                 red.stride * static_cast<std::ptrdiff_t>(sizeof(float)));
+    cpu->apply(pixels);
+}
+
+void convert(Image& image, std::string_view from, std::string_view to) {
+    findSpace(from);
+    findSpace(to);
+    if (from == to || from == "raw" || to == "raw")
+        return;
+    process(image, config()->getProcessor(std::string(from).c_str(), std::string(to).c_str()));
+}
+
+} // namespace
+
+const std::vector<ColorSpace>& spaces() {
+    static const std::vector<ColorSpace> all = {
+        {"srgb", TR("sRGB")},
+        {"linear", TR("Linear Rec.709")},
+        {"acescg", TR("ACEScg")},
+        {"raw", TR("Data (never converted)")},
+    };
+    return all;
+}
+
+const ColorSpace& findSpace(std::string_view id) {
+    std::vector<std::string> known;
+    for (const ColorSpace& space : spaces()) {
+        if (space.id == id)
+            return space;
+        known.push_back(space.id);
+    }
+    failUsage("There is no colour space {}; there is {}.", id, listText(known));
+}
+
+void toWorking(Image& image, std::string_view space) {
+    convert(image, space, kWorkingSpace);
+}
+
+void fromWorking(Image& image, std::string_view space) {
+    convert(image, kWorkingSpace, space);
+}
+
+void toDisplay(Image& image) {
+    const auto transform = ocio::DisplayViewTransform::Create();
+    transform->setSrc(kWorkingSpace);
+    transform->setDisplay(kDisplay);
+    transform->setView(kView);
+    process(image, config()->getProcessor(transform));
+}
+
+} // namespace texloom::color

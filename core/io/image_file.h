@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/image/image.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace texloom {
+
+/// What a file says of the image in it.
+struct ImageFileInfo {
+    Size size; ///< as shown: the file's orientation is applied
+    int channels = 0;
+    std::string format; ///< "png", "jpeg", "tiff", "openexr", "hdr"
+    std::string depth;  ///< "8-bit", "16-bit", "32-bit", "half", "float"
+    std::string
+        space; ///< id of the colour space that the file says or its format implies; see color::spaces()
+    std::string iccProfile; ///< name of the embedded profile, or empty
+    std::string recipe;     ///< text of the embedded recipe, or empty
+};
+
+/// Pixels as the file has them (integers scaled to 0 to 1), and what the file says of them.
+struct LoadedImage {
+    Image image;
+    ImageFileInfo info;
+};
+
+/// How deep samples are written.
+enum class Depth { Bits8, Bits16, Half, Float };
+
+struct WriteOptions {
+    Depth depth = Depth::Bits8;
+    std::string space = "srgb"; ///< written into the file's metadata; the pixels are not converted
+    std::string recipe;         ///< embedded where the format can hold text (PNG, TIFF, EXR); empty for none
+    /// Further text attributes by name, such as "texloom:exemplars".
+    std::vector<std::pair<std::string, std::string>> attributes;
+    std::function<void()> check; ///< called for every row; what it throws ends the writing and leaves no file
+};
+
+/// More pixels than this in one file are refused.
+inline constexpr std::int64_t kLargestFilePixels = 512LL << 20;
+
+/// Reads PNG, JPEG, TIFF, OpenEXR and Radiance HDR: grey, colour, alpha (unassociated), palette; told apart
+/// by their first bytes, never by their names. The orientation is applied.
+/// @throws Error in one sentence if the file is missing, not an image, broken, too large, or holds values
+/// that are not finite.
+LoadedImage readImage(const std::filesystem::path& path, std::int64_t largestPixels = kLargestFilePixels);
+
+/// What readImage() would find, from the header alone. @throws Error as readImage()
+ImageFileInfo readImageInfo(const std::filesystem::path& path);
+
+/// Name of one text attribute in the file's metadata, or empty. @throws Error as readImage()
+std::string readAttribute(const std::filesystem::path& path, const std::string& name);
+
+/// Makes one row of samples, interleaved by channel; called for y = 0, 1, … in order.
+using RowSource = std::function<void(int y, float* row)>;
+
+/// Writes an image to a temporary file beside `path` and renames it: `path` holds the whole image or what it
+/// held before. The format follows from the name: .png .jpg .jpeg .tif .tiff .exr .hdr.
+/// @throws Error or UsageError if the format cannot hold the image or the file cannot be written.
+void writeImage(const std::filesystem::path& path, const ImageView& image, const WriteOptions& options);
+/// The same for an image that is made row by row, so that it is never in memory whole.
+void writeImage(const std::filesystem::path& path, Size size, int channels, const RowSource& rows,
+                const WriteOptions& options);
+
+/// Checks that `path` can be written before a long run: known format, channels it can hold, folder there and
+/// writable.
+/// @throws Error or UsageError
+void checkWritable(const std::filesystem::path& path, int channels);
+
+/// The depths that a file format holds, best for textures first. @param path only its extension counts.
+std::vector<Depth> depthsFor(const std::filesystem::path& path);
+
+/// "8-bit", "16-bit", "half" or "float".
+std::string_view depthName(Depth depth);
+
+/// SHA-1 of a file's bytes in hexadecimal. @throws Error if it cannot be read.
+std::string fileHash(const std::filesystem::path& path);
+
+/// Writes text as writeImage() does: whole or not at all. @throws Error
+void writeText(const std::filesystem::path& path, std::string_view text);
+/// @throws Error if it cannot be read or is larger than `largestBytes`.
+std::string readText(const std::filesystem::path& path, std::uintmax_t largestBytes = 16U << 20);
+
+} // namespace texloom

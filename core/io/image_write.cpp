@@ -1,0 +1,165 @@
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/image_file.h"
+#include "core/io/temporary_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Format {
+    std::string_view name;
+    std::vector<std::string_view> extensions;
+    std::vector<Depth> depths;
+    std::vector<int> channels; ///< counts it can hold; empty for any
+};
+
+const std::vector<Format>& formats() {
+    static const std::vector<Format> all = {
+        {"png", {".png"}, {Depth::Bits8, Depth::Bits16}, {1, 2, 3, 4}},
+        {"tiff", {".tif", ".tiff"}, {Depth::Bits16, Depth::Bits8, Depth::Float}, {}},
+        {"openexr", {".exr"}, {Depth::Half, Depth::Float}, {}},
+        {"jpeg", {".jpg", ".jpeg"}, {Depth::Bits8}, {1, 3}},
+        {"hdr", {".hdr"}, {Depth::Float}, {3}},
+    };
+    return all;
+}
+
+const Format& formatFor(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const Format& format : formats())
+        if (std::find(format.extensions.begin(), format.extensions.end(), extension) !=
+            format.extensions.end())
+            return format;
+    failUsage("{} cannot be written: the name ends in {}; Texloom writes .png, .jpg, .tif, .exr and .hdr.",
+              path.string(), extension.empty() ? "nothing that names a format" : extension);
+}
+
+OIIO::TypeDesc typeOf(Depth depth) {
+    switch (depth) {
+    case Depth::Bits8:
+        return OIIO::TypeDesc::UINT8;
+    case Depth::Bits16:
+        return OIIO::TypeDesc::UINT16;
+    case Depth::Half:
+        return OIIO::TypeDesc::HALF;
+    case Depth::Float:
+        break;
+    }
+    return OIIO::TypeDesc::FLOAT;
+}
+
+void checkFormat(const fs::path& path, const Format& format, int channels, Depth depth) {
+    if (!format.channels.empty() &&
+        std::find(format.channels.begin(), format.channels.end(), channels) == format.channels.end()) {
+        std::vector<std::string> counts;
+        for (const int count : format.channels)
+            counts.push_back(std::to_string(count));
+        failUsage("{} cannot be written: the image has {} channels, and {} holds {}.", path.string(),
+                  channels, path.extension().string(), listText(counts));
+    }
+    if (std::find(format.depths.begin(), format.depths.end(), depth) == format.depths.end())
+        failUsage("{} cannot be written: {} does not hold {} samples.", path.string(),
+                  path.extension().string(), depthName(depth));
+}
+
+OIIO::ImageSpec specFor(Size size, int channels, const Format& format, const WriteOptions& options) {
+    OIIO::ImageSpec spec(size.width, size.height, channels, typeOf(options.depth));
+    spec.attribute("oiio:ColorSpace", options.space == "srgb" ? "sRGB" : "Linear");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("texloom:space", options.space);
+    spec.attribute("Software", "Texloom");
+    if (format.name == "jpeg") {
+        spec.attribute("Compression", "jpeg:95");
+        spec.attribute("jpeg:subsampling", "4:4:4");
+    }
+    if (format.name == "openexr")
+        spec.attribute("compression", "zip");
+    if (format.name == "tiff")
+        spec.attribute("compression", "zip");
+    if (!options.recipe.empty())
+        spec.attribute(format.name == "tiff" ? "ImageDescription" : "texloom:recipe", options.recipe);
+    for (const auto& [name, text] : options.attributes)
+        spec.attribute(name, text);
+    return spec;
+}
+
+[[noreturn]] void failWriting(const fs::path& path, const std::string& message) {
+    const std::string why = message.substr(0, message.find('\n'));
+    fail("{} cannot be written: {}.", path.string(), why.empty() ? "the disk may be full" : why);
+}
+
+} // namespace
+
+void writeImage(const fs::path& path, Size size, int channels, const RowSource& rows,
+                const WriteOptions& options) {
+    const Format& format = formatFor(path);
+    checkFormat(path, format, channels, options.depth);
+    TemporaryFile temporary(path);
+    auto output = OIIO::ImageOutput::create(std::string(format.name));
+    if (!output || !output->open(temporary.path().string(), specFor(size, channels, format, options)))
+        failWriting(path, output ? output->geterror() : "there is no writer for this format");
+    std::vector<float> row(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(channels));
+    for (int y = 0; y < size.height; ++y) {
+        if (options.check)
+            options.check();
+        rows(y, row.data());
+        if (!output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data()))
+            failWriting(path, output->geterror());
+    }
+    if (!output->close())
+        failWriting(path, output->geterror());
+    temporary.commit();
+}
+
+void writeImage(const fs::path& path, const ImageView& image, const WriteOptions& options) {
+    const RowSource interleave = [&image](int y, float* row) {
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < image.channels; ++c)
+                *row++ = image(x, y, c);
+    };
+    writeImage(path, image.size(), image.channels, interleave, options);
+}
+
+void checkWritable(const fs::path& path, int channels) {
+    const Format& format = formatFor(path);
+    checkFormat(path, format, channels, format.depths.front());
+    if (fs::is_directory(path))
+        fail("{} cannot be written: it is a folder.", path.string());
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder))
+        fail("{} cannot be written: there is no folder {}.", path.string(), folder.string());
+    if (::access(folder.c_str(), W_OK) != 0)
+        fail("{} cannot be written: the folder {} is not writable.", path.string(), folder.string());
+}
+
+std::vector<Depth> depthsFor(const fs::path& path) {
+    return formatFor(path).depths;
+}
+
+std::string_view depthName(Depth depth) {
+    switch (depth) {
+    case Depth::Bits8:
+        return "8-bit";
+    case Depth::Bits16:
+        return "16-bit";
+    case Depth::Half:
+        return "half";
+    case Depth::Float:
+        break;
+    }
+    return "float";
+}
+
+} // namespace texloom

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/base/value.h"
+#include "core/image/size.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texloom {
+
+/// A file that a recipe uses.
+struct RecipeFile {
+    std::filesystem::path
+        path;          ///< absolute in memory; relative to the recipe's folder in JSON where that is possible
+    std::string space; ///< id of the colour space that its values are in; "raw" for data
+    std::string hash;  ///< SHA-1 of its bytes, or empty
+};
+
+struct RecipeExemplar {
+    RecipeFile image;
+    std::optional<RecipeFile> mask;
+    std::vector<RecipeFile> companions;
+};
+
+/// All that a result depends on: what it takes to make the same bits again with the same build.
+struct Recipe {
+    /// Version of the format that this build writes and the newest it reads.
+    static constexpr int kFormat = 1;
+
+    std::string version; ///< of the Texloom that wrote it
+    std::string method;
+    Values parameters; ///< complete when written by Texloom; missing ones get the method's defaults
+    std::vector<RecipeExemplar> exemplars;
+    std::optional<RecipeFile> initial;
+    Size size;
+    Wrap wrap;
+    std::uint64_t seed = 0;
+
+    /// JSON text with paths relative to `folder`.
+    std::string toJson(const std::filesystem::path& folder) const;
+    /// @param folder against which relative paths are taken.
+    /// @throws UsageError that names the wrong field, its value and what it may be.
+    static Recipe fromJson(std::string_view text, const std::filesystem::path& folder);
+};
+
+/// The recipe in a .json file, or embedded in an image that Texloom wrote. @throws Error or UsageError
+Recipe readRecipe(const std::filesystem::path& path);
+
+} // namespace texloom

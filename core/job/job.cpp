@@ -1,0 +1,44 @@
+#include "core/job/job.h"
+
+#include "core/base/error.h"
+
+#include <exception>
+#include <new>
+
+namespace texloom {
+
+void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)> work,
+                      std::function<void()> cancelled, std::function<void(Failure)> failed,
+                      std::function<void()> onFinished) {
+    m_thread = std::jthread([=, this](const std::stop_token& stop) {
+        try {
+            JobContext context(
+                options, [&stop] { return stop.stop_requested(); }, *m_monitor);
+            work(context);
+            const std::lock_guard lock(m_monitor->m_mutex);
+            m_monitor->m_progress = 1;
+            if (!m_monitor->m_stages.empty())
+                m_monitor->m_stages.back().seconds =
+                    std::chrono::duration<double>(std::chrono::steady_clock::now() - m_monitor->m_stageStart)
+                        .count();
+        } catch (const Cancelled&) {
+            cancelled();
+        } catch (const UsageError& error) {
+            failed({error.what(), true});
+        } catch (const std::bad_alloc&) {
+            failed({"There is not enough memory for this; try a smaller output.", false});
+        } catch (const std::exception& error) {
+            failed({error.what(), false});
+        }
+        m_finished = true;
+        if (onFinished)
+            onFinished();
+    });
+}
+
+void JobRunner::join() {
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+} // namespace texloom

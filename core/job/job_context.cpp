@@ -1,0 +1,219 @@
+#include "core/job/job_context.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace texloom {
+
+namespace {
+
+/// Longest side of a preview: what a viewer fills at 100 %, copied in a few milliseconds.
+constexpr int kPreviewSide = 640;
+/// Previews may cost this share of the run's time.
+constexpr int kPreviewShare = 50;
+constexpr std::chrono::milliseconds kPreviewPause{80};
+/// How long ordered tasks run between two moments for progress and previews.
+constexpr std::chrono::milliseconds kSlice{50};
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Preview sample(const ImageView& image, const PositionMap* map) {
+    const Size full = image.size();
+    const int step = (full.longerSide() + kPreviewSide - 1) / kPreviewSide;
+    const Size size{(full.width + step - 1) / step, (full.height + step - 1) / step};
+    Preview preview{Image(size, image.channels), {}, full, step};
+    for (int c = 0; c < image.channels; ++c)
+        for (int y = 0; y < size.height; ++y) {
+            const float* from = image.plane(c).row(y * step);
+            float* to = preview.image.plane(c).row(y);
+            for (int x = 0; x < size.width; ++x)
+                to[x] = from[x * step];
+        }
+    if (map) {
+        preview.map = PositionMap(size, map->exemplarSizes());
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                preview.map.at(x, y) = map->at(x * step, y * step);
+    }
+    return preview;
+}
+
+} // namespace
+
+int threadCount(int asked) {
+    return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+double JobMonitor::progress() const {
+    const std::lock_guard lock(m_mutex);
+    return m_progress;
+}
+
+std::string JobMonitor::stage() const {
+    const std::lock_guard lock(m_mutex);
+    return m_stages.empty() ? std::string() : m_stages.back().name;
+}
+
+std::vector<StageTime> JobMonitor::stageTimes() const {
+    const std::lock_guard lock(m_mutex);
+    std::vector<StageTime> stages = m_stages;
+    if (!stages.empty() && stages.back().seconds == 0)
+        stages.back().seconds = secondsSince(m_stageStart);
+    return stages;
+}
+
+double JobMonitor::seconds() const {
+    return secondsSince(m_start);
+}
+
+class JobContext::Arena {
+public:
+    explicit Arena(int threads)
+        : m_limit(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(std::max(threads, threadCount(0)))),
+          m_arena(threads) {}
+    tbb::task_arena& arena() { return m_arena; }
+
+private:
+    /// oneTBB never starts more threads than there are cores unless it is told so.
+    tbb::global_control m_limit;
+    tbb::task_arena m_arena;
+};
+
+JobContext::JobContext(const JobOptions& options, std::function<bool()> stopped, JobMonitor& monitor)
+    : m_random(options.seed), m_threads(threadCount(options.threads)), m_previews(options.previews),
+      m_stopped(std::move(stopped)), m_monitor(monitor), m_arena(std::make_unique<Arena>(m_threads)) {}
+
+JobContext::~JobContext() = default;
+
+void JobContext::check() const {
+    if (m_stopped())
+        throw Cancelled{};
+}
+
+void JobContext::stage(double weight, std::string name) {
+    check();
+    m_stageBegin += m_stageWeight;
+    m_stageWeight = weight;
+    const std::lock_guard lock(m_monitor.m_mutex);
+    if (!m_monitor.m_stages.empty())
+        m_monitor.m_stages.back().seconds = secondsSince(m_monitor.m_stageStart);
+    m_monitor.m_stageStart = Clock::now();
+    m_monitor.m_stages.push_back({std::move(name), 0});
+    m_monitor.m_progress = std::clamp(m_stageBegin, m_monitor.m_progress, 1.0);
+}
+
+void JobContext::progress(double fraction) {
+    check();
+    const double whole = m_stageBegin + m_stageWeight * std::clamp(fraction, 0.0, 1.0);
+    const std::lock_guard lock(m_monitor.m_mutex);
+    m_monitor.m_progress = std::clamp(whole, m_monitor.m_progress, 1.0);
+}
+
+void JobContext::preview(const ImageView& image, const PositionMap* map) {
+    const auto now = Clock::now();
+    if (!m_previews || now < m_nextPreview)
+        return;
+    m_monitor.m_preview.put(sample(image, map));
+    const auto done = Clock::now();
+    m_nextPreview = done + std::max<Clock::duration>(kPreviewPause, (done - now) * kPreviewShare);
+}
+
+namespace {
+
+/// Tasks that wait for each other. Runs those that are ready until a deadline, so that the caller gets a
+/// moment in which nothing runs.
+class TaskGraph {
+public:
+    TaskGraph(int count, const std::function<std::vector<int>(int)>& before, std::function<void(int)> body)
+        : m_body(std::move(body)), m_after(static_cast<std::size_t>(count)),
+          m_missing(static_cast<std::size_t>(count)) {
+        for (int task = 0; task < count; ++task) {
+            const std::vector<int> needed = before(task);
+            m_missing[static_cast<std::size_t>(task)] = static_cast<int>(needed.size());
+            for (const int earlier : needed)
+                m_after[static_cast<std::size_t>(earlier)].push_back(task);
+            if (needed.empty())
+                m_ready.push_back(task);
+        }
+    }
+
+    int done() const { return m_done; }
+
+    void runUntil(std::chrono::steady_clock::time_point deadline) {
+        m_deadline = deadline;
+        std::vector<int> ready;
+        ready.swap(m_ready);
+        for (const int task : ready)
+            launch(task);
+        m_group.wait();
+    }
+
+private:
+    void launch(int task) {
+        m_group.run([this, task] {
+            m_body(task);
+            ++m_done;
+            for (const int next : m_after[static_cast<std::size_t>(task)])
+                if (--m_missing[static_cast<std::size_t>(next)] == 0)
+                    becameReady(next);
+        });
+    }
+
+    void becameReady(int task) {
+        if (std::chrono::steady_clock::now() < m_deadline)
+            return launch(task);
+        const std::lock_guard lock(m_mutex);
+        m_ready.push_back(task);
+    }
+
+    std::function<void(int)> m_body;
+    std::vector<std::vector<int>> m_after;
+    std::vector<std::atomic<int>> m_missing;
+    std::vector<int> m_ready;
+    std::mutex m_mutex;
+    std::atomic<int> m_done = 0;
+    std::chrono::steady_clock::time_point m_deadline;
+    tbb::task_group m_group;
+};
+
+} // namespace
+
+void JobContext::parallelAfter(int count, const std::function<std::vector<int>(int)>& before,
+                               const std::function<void(int)>& body,
+                               const std::function<void(int)>& between) {
+    m_arena->arena().execute([&] {
+        TaskGraph graph(count, before, [&](int task) {
+            check();
+            body(task);
+        });
+        while (graph.done() < count) {
+            graph.runUntil(Clock::now() + kSlice);
+            between(graph.done());
+        }
+    });
+}
+
+void JobContext::parallel(int begin, int end, const std::function<void(int)>& body) {
+    m_arena->arena().execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<int>(begin, end, 1),
+            [&](const tbb::blocked_range<int>& range) {
+                for (int i = range.begin(); i != range.end(); ++i) {
+                    check();
+                    body(i);
+                }
+            },
+            tbb::simple_partitioner());
+    });
+}
+
+} // namespace texloom

@@ -1,0 +1,144 @@
+#include "core/math/fft.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <mutex>
+#include <new>
+#include <tuple>
+
+namespace texloom {
+
+namespace {
+
+enum class Kind { RealForward, RealBackward, Forward, Backward };
+
+/// A batch of one-dimensional transforms: length, how many, and where they lie.
+struct Batch {
+    Kind kind;
+    int length;
+    int count;
+    int inStride, inDistance, outStride, outDistance;
+
+    auto key() const { return std::tuple(kind, length, count, inStride, inDistance, outStride, outDistance); }
+    friend bool operator<(const Batch& a, const Batch& b) { return a.key() < b.key(); }
+};
+
+fftwf_complex* raw(std::complex<float>* data) {
+    return reinterpret_cast<fftwf_complex*>(data);
+}
+
+/// ESTIMATE plans read nothing from the arrays and depend on their alignment alone, so that one plan serves
+/// all buffers whose blocks start at the alignment of fftwf_malloc.
+fftwf_plan makePlan(const Batch& b) {
+    const auto inSize =
+        static_cast<std::size_t>(b.inDistance) * b.count + static_cast<std::size_t>(b.inStride) * b.length;
+    const auto outSize =
+        static_cast<std::size_t>(b.outDistance) * b.count + static_cast<std::size_t>(b.outStride) * b.length;
+    const FftBuffer<std::complex<float>> in(inSize), out(outSize);
+    auto* reals = reinterpret_cast<float*>(in.data());
+    switch (b.kind) {
+    case Kind::RealForward:
+        return fftwf_plan_many_dft_r2c(1, &b.length, b.count, reals, nullptr, b.inStride, b.inDistance,
+                                       raw(out.data()), nullptr, b.outStride, b.outDistance, FFTW_ESTIMATE);
+    case Kind::RealBackward:
+        return fftwf_plan_many_dft_c2r(1, &b.length, b.count, raw(out.data()), nullptr, b.inStride,
+                                       b.inDistance, reals, nullptr, b.outStride, b.outDistance,
+                                       FFTW_ESTIMATE);
+    case Kind::Forward:
+    case Kind::Backward:
+        break;
+    }
+    return fftwf_plan_many_dft(1, &b.length, b.count, raw(in.data()), nullptr, b.inStride, b.inDistance,
+                               raw(in.data()), nullptr, b.outStride, b.outDistance,
+                               b.kind == Kind::Forward ? FFTW_FORWARD : FFTW_BACKWARD, FFTW_ESTIMATE);
+}
+
+/// The only place where plans are made; FFTW's planner is not safe to be called from several threads.
+fftwf_plan planFor(const Batch& batch) {
+    static std::mutex mutex;
+    static std::map<Batch, fftwf_plan> plans;
+    const std::lock_guard lock(mutex);
+    const auto [it, missing] = plans.try_emplace(batch);
+    if (missing)
+        it->second = makePlan(batch);
+    return it->second;
+}
+
+/// A multiple of 8 complex samples (64 bytes), and never of 4 KiB, which would put a row's samples in one
+/// cache set.
+std::ptrdiff_t paddedStride(int length) {
+    const std::ptrdiff_t stride = (length + 7) / 8 * 8;
+    return stride % 512 == 0 ? stride + 8 : stride;
+}
+
+} // namespace
+
+int fastFftLength(int length) {
+    for (int candidate = std::max(1, length);; ++candidate) {
+        int rest = candidate;
+        for (const int prime : {2, 3, 5, 7})
+            while (rest % prime == 0)
+                rest /= prime;
+        if (rest == 1)
+            return candidate;
+    }
+}
+
+template <class T> void FftBuffer<T>::Free::operator()(T* data) const {
+    fftwf_free(data);
+}
+
+template <class T> FftBuffer<T>::FftBuffer(std::size_t count) : m_size(count) {
+    m_data.reset(static_cast<T*>(fftwf_malloc(std::max<std::size_t>(1, count) * sizeof(T))));
+    if (!m_data)
+        throw std::bad_alloc();
+}
+
+template class FftBuffer<float>;
+template class FftBuffer<std::complex<float>>;
+
+RealFft2d::RealFft2d(Size size)
+    : m_size(size), m_columnStride(paddedStride(size.height)), m_rowStride((size.width + 15) / 16 * 16) {}
+
+void RealFft2d::forwardRows(const float* image, int rows, Complex* spectrum,
+                            const std::function<void()>& check) const {
+    for (int column = 0; column < columns(); ++column)
+        std::fill(spectrum + column * m_columnStride + rows,
+                  spectrum + column * m_columnStride + m_size.height, Complex(0, 0));
+    for (int row = 0; row < rows; row += kBlock) {
+        check();
+        const int count = std::min(kBlock, rows - row);
+        const auto plan = planFor({Kind::RealForward, m_size.width, count, 1, static_cast<int>(m_rowStride),
+                                   static_cast<int>(m_columnStride), 1});
+        // FFTW's out-of-place real transform leaves its input alone, though its interface does not say const.
+        fftwf_execute_dft_r2c(plan, const_cast<float*>(image) + row * m_rowStride, raw(spectrum + row));
+    }
+}
+
+void RealFft2d::forwardColumns(Complex* spectrum, int first, int last) const {
+    const int stride = static_cast<int>(m_columnStride);
+    const auto plan = planFor({Kind::Forward, m_size.height, last - first, 1, stride, 1, stride});
+    fftwf_execute_dft(plan, raw(spectrum + first * m_columnStride), raw(spectrum + first * m_columnStride));
+}
+
+void RealFft2d::backwardColumns(Complex* spectrum, int first, int last) const {
+    const int stride = static_cast<int>(m_columnStride);
+    const auto plan = planFor({Kind::Backward, m_size.height, last - first, 1, stride, 1, stride});
+    fftwf_execute_dft(plan, raw(spectrum + first * m_columnStride), raw(spectrum + first * m_columnStride));
+}
+
+void RealFft2d::backwardRows(Complex* spectrum, int rows, float* image,
+                             const std::function<void()>& check) const {
+    for (int row = 0; row < rows; row += kBlock) {
+        check();
+        const int count = std::min(kBlock, rows - row);
+        const auto plan = planFor({Kind::RealBackward, m_size.width, count, static_cast<int>(m_columnStride),
+                                   1, 1, static_cast<int>(m_rowStride)});
+        fftwf_execute_dft_c2r(plan, raw(spectrum + row), image + row * m_rowStride);
+    }
+}
+
+} // namespace texloom

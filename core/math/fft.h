@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/image/size.h"
+
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace texloom {
+
+/// The smallest length of at least `length` that FFTW transforms fast: a product of 2, 3, 5 and 7.
+int fastFftLength(int length);
+
+/// Complex or real samples aligned for SIMD, as FFTW wants them.
+template <class T> class FftBuffer {
+public:
+    FftBuffer() = default;
+    explicit FftBuffer(std::size_t count);
+
+    T* data() const { return m_data.get(); }
+    std::size_t size() const { return m_size; }
+
+private:
+    struct Free {
+        void operator()(T* data) const;
+    };
+    std::size_t m_size = 0;
+    std::unique_ptr<T[], Free> m_data;
+};
+
+/// Two-dimensional Fourier transforms of real images of one size, unnormalised (forward then backward
+/// multiplies by the area), in single precision through FFTW with ESTIMATE plans from one cache, so that
+/// every run on a machine uses the same plans. They are done in two passes that the caller sees, because
+/// patches are mostly zero and only part of the output is wanted: rows that are zero, or not wanted, are left
+/// out.
+///
+/// A spectrum is stored by columns: column k (0 to width / 2) at `k * columnStride()`, `height` values each.
+class RealFft2d {
+public:
+    using Complex = std::complex<float>;
+
+    /// @param size of the transform; each side best from fastFftLength().
+    explicit RealFft2d(Size size);
+
+    Size size() const { return m_size; }
+    int columns() const { return m_size.width / 2 + 1; }
+    std::ptrdiff_t columnStride() const { return m_columnStride; }
+    /// Floats from one row of a real image to the next.
+    std::ptrdiff_t rowStride() const { return m_rowStride; }
+    std::size_t spectrumSize() const {
+        return static_cast<std::size_t>(m_columnStride) * static_cast<std::size_t>(columns());
+    }
+    std::size_t imageSize() const {
+        return static_cast<std::size_t>(m_rowStride) * static_cast<std::size_t>(m_size.height);
+    }
+
+    /// Transforms the first `rows` rows of `image` into `spectrum`, by rows; the other rows count as 0.
+    /// `check` is called between blocks and may throw.
+    void forwardRows(const float* image, int rows, Complex* spectrum,
+                     const std::function<void()>& check) const;
+    /// Transforms the columns [first, last) of a spectrum in place.
+    void forwardColumns(Complex* spectrum, int first, int last) const;
+    void backwardColumns(Complex* spectrum, int first, int last) const;
+    /// Gives the first `rows` rows of the image; the spectrum is used up.
+    void backwardRows(Complex* spectrum, int rows, float* image, const std::function<void()>& check) const;
+
+    /// Columns are best worked on this many at a time.
+    static constexpr int kBlock = 16;
+
+private:
+    Size m_size;
+    std::ptrdiff_t m_columnStride;
+    std::ptrdiff_t m_rowStride;
+};
+
+} // namespace texloom

@@ -1,0 +1,74 @@
+#include "core/methods/quilting/grid.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+
+namespace texloom::quilting {
+
+namespace {
+
+int dividedUp(int a, int b) {
+    return (a + b - 1) / b;
+}
+
+} // namespace
+
+Axis::Axis(int length, int patch, int overlap, bool wraps) : m_patch(patch), m_wraps(wraps) {
+    const int step = patch - overlap;
+    if (!wraps) {
+        const int count = length <= patch ? 1 : 1 + dividedUp(length - patch, step);
+        for (int i = 0; i < count; ++i)
+            m_starts.push_back(i * step);
+        m_canvas = m_starts.back() + patch;
+        return;
+    }
+    // No more patches than keep every overlap within half the patch, which the wavefront relies on.
+    const int count = std::min(dividedUp(length, step), length / dividedUp(patch, 2));
+    for (int i = 0; i < count; ++i)
+        m_starts.push_back(static_cast<int>(static_cast<std::int64_t>(i) * length / count));
+    m_canvas = length;
+}
+
+int Axis::overlapBefore(int index) const {
+    const int previous = index > 0 ? start(index - 1) : m_starts.back() - m_canvas;
+    return m_patch - (start(index) - previous);
+}
+
+Grid::Grid(const Axis& horizontal, const Axis& vertical)
+    : m_columns(horizontal.count()), m_lag(horizontal.wraps() ? 2 : 1) {
+    for (int row = 0; row < vertical.count(); ++row)
+        for (int nth = 0; nth < m_columns; ++nth) {
+            const int column = horizontal.wraps() ? (row + nth) % m_columns : nth;
+            Overlap overlap;
+            if (nth > 0)
+                overlap.left = horizontal.overlapBefore(column);
+            if (row > 0)
+                overlap.top = vertical.overlapBefore(row);
+            if (horizontal.wraps() && nth == m_columns - 1)
+                overlap.right = horizontal.overlapAfter(column);
+            if (vertical.wraps() && row == vertical.count() - 1)
+                overlap.bottom = vertical.overlapAfter(row);
+            m_cells.push_back({column, row, horizontal.start(column), vertical.start(row), overlap});
+        }
+}
+
+std::vector<int> Grid::before(int index) const {
+    const int row = index / m_columns;
+    const int nth = index % m_columns;
+    std::vector<int> needed;
+    if (nth > 0)
+        needed.push_back(index - 1);
+    if (row > 0)
+        needed.push_back((row - 1) * m_columns + std::min(nth + m_lag, m_columns - 1));
+    return needed;
+}
+
+std::vector<Overlap> Grid::overlaps() const {
+    std::set<Overlap> distinct;
+    for (const Cell& cell : m_cells)
+        distinct.insert(cell.overlap);
+    return {distinct.begin(), distinct.end()};
+}
+
+} // namespace texloom::quilting

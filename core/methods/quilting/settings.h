@@ -1,0 +1,25 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::quilting {
+
+/// How a new patch is joined to what is there.
+enum class Stitch { Cut, SmoothCut };
+
+/// Parameters of image quilting (Raad & Galerne, IPOL 2017, algorithm 1).
+struct Settings {
+    int patch = 40;         ///< side w_p in pixels
+    double overlap = 0.25;  ///< w_o as a share of the patch
+    double tolerance = 0.1; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
+    Stitch stitch = Stitch::Cut;
+    int softness = 3; ///< half the width in pixels over which a smooth cut blends
+
+    /// w_o in pixels: at least 1, at most half the patch.
+    int overlapPixels() const {
+        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
+    }
+};
+
+} // namespace texloom::quilting

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "core/image/position_map.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texloom {
+
+/// An image to learn from, shared and never changed once it is here.
+struct Exemplar {
+    std::string name;                   ///< for messages and labels
+    std::shared_ptr<const Image> image; ///< colours in the working space, or data
+    /// One channel of the exemplar's size, or none: pixels where it is 0 are never copied.
+    std::shared_ptr<const Image> mask;
+};
+
+/// All that a method is given: an immutable copy of the input.
+struct Request {
+    std::vector<Exemplar> exemplars;      ///< at least one; all with the same number of channels
+    std::shared_ptr<const Image> initial; ///< an image of the output's size to start from, or none
+    Size size;                            ///< of the output
+    Wrap wrap;
+    std::uint64_t seed = 0;
+
+    std::vector<Size> exemplarSizes() const;
+    int channels() const { return exemplars.front().image->channels(); }
+};
+
+/// A named series of numbers, such as the energy of each iteration.
+struct Curve {
+    std::string name;
+    std::vector<double> values;
+};
+
+/// A named picture beside the result, such as a dictionary or a lattice.
+struct Picture {
+    std::string name;
+    Image image;
+};
+
+/// A named number about the result.
+struct Figure {
+    std::string name;
+    double value = 0;
+};
+
+/// What a position map says of the image it comes with.
+enum class MapKind {
+    None,      ///< there is no map
+    Exact,     ///< applying the map to the exemplars gives the image, bit for bit
+    Dominant,  ///< pixels are blends; the map names the source with the largest weight
+    Estimated, ///< pixels are new; the map names the most similar exemplar pixel
+};
+
+/// What a method returns.
+struct Synthesis {
+    Image image;
+    PositionMap map;
+    MapKind mapKind = MapKind::None;
+    std::vector<Curve> curves;
+    std::vector<Picture> pictures;
+    std::vector<Figure> figures;
+};
+
+} // namespace texloom

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/io/image_file.h"
+#include "core/methods/synthesis.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace texloom {
+
+/// An image from a file, with its colours in the working space, ready to be an exemplar.
+struct ExemplarFile {
+    std::filesystem::path path;
+    std::string space; ///< the colour space that its values were taken to be in
+    std::string hash;
+    ImageFileInfo info;
+    std::shared_ptr<const Image> image;
+
+    /// File name without its extension, as labels show it.
+    std::string name() const { return path.stem().string(); }
+};
+
+/// Reads a colour image. @param space id of its colour space, or empty to take what the file says.
+/// @throws Error, UsageError
+ExemplarFile loadExemplar(const std::filesystem::path& path, const std::string& space = {});
+
+/// Reads an image of data (a normal map, heights): the values stay as they are in the file.
+ExemplarFile loadData(const std::filesystem::path& path);
+
+/// Reads a mask: the first channel of a file; pixels where it is 0 are left out.
+ExemplarFile loadMask(const std::filesystem::path& path);
+
+} // namespace texloom

@@ -1,0 +1,197 @@
+#include "core/session/export.h"
+
+#include "core/base/error.h"
+#include "core/color/color_pipeline.h"
+#include "core/io/map_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <functional>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// One file to write and how.
+struct Step {
+    ExportEntry entry;
+    std::function<void()> write;
+};
+
+fs::path folderOf(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// NAME_SUFFIX.ext beside NAME.ext.
+fs::path beside(const fs::path& image, const std::string& suffix, const std::string& extension) {
+    return folderOf(image) / (image.stem().string() + suffix + extension);
+}
+
+/// The space to write in: as asked, or what the format's users expect.
+std::string spaceFor(const Result& result, const ExportOptions& options) {
+    if (!options.space.empty())
+        return options.space;
+    const bool floating = options.depth == Depth::Half || options.depth == Depth::Float;
+    const std::string& source = result.plan.recipe.exemplars.front().image.space;
+    if (floating)
+        return source == "srgb" ? "linear" : source;
+    return source == "raw" ? source : "srgb";
+}
+
+bool hasMap(const Result& result) {
+    return result.synthesis.mapKind != MapKind::None;
+}
+
+void writeResult(const Result& result, const ExportOptions& options) {
+    WriteOptions write;
+    write.check = options.check;
+    write.depth = options.depth;
+    write.space = spaceFor(result, options);
+    write.recipe = result.plan.recipe.toJson(folderOf(options.image));
+    if (write.space == "srgb" || write.space == "raw") {
+        writeImage(options.image, result.synthesis.image, write);
+        return;
+    }
+    Image converted = result.synthesis.image;
+    color::fromWorking(converted, write.space);
+    writeImage(options.image, converted, write);
+}
+
+void writeSidecar(const Result& result, const ExportOptions& options, const fs::path& path) {
+    Json json = Json::parse(result.plan.recipe.toJson(folderOf(path)));
+    Json& outputs = json["outputs"];
+    outputs.push_back({{"file", options.image.filename().string()},
+                       {"content", "result"},
+                       {"space", spaceFor(result, options)},
+                       {"depth", depthName(options.depth)}});
+    if (hasMap(result))
+        for (const fs::path& map : options.maps)
+            outputs.push_back(
+                {{"file",
+                  fs::absolute(map).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
+                 {"content", "position map"},
+                 {"convention", mapConvention(map)}});
+    writeText(path, json.dump(2) + "\n");
+}
+
+void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
+                    const fs::path& path) {
+    std::vector<ImageView> images;
+    for (const auto& companions : result.plan.companions)
+        images.push_back(*companions[index].image);
+    WriteOptions write;
+    write.check = options.check;
+    write.depth = depthLike(result.plan.companions.front()[index], path);
+    write.space = "raw";
+    writeImage(path, result.synthesis.map.apply(images), write);
+}
+
+/// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
+/// bark.
+std::string companionSuffix(const std::string& exemplar, const std::string& companion) {
+    const auto [own, theirs] =
+        std::mismatch(companion.begin(), companion.end(), exemplar.begin(), exemplar.end());
+    const bool common = own != companion.begin() && own != companion.end();
+    const std::string rest = common ? std::string(own, companion.end()) : companion;
+    return rest.front() == '_' ? rest : "_" + rest;
+}
+
+std::vector<Step> companionSteps(const Result& result, const ExportOptions& options) {
+    std::vector<Step> steps;
+    if (!options.companions || result.plan.companions.empty() || result.plan.companions.front().empty())
+        return steps;
+    if (!hasMap(result))
+        failUsage("{} copies no pixels, so that it gives companion maps no layout.",
+                  result.plan.method->info().title);
+    const std::vector<ExemplarFile>& companions = result.plan.companions.front();
+    for (std::size_t i = 0; i < companions.size(); ++i) {
+        std::string extension = companions[i].path.extension().string();
+        if (extension == ".jpg" || extension == ".jpeg")
+            extension = ".png";
+        const fs::path path = beside(
+            options.image, companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()),
+            extension);
+        steps.push_back({{path, "companion map " + companions[i].name(), false},
+                         [&result, &options, i, path] { writeCompanion(result, options, i, path); }});
+    }
+    return steps;
+}
+
+std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
+    std::vector<Step> steps;
+    steps.push_back({{options.image, "result", false}, [&] { writeResult(result, options); }});
+    for (const fs::path& map : options.maps) {
+        if (!hasMap(result))
+            failUsage("{} copies no pixels, so that it has no position map.",
+                      result.plan.method->info().title);
+        steps.push_back(
+            {{map, map.extension() == ".exr" ? "position map (STMap)" : "position map (16-bit)", false},
+             [&result, &options, map] {
+                 writePositionMap(map, result.synthesis.map, result.plan.recipe.toJson(folderOf(map)),
+                                  options.check);
+             }});
+    }
+    for (Step& step : companionSteps(result, options))
+        steps.push_back(std::move(step));
+    if (options.sidecar) {
+        const fs::path path = beside(options.image, "", ".json");
+        steps.push_back(
+            {{path, "recipe", false}, [&result, &options, path] { writeSidecar(result, options, path); }});
+    }
+    for (Step& step : steps)
+        step.entry.exists = fs::exists(step.entry.path);
+    return steps;
+}
+
+} // namespace
+
+std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options) {
+    std::vector<ExportEntry> entries;
+    for (Step& step : stepsFor(result, options))
+        entries.push_back(std::move(step.entry));
+    return entries;
+}
+
+Depth depthLike(const ExemplarFile& source, const fs::path& path) {
+    const std::vector<Depth> depths = depthsFor(path);
+    const auto named = std::find_if(depths.begin(), depths.end(),
+                                    [&](Depth depth) { return depthName(depth) == source.info.depth; });
+    return named != depths.end() ? *named : depths.front();
+}
+
+std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions& options) {
+    std::vector<ExportEntry> written;
+    try {
+        for (Step& step : stepsFor(result, options)) {
+            step.write();
+            written.push_back(std::move(step.entry));
+        }
+    } catch (...) {
+        std::error_code ignored;
+        for (const ExportEntry& entry : written)
+            if (!entry.exists)
+                fs::remove(entry.path, ignored);
+        throw;
+    }
+    return written;
+}
+
+std::string reportJson(const Result& result, const fs::path& folder) {
+    Json json;
+    json["recipe"] = Json::parse(result.plan.recipe.toJson(folder));
+    json["threads"] = result.plan.threads;
+    json["seconds"] = result.seconds;
+    for (const StageTime& stage : result.stages)
+        json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+    json["peakMemoryBytes"] = peakMemory();
+    json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
+    for (const Figure& figure : result.figures)
+        json["figures"][figure.name] = figure.value;
+    return json.dump(2) + "\n";
+}
+
+} // namespace texloom

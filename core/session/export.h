@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/session/run.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace texloom {
+
+/// What an export writes, and how.
+struct ExportOptions {
+    std::filesystem::path image; ///< the result's file; its extension is the format
+    Depth depth = Depth::Bits8;
+    std::string space;   ///< of the file; empty for the exemplar's where the format can say it, else sRGB
+    bool sidecar = true; ///< the recipe beside it, as NAME.json
+    std::vector<std::filesystem::path> maps; ///< position maps to write: .exr and .png
+    bool companions = true;                  ///< companion maps as NAME_COMPANION.EXT, in their own depth
+    std::function<void()> check;             ///< called all the while; what it throws ends the export
+};
+
+/// One file of an export, before it is written.
+struct ExportEntry {
+    std::filesystem::path path;
+    std::string content; ///< "result", "position map (STMap)", "recipe", …
+    bool exists = false;
+};
+
+/// The files that exportResult() would write, in order.
+std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options);
+
+/// The depth nearest to a source file's own that the format of `path` holds.
+Depth depthLike(const ExemplarFile& source, const std::filesystem::path& path);
+
+/// Writes them; each whole or not at all. If one fails or `check` throws, files that this call made new are
+/// removed.
+/// @return the entries written. @throws Error, UsageError
+std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions& options);
+
+/// Recipe, timings by stage, peak memory and figures as JSON: the command line's --report.
+std::string reportJson(const Result& result, const std::filesystem::path& folder);
+
+} // namespace texloom

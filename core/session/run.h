@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/io/recipe.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "core/session/exemplar_file.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texloom {
+
+/// The images that a run learns from, as they were loaded.
+struct RunExemplar {
+    ExemplarFile image;
+    std::optional<ExemplarFile> mask;
+    std::vector<ExemplarFile> companions; ///< of the exemplar's size; they get the result's layout
+};
+
+/// What someone asked for.
+struct RunInput {
+    std::string method;
+    Values settings; ///< what was set; the rest gets defaults
+    std::vector<RunExemplar> exemplars;
+    std::optional<ExemplarFile> initial;
+    Size size;
+    Wrap wrap;
+    std::uint64_t seed = 0;
+    int threads = 0; ///< 0: one per core; changes the time and memory it takes, never the result
+};
+
+/// A run that was checked and can start: the method, complete settings, an immutable copy of the input, the
+/// recipe that makes it again, and what it will need.
+struct RunPlan {
+    const Method* method = nullptr;
+    Values settings;
+    Request request;
+    std::vector<std::vector<ExemplarFile>> companions; ///< for each exemplar
+    Recipe recipe;
+    Estimate estimate;
+    int threads = 0;
+};
+
+/// Checks everything before anything starts. @throws Error or UsageError, also where the memory that the run
+/// would need is more than `memoryLimit` bytes (0: what this machine has free).
+RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0);
+
+/// Loads what a recipe names. `changed` is told of each file whose bytes are not those that the recipe was
+/// made with.
+/// @throws Error, UsageError
+RunInput loadRecipe(const Recipe& recipe,
+                    const std::function<void(const std::filesystem::path&)>& changed = {});
+
+/// A finished run: everything that an export, a report or a history needs.
+struct Result {
+    RunPlan plan;
+    Synthesis synthesis;
+    std::vector<Figure> figures; ///< the method's, and the quality figures that every result gets
+    std::vector<StageTime> stages;
+    double seconds = 0; ///< of work, on plan.threads threads
+
+    /// "quilting · seed 1 · 512 × 512"
+    std::string label() const;
+    /// "bark_quilting_s1_512x512": the name of an exported file, without its extension.
+    std::string fileName() const;
+};
+
+using SynthesisJob = Job<Result>;
+
+/// Starts a planned run, with the plan's seed and threads.
+/// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
+std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});
+
+/// The largest resident set of this process so far, in bytes.
+std::uint64_t peakMemory();
+
+/// Memory that a run may take on this machine now, in bytes.
+std::uint64_t availableMemory();
+
+} // namespace texloom
