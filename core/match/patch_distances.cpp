@@ -137,26 +137,31 @@ void PatchDistances::forbid(const PlaneView& mask) {
     m_allowed = std::count(m_forbiddenPatches.begin(), m_forbiddenPatches.end(), 0);
 }
 
-void PatchDistances::prepare(const Overlap& shape) {
+void PatchDistances::prepare(const Footprint& shape) {
     for (const Shape& known : m_shapes)
-        if (known.overlap == shape)
+        if (known.footprint == shape)
             return;
     Image squares(m_positions, 1);
-    const int innerWidth = std::max(0, m_patch - shape.left - shape.right);
-    const int innerHeight = std::max(0, m_patch - shape.top - shape.bottom);
+    const Size area{std::min(m_patch, shape.area.width), std::min(m_patch, shape.area.height)};
+    const Overlap& border = shape.border;
+    // What the border leaves free, as far as it lies in the area.
+    const int innerWidth = std::max(0, std::min(area.width, m_patch - border.right) - border.left);
+    const int innerHeight = std::max(0, std::min(area.height, m_patch - border.bottom) - border.top);
     for (int y = 0; y < m_positions.height; ++y) {
         float* row = squares.plane(0).row(y);
         for (int x = 0; x < m_positions.width; ++x) {
-            const double frame = tableSum(x, y, m_patch, m_patch) -
-                                 tableSum(x + shape.left, y + shape.top, innerWidth, innerHeight);
-            row[x] = forbidden(x, y) ? kInfinity : static_cast<float>(frame);
+            double sum = tableSum(x, y, area.width, area.height);
+            if (innerWidth > 0 && innerHeight > 0)
+                sum -= tableSum(x + border.left, y + border.top, innerWidth, innerHeight);
+            row[x] = forbidden(x, y) ? kInfinity : static_cast<float>(sum);
         }
     }
     m_shapes.push_back({shape, std::move(squares)});
 }
 
-const Image& PatchDistances::squaresOf(const Overlap& shape) const {
-    return std::find_if(m_shapes.begin(), m_shapes.end(), [&](const Shape& s) { return s.overlap == shape; })
+const Image& PatchDistances::squaresOf(const Footprint& shape) const {
+    return std::find_if(m_shapes.begin(), m_shapes.end(),
+                        [&](const Shape& s) { return s.footprint == shape; })
         ->squares;
 }
 
@@ -172,7 +177,7 @@ PatchDistances::Scratch PatchDistances::scratch() const {
     return made;
 }
 
-double PatchDistances::transform(const ImageView& known, const Overlap& shape, Scratch& scratch,
+double PatchDistances::transform(const ImageView& known, const Footprint& shape, Scratch& scratch,
                                  const std::function<void()>& check) const {
     double norm = 0;
     for (int c = 0; c < m_channels; ++c) {
@@ -205,7 +210,7 @@ void PatchDistances::correlateColumns(Scratch& scratch, int first, int last) con
     m_fft.backwardColumns(sum, first, last);
 }
 
-void PatchDistances::compute(const ImageView& known, const Overlap& shape, float smallest, Scratch& scratch,
+void PatchDistances::compute(const ImageView& known, const Footprint& shape, float smallest, Scratch& scratch,
                              const std::function<void()>& check) const {
     const double norm = transform(known, shape, scratch, check);
     for (int k = 0; k < m_fft.columns(); k += RealFft2d::kBlock) {

@@ -14,13 +14,32 @@ namespace texloom {
 struct Overlap {
     int left = 0, top = 0, right = 0, bottom = 0;
 
-    /// The whole patch, where it is compared with an initial image.
-    static Overlap whole(int patch) { return {patch, 0, 0, 0}; }
     bool none() const { return left == 0 && top == 0 && right == 0 && bottom == 0; }
     bool contains(int x, int y, int patch) const {
         return x < left || y < top || x >= patch - right || y >= patch - bottom;
     }
     friend auto operator<=>(const Overlap&, const Overlap&) = default;
+};
+
+/// The pixels of a patch on which it is compared: Q of the source's eq. 1.
+struct Footprint {
+    /// An overlap counts whole.
+    Footprint(const Overlap& overlap) : border(overlap) {}
+    /// The top left `pixels` of the patch count, known and unknown alike: for comparing with an initial
+    /// image.
+    static Footprint filled(Size pixels) {
+        Footprint footprint(Overlap{pixels.width, 0, 0, 0});
+        footprint.area = pixels;
+        return footprint;
+    }
+
+    bool contains(int x, int y, int patch) const {
+        return x < area.width && y < area.height && border.contains(x, y, patch);
+    }
+    friend bool operator==(const Footprint&, const Footprint&) = default;
+
+    Overlap border;
+    Size area{1 << 30, 1 << 30}; ///< nothing beyond it counts
 };
 
 /// Squared distances between a partly known patch and all patches of an exemplar:
@@ -50,14 +69,14 @@ public:
     bool allows(int x, int y) const { return !forbidden(x, y); }
 
     /// Computes Γ(Q, I₀²) for a shape; not to be called while other threads compute().
-    void prepare(const Overlap& shape);
+    void prepare(const Footprint& shape);
 
     Scratch scratch() const;
     /// Distances to `known`, of which the pixels in `shape` count. Afterwards scratch holds them.
     /// @param known a patch × patch image with the exemplar's channels. @param shape as given to prepare().
     /// @param smallest distances below it are raised to it: the source's guard against rounding.
     /// @param check called every few milliseconds; may throw.
-    void compute(const ImageView& known, const Overlap& shape, float smallest, Scratch& scratch,
+    void compute(const ImageView& known, const Footprint& shape, float smallest, Scratch& scratch,
                  const std::function<void()>& check) const;
     /// Distances of the patches (0, row) to (positions().width − 1, row).
     const float* distanceRow(const Scratch& scratch, int row) const {
@@ -70,15 +89,15 @@ public:
 
 private:
     struct Shape {
-        Overlap overlap;
+        Footprint footprint;
         Image squares; ///< Γ(Q, I₀²); infinite where the mask forbids the patch
     };
     void tabulate(const ImageView& exemplar);
     void forbid(const PlaneView& mask);
-    double transform(const ImageView& known, const Overlap& shape, Scratch& scratch,
+    double transform(const ImageView& known, const Footprint& shape, Scratch& scratch,
                      const std::function<void()>& check) const;
     void correlateColumns(Scratch& scratch, int first, int last) const;
-    const Image& squaresOf(const Overlap& shape) const;
+    const Image& squaresOf(const Footprint& shape) const;
     bool forbidden(int x, int y) const {
         return !m_forbiddenPatches.empty() &&
                m_forbiddenPatches[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +

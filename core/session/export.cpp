@@ -188,6 +188,7 @@ std::string reportJson(const Result& result, const fs::path& folder) {
     for (const StageTime& stage : result.stages)
         json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
     json["peakMemoryBytes"] = peakMemory();
+    json["memoryBeforeBytes"] = result.plan.memoryBefore;
     json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
     for (const Figure& figure : result.figures)
         json["figures"][figure.name] = figure.value;

@@ -6,9 +6,9 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 
-#include <sys/resource.h>
-
+#include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <utility>
 
 namespace texloom {
@@ -69,6 +69,15 @@ void checkMemory(const Estimate& estimate, const Request& request, std::uint64_t
              request.size.width, request.size.height, byteText(estimate.bytes), byteText(limit));
 }
 
+/// A figure in kB from one of the kernel's lists, in bytes.
+std::optional<std::uint64_t> kernelFigure(const char* list, std::string_view name) {
+    std::ifstream lines(list);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(name))
+            return std::strtoull(line.c_str() + name.size(), nullptr, 10) * 1024;
+    return std::nullopt;
+}
+
 Result runPlan(const RunPlan& plan, JobContext& context) {
     Result result;
     result.synthesis = plan.method->run(plan.request, plan.settings, context);
@@ -99,6 +108,7 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit) {
     if (input.exemplars.empty())
         failUsage("There is no exemplar to learn from.");
     plan.threads = threadCount(input.threads);
+    plan.memoryBefore = residentMemory();
     plan.request = requestFor(input);
     plan.settings = plan.method->resolved(input.settings, plan.request.exemplars.front().image->size());
     plan.method->check(plan.request, plan.settings);
@@ -153,22 +163,17 @@ std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::functio
         options, [shared](JobContext& context) { return runPlan(*shared, context); }, std::move(onFinished));
 }
 
+std::uint64_t residentMemory() {
+    return kernelFigure("/proc/self/status", "VmRSS:").value_or(0);
+}
+
 std::uint64_t peakMemory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+    return kernelFigure("/proc/self/status", "VmHWM:").value_or(0);
 }
 
 std::uint64_t availableMemory() {
-    std::ifstream info("/proc/meminfo");
-    std::string name, unit;
-    std::uint64_t kibibytes = 0;
-    while (info >> name >> kibibytes) {
-        if (name == "MemAvailable:")
-            return kibibytes * 1024;
-        std::getline(info, unit);
-    }
-    return 4ULL << 30;
+    constexpr std::uint64_t kAssumed = 4ULL << 30;
+    return kernelFigure("/proc/meminfo", "MemAvailable:").value_or(kAssumed);
 }
 
 } // namespace texloom

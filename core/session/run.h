@@ -41,6 +41,8 @@ struct RunPlan {
     std::vector<std::vector<ExemplarFile>> companions; ///< for each exemplar
     Recipe recipe;
     Estimate estimate;
+    std::uint64_t memoryBefore =
+        0; ///< resident bytes of this process when the run was planned; the estimate comes on top
     int threads = 0;
 };
 
@@ -74,7 +76,8 @@ using SynthesisJob = Job<Result>;
 /// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
 std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});
 
-/// The largest resident set of this process so far, in bytes.
+/// The resident set of this process now, and the largest so far, in bytes.
+std::uint64_t residentMemory();
 std::uint64_t peakMemory();
 
 /// Memory that a run may take on this machine now, in bytes.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <set>
 
 namespace texloom::quilting {
 
@@ -62,13 +61,6 @@ std::vector<int> Grid::before(int index) const {
     if (row > 0)
         needed.push_back((row - 1) * m_columns + std::min(nth + m_lag, m_columns - 1));
     return needed;
-}
-
-std::vector<Overlap> Grid::overlaps() const {
-    std::set<Overlap> distinct;
-    for (const Cell& cell : m_cells)
-        distinct.insert(cell.overlap);
-    return {distinct.begin(), distinct.end()};
 }
 
 } // namespace texloom::quilting

@@ -52,8 +52,6 @@ public:
     /// The cells that must be done before cell `index`, of those that come earlier: its predecessor in the
     /// row, and the last one of the row above that it touches (Raad & Galerne, IPOL 2017, section 3.2).
     std::vector<int> before(int index) const;
-    /// Every overlap that occurs.
-    std::vector<Overlap> overlaps() const;
 
 private:
     int m_columns;

@@ -70,12 +70,8 @@ void Quilter::prepareExemplars() {
         PatchDistances& distances =
             m_distances.emplace_back(exemplar.image->view(), mask, means, m_settings.patch);
         m_context.check();
-        if (m_request.initial) {
-            distances.prepare(Overlap::whole(m_settings.patch));
-            continue;
-        }
-        for (const Overlap& overlap : m_grid.overlaps())
-            distances.prepare(overlap);
+        for (const Cell& cell : m_grid.cells())
+            distances.prepare(compared(cell));
     }
 }
 
@@ -125,8 +121,14 @@ void Quilter::readPatch(const Cell& cell, Image& patch) const {
         }
 }
 
-Overlap Quilter::compared(const Cell& cell) const {
-    return m_request.initial ? Overlap::whole(m_settings.patch) : cell.overlap;
+Footprint Quilter::compared(const Cell& cell) const {
+    if (!m_request.initial)
+        return cell.overlap;
+    // The last patches reach beyond the output, where the initial image says nothing.
+    const Size left{m_request.wrap.x ? m_settings.patch : m_request.size.width - cell.x,
+                    m_request.wrap.y ? m_settings.patch : m_request.size.height - cell.y};
+    return Footprint::filled(
+        {std::min(m_settings.patch, left.width), std::min(m_settings.patch, left.height)});
 }
 
 Quilter::Candidate Quilter::firstPatch(const Cell& cell) const {
@@ -146,11 +148,11 @@ Quilter::Candidate Quilter::firstPatch(const Cell& cell) const {
 }
 
 Quilter::Candidate Quilter::choose(const Cell& cell, Workspace& work) const {
-    const Overlap overlap = compared(cell);
-    if (overlap.none())
+    if (cell.overlap.none() && !m_request.initial)
         return firstPatch(cell);
+    const Footprint footprint = compared(cell);
     for (std::size_t e = 0; e < m_distances.size(); ++e)
-        m_distances[e].compute(work.known, overlap, m_smallest, work.scratch[e],
+        m_distances[e].compute(work.known, footprint, m_smallest, work.scratch[e],
                                [this] { m_context.check(); });
     return drawn(cell, work);
 }

@@ -38,7 +38,7 @@ private:
     void prepareExemplars();
     void startFromInitial();
     void place(int cell);
-    Overlap compared(const Cell& cell) const;
+    Footprint compared(const Cell& cell) const;
     void readPatch(const Cell& cell, Image& patch) const;
     Candidate choose(const Cell& cell, Workspace& work) const;
     Candidate firstPatch(const Cell& cell) const;

@@ -1,0 +1,301 @@
+// The promises that every registered method keeps. A new method is tested here by being registered.
+
+#include "core/analysis/seam.h"
+#include "core/base/error.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "tests/methods/process_memory.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace texloom::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using testing::HasSubstr;
+
+std::shared_ptr<const Image> shared(Image image) {
+    return std::make_shared<const Image>(std::move(image));
+}
+
+Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed = 7) {
+    Request request;
+    request.exemplars.push_back({"made up", shared(blobs(exemplar, channels)), nullptr});
+    request.size = output;
+    request.seed = seed;
+    return request;
+}
+
+Synthesis runWith(const Method& method, const Request& request, int threads) {
+    const Values settings = method.resolved({}, request.exemplars.front().image->size());
+    method.check(request, settings);
+    Job<Synthesis> job({request.seed, threads, false},
+                       [&](JobContext& context) { return method.run(request, settings, context); });
+    Outcome<Synthesis> outcome = job.take();
+    if (const auto* failure = std::get_if<Failure>(&outcome))
+        throw Error(failure->message);
+    return std::get<Synthesis>(std::move(outcome));
+}
+
+/// A request that keeps every method busy for seconds, so that it can be watched and stopped.
+Request longRequest() {
+    return requestFor({256, 256}, 3, {4096, 4096});
+}
+
+class Conformance : public testing::TestWithParam<std::string> {
+protected:
+    const Method& method() const { return findMethod(GetParam()); }
+    void expectSame(const Synthesis& a, const Synthesis& b) const {
+        EXPECT_TRUE(samePixels(a.image, b.image));
+        EXPECT_EQ(a.map, b.map);
+    }
+};
+
+TEST_P(Conformance, sameRecipeGivesTheSameBitsForAnyNumberOfThreads) {
+    for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+        Request request = requestFor({48, 40}, 3, {101, 90});
+        if (method().info().wraps)
+            request.wrap = wrap;
+        const Synthesis one = runWith(method(), request, 1);
+        expectSame(one, runWith(method(), request, 2));
+        expectSame(one, runWith(method(), request, 7));
+        expectSame(one, runWith(method(), request, 1));
+    }
+}
+
+TEST_P(Conformance, anotherSeedGivesAnotherResult) {
+    const Synthesis one = runWith(method(), requestFor({48, 48}, 3, {96, 96}, 1), 1);
+    const Synthesis two = runWith(method(), requestFor({48, 48}, 3, {96, 96}, 2), 1);
+    EXPECT_FALSE(samePixels(one.image, two.image));
+}
+
+TEST_P(Conformance, cancelAnswersAtOnce) {
+    const Request request = longRequest();
+    const Values settings = method().resolved({}, request.exemplars.front().image->size());
+    Job<Synthesis> job({}, [&](JobContext& context) { return method().run(request, settings, context); });
+    while (job.monitor().progress() < 0.02 && !job.finished())
+        std::this_thread::yield();
+    const auto asked = Clock::now();
+    job.cancel();
+    EXPECT_TRUE(std::holds_alternative<Cancelled>(job.take()));
+    const auto taken = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - asked).count();
+    EXPECT_LE(taken, kSanitized ? 1000 : 100) << "ms until the job had ended";
+}
+
+TEST_P(Conformance, progressNeverFallsAndEndsAtOne) {
+    const Request request = requestFor({64, 64}, 3, {512, 512});
+    const Values settings = method().resolved({}, request.exemplars.front().image->size());
+    Job<Synthesis> job({}, [&](JobContext& context) { return method().run(request, settings, context); });
+    double last = 0;
+    bool named = false;
+    while (!job.finished()) {
+        const double now = job.monitor().progress();
+        EXPECT_GE(now, last);
+        last = now;
+        named = named || !job.monitor().stage().empty();
+        std::this_thread::yield();
+    }
+    EXPECT_EQ(job.monitor().progress(), 1);
+    EXPECT_TRUE(named);
+    job.take();
+}
+
+TEST_P(Conformance, previewsComeWhileItRuns) {
+    const Request request = longRequest();
+    const Values settings = method().resolved({}, request.exemplars.front().image->size());
+    Job<Synthesis> job({0, 0, true},
+                       [&](JobContext& context) { return method().run(request, settings, context); });
+    int previews = 0;
+    while (previews < 3 && !job.finished()) {
+        if (const auto preview = job.monitor().takePreview()) {
+            ++previews;
+            EXPECT_EQ(preview->fullSize.width / preview->step, preview->image.width());
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_EQ(previews, 3) << "before the job ended";
+}
+
+TEST_P(Conformance, exactMapGivesTheResult) {
+    const Request request = requestFor({50, 61}, 4, {133, 97});
+    const Synthesis result = runWith(method(), request, 2);
+    EXPECT_EQ(result.image.size(), request.size);
+    EXPECT_EQ(result.image.channels(), request.channels());
+    if (result.mapKind == MapKind::None)
+        return;
+    ASSERT_EQ(result.map.size(), request.size);
+    if (result.mapKind == MapKind::Exact) {
+        EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));
+    }
+}
+
+/// The seam's mean difference against the largest between two neighbouring lines inside.
+double worstInsideX(const ImageView& image) {
+    double worst = 0;
+    for (int x = 0; x + 1 < image.width; ++x) {
+        double sum = 0;
+        for (int c = 0; c < image.channels; ++c)
+            for (int y = 0; y < image.height; ++y)
+                sum += std::abs(static_cast<double>(image(x + 1, y, c) - image(x, y, c)));
+        worst = std::max(worst, sum);
+    }
+    return worst;
+}
+
+double seamX(const ImageView& image) {
+    double sum = 0;
+    for (int c = 0; c < image.channels; ++c)
+        for (int y = 0; y < image.height; ++y)
+            sum += std::abs(static_cast<double>(image(0, y, c) - image(image.width - 1, y, c)));
+    return sum;
+}
+
+Image transposed(const ImageView& image) {
+    Image turned({image.height, image.width}, image.channels);
+    for (int c = 0; c < image.channels; ++c)
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                turned(y, x, c) = image(x, y, c);
+    return turned;
+}
+
+TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
+    if (!method().info().wraps)
+        GTEST_SKIP() << "skipped: " << GetParam() << " does not say that it wraps";
+    for (const Wrap wrap : {Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
+        for (const Size size : {Size{151, 148}, Size{64, 200}}) {
+            Request request = requestFor({64, 64}, 3, size);
+            request.wrap = wrap;
+            const Image image = runWith(method(), request, 2).image;
+            if (wrap.x) {
+                EXPECT_LE(seamX(image), worstInsideX(image));
+            }
+            if (wrap.y) {
+                EXPECT_LE(seamX(transposed(image)), worstInsideX(transposed(image)));
+            }
+        }
+}
+
+TEST_P(Conformance, memoryStaysWithinTheEstimate) {
+    if (kSanitized)
+        GTEST_SKIP() << "skipped: a sanitizer's own memory is not the method's";
+    const Request request = requestFor({200, 180}, 3, {1500, 1400});
+    const Values settings = method().resolved({}, request.exemplars.front().image->size());
+    const Estimate estimate = method().estimate(request, settings, 2);
+    const auto growth = peakGrowth([&] { runWith(method(), request, 2); });
+    if (!growth)
+        GTEST_SKIP() << "skipped: the kernel does not let the peak be reset";
+    EXPECT_GT(*growth, estimate.bytes / 20) << "the estimate has nothing to do with the run";
+    EXPECT_LE(*growth, estimate.bytes);
+}
+
+TEST_P(Conformance, valuesOutOfRangeAreRefusedByNameAndLimit) {
+    for (const Param& param : method().params()) {
+        if (!param.hasRange())
+            continue;
+        for (const double value : {param.smallest() - 1, param.largest() + 1})
+            try {
+                method().resolved({{param.name(), value}}, {64, 64});
+                ADD_FAILURE() << param.name() << " = " << value << " was taken";
+            } catch (const UsageError& error) {
+                EXPECT_THAT(error.what(), HasSubstr(param.name() + " = "));
+                EXPECT_THAT(error.what(), HasSubstr(param.limitsText()));
+            }
+    }
+}
+
+TEST_P(Conformance, everyParameterIsExplained) {
+    for (const Param& param : method().params()) {
+        EXPECT_FALSE(param.title().empty()) << param.name();
+        EXPECT_GT(param.help().size(), 20U) << param.name();
+        EXPECT_NO_THROW(param.checked(param.defaultFor(0))) << param.name();
+        for (const int side : {1, 7, 64, 1000, 60000})
+            EXPECT_NO_THROW(param.checked(param.defaultFor(side)))
+                << param.name() << " for " << side << " px";
+    }
+    EXPECT_FALSE(method().info().summary.empty());
+    EXPECT_FALSE(method().info().citation.empty());
+}
+
+TEST_P(Conformance, tinyExemplarsAreRefusedInASentenceOrWork) {
+    for (const Size size : {Size{1, 1}, Size{2, 2}, Size{3, 40}, Size{9, 9}})
+        try {
+            const Synthesis result = runWith(method(), requestFor(size, 3, {40, 40}), 1);
+            EXPECT_EQ(result.image.size(), (Size{40, 40}));
+        } catch (const UsageError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("px"));
+        }
+}
+
+TEST_P(Conformance, emptyMaskIsRefused) {
+    if (!method().info().usesMask)
+        GTEST_SKIP() << "skipped: " << GetParam() << " uses no mask";
+    Request request = requestFor({64, 64}, 3, {64, 64});
+    request.exemplars.front().mask = shared(constant({64, 64}, 1, 0));
+    EXPECT_THROW(runWith(method(), request, 1), UsageError);
+    request.exemplars.front().mask = shared(constant({64, 63}, 1, 1));
+    EXPECT_THROW(runWith(method(), request, 1), UsageError);
+}
+
+TEST_P(Conformance, sizesThatMakeNoSenseAreRefused) {
+    for (const Size size : {Size{0, 10}, Size{10, 0}, Size{-3, 5}, Size{200000, 200000}})
+        EXPECT_THROW(runWith(method(), requestFor({64, 64}, 3, size), 1), UsageError);
+}
+
+TEST_P(Conformance, oddSizesChannelsAndValuesGiveSoundResults) {
+    for (const int channels : {1, 2, 5})
+        for (const Size size : {Size{1, 1}, Size{3, 200}, Size{97, 1}, Size{131, 113}}) {
+            const Synthesis result = runWith(method(), requestFor({53, 47}, channels, size), 2);
+            EXPECT_EQ(result.image.size(), size);
+            const ValueRange range = valueRange(result.image);
+            EXPECT_TRUE(std::isfinite(range.smallest) && std::isfinite(range.largest));
+        }
+}
+
+TEST_P(Conformance, constantExemplarGivesThatConstant) {
+    Request request = requestFor({40, 40}, 3, {90, 70});
+    request.exemplars.front().image = shared(constant({40, 40}, 3, 0.25F));
+    const ValueRange range = valueRange(runWith(method(), request, 2).image);
+    EXPECT_NEAR(range.smallest, 0.25, 1e-4);
+    EXPECT_NEAR(range.largest, 0.25, 1e-4);
+}
+
+TEST_P(Conformance, valuesAboveOneAreKept) {
+    Request request = requestFor({48, 48}, 3, {96, 96});
+    Image bright = blobs({48, 48}, 3);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 48; ++x)
+                bright(x, y, c) = 40 * bright(x, y, c);
+    request.exemplars.front().image = shared(std::move(bright));
+    EXPECT_GT(valueRange(runWith(method(), request, 1).image).largest, 20);
+}
+
+TEST_P(Conformance, initialImageOfAnotherSizeIsRefused) {
+    Request request = requestFor({64, 64}, 3, {80, 80});
+    request.initial = shared(constant({80, 79}, 3, 0.5F));
+    EXPECT_THROW(runWith(method(), request, 1), UsageError);
+}
+
+std::vector<std::string> ids() {
+    std::vector<std::string> all;
+    for (const Method& method : methods())
+        all.push_back(method.id());
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryMethod, Conformance, testing::ValuesIn(ids()), [](const auto& tested) {
+    std::string name = tested.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+} // namespace
+} // namespace texloom::test

@@ -1,0 +1,23 @@
+#include "tests/methods/process_memory.h"
+
+#include "core/session/run.h"
+
+#include <malloc.h>
+
+#include <fstream>
+
+namespace texloom::test {
+
+std::optional<std::uint64_t> peakGrowth(const std::function<void()>& work) {
+    ::malloc_trim(0);
+    std::ofstream reset("/proc/self/clear_refs");
+    reset << "5" << std::flush;
+    if (!reset)
+        return std::nullopt;
+    const std::uint64_t before = residentMemory();
+    work();
+    const std::uint64_t peak = peakMemory();
+    return peak > before ? peak - before : 0;
+}
+
+} // namespace texloom::test

@@ -1,0 +1,220 @@
+#include "core/base/error.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "core/methods/quilting/quilter.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace texloom::test {
+namespace {
+
+using quilting::Quilter;
+using quilting::Settings;
+using quilting::Stitch;
+
+std::shared_ptr<const Image> shared(Image image) {
+    return std::make_shared<const Image>(std::move(image));
+}
+
+Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
+    Request request;
+    request.exemplars.push_back({"made up", shared(std::move(exemplar)), nullptr});
+    request.size = output;
+    request.wrap = wrap;
+    request.seed = 3;
+    return request;
+}
+
+Synthesis quilt(const Request& request, const Settings& settings, int threads = 2,
+                Quilter::Order order = Quilter::Order::Wavefront) {
+    Job<Synthesis> job({request.seed, threads, false},
+                       [&](JobContext& context) { return Quilter(request, settings, context).run(order); });
+    return std::get<Synthesis>(job.take());
+}
+
+/// A tile of noise repeated over an image.
+Image periodic(Size size, Size period, int channels) {
+    const Image tile = noise(period, channels);
+    Image image(size, channels);
+    for (int c = 0; c < channels; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                image(x, y, c) = tile(x % period.width, y % period.height, c);
+    return image;
+}
+
+TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
+    for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
+        for (const double overlap : {0.1, 0.25, 0.5})
+            for (const Size size : {Size{90, 77}, Size{20, 60}, Size{16, 16}, Size{150, 31}}) {
+                const Request request = requestFor(blobs({40, 40}, 3), size, wrap);
+                const Settings settings{16, overlap, 0.3, Stitch::Cut, 3};
+                const Synthesis raster = quilt(request, settings, 1, Quilter::Order::Raster);
+                for (const int threads : {1, 2, 5}) {
+                    const Synthesis wavefront = quilt(request, settings, threads);
+                    EXPECT_TRUE(samePixels(raster.image, wavefront.image));
+                    EXPECT_EQ(raster.map, wavefront.map);
+                }
+            }
+}
+
+TEST(Quilting, periodicExemplarIsContinuedWithItsPeriod) {
+    const Request request = requestFor(periodic({48, 45}, {8, 9}, 2), {101, 87});
+    const Image image = quilt(request, {20, 0.25, 0, Stitch::Cut, 3}).image;
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y + 9 < image.height(); ++y)
+            for (int x = 0; x + 8 < image.width(); ++x) {
+                ASSERT_EQ(image(x, y, c), image(x + 8, y, c)) << x << "," << y;
+                ASSERT_EQ(image(x, y, c), image(x, y + 9, c)) << x << "," << y;
+            }
+}
+
+TEST(Quilting, wholePeriodsCloseOverTheBorderWithoutATrace) {
+    const Request request = requestFor(periodic({48, 45}, {8, 9}, 1), {96, 90}, {true, true});
+    const Image image = quilt(request, {20, 0.25, 0, Stitch::Cut, 3}).image;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            ASSERT_EQ(image(x, y, 0), image((x + 8) % 96, y, 0)) << x << "," << y;
+            ASSERT_EQ(image(x, y, 0), image(x, (y + 9) % 90, 0)) << x << "," << y;
+        }
+}
+
+TEST(Quilting, startingFromAPartOfTheExemplarGivesItBack) {
+    // The second output cuts the last patches off: only what lies within it may count.
+    const Image exemplar = blobs({64, 52}, 3);
+    for (const Size size : {Size{64, 52}, Size{61, 50}}) {
+        const Image part(exemplar.view().crop(0, 0, size));
+        Request request = requestFor(exemplar, size);
+        request.initial = shared(part);
+        EXPECT_TRUE(samePixels(quilt(request, {16, 0.25, 0, Stitch::Cut, 3}).image, part));
+    }
+}
+
+TEST(Quilting, initialImageIsComparedOverWholePatches) {
+    const Image exemplar = blobs({64, 64}, 1);
+    Request request = requestFor(exemplar, {64, 64});
+    Image blurredHalves(exemplar.size(), 1);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            blurredHalves(x, y, 0) = 0.5F * (exemplar(x, y, 0) + exemplar(std::min(63, x + 1), y, 0));
+    request.initial = shared(blurredHalves);
+    const Synthesis result = quilt(request, {16, 0.25, 0, Stitch::Cut, 3});
+    int near = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            near += std::abs(result.map.at(x, y).x - x) <= 1 && std::abs(result.map.at(x, y).y - y) <= 1;
+    EXPECT_GT(near, 64 * 64 * 9 / 10);
+}
+
+TEST(Quilting, maskedPixelsAreNeverCopied) {
+    Request request = requestFor(blobs({60, 60}, 3), {150, 150});
+    Image mask = constant({60, 60}, 1, 1);
+    for (int y = 20; y < 30; ++y)
+        for (int x = 25; x < 40; ++x)
+            mask(x, y, 0) = 0;
+    request.exemplars.front().mask = shared(mask);
+    const Synthesis result = quilt(request, {12, 0.25, 0.1, Stitch::Cut, 3});
+    for (int y = 0; y < 150; ++y)
+        for (int x = 0; x < 150; ++x) {
+            const Source source = result.map.at(x, y);
+            ASSERT_EQ(mask(source.x, source.y, 0), 1) << x << "," << y;
+        }
+}
+
+TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
+    Request request = requestFor(blobs({40, 40}, 3, 1), {200, 200});
+    request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1)), nullptr});
+    const Synthesis result = quilt(request, {12, 0.25, 0.5, Stitch::Cut, 3});
+    std::set<int> used;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x)
+            used.insert(result.map.at(x, y).exemplar);
+    EXPECT_EQ(used, (std::set<int>{0, 1}));
+    const std::vector<ImageView> images = {*request.exemplars[0].image, *request.exemplars[1].image};
+    EXPECT_TRUE(samePixels(result.map.apply(images), result.image));
+}
+
+TEST(Quilting, zeroToleranceAlwaysTakesTheNearestPatch) {
+    // The second patch of the first row, from the definition of the distance.
+    const Image exemplar = blobs({40, 40}, 2);
+    const Settings settings{16, 0.25, 0, Stitch::Cut, 3};
+    const Synthesis result = quilt(requestFor(exemplar, {28, 16}), settings, 1);
+    const Source first = result.map.at(0, 0);
+    double best = HUGE_VAL;
+    Source nearest;
+    for (std::uint16_t v = 0; v <= 24; ++v)
+        for (std::uint16_t u = 0; u <= 24; ++u) {
+            double distance = 0;
+            for (int c = 0; c < 2; ++c)
+                for (int y = 0; y < 16; ++y)
+                    for (int x = 0; x < 4; ++x) {
+                        const double d = static_cast<double>(exemplar(first.x + 12 + x, first.y + y, c)) -
+                                         static_cast<double>(exemplar(u + x, v + y, c));
+                        distance += d * d;
+                    }
+            if (distance < best) {
+                best = distance;
+                nearest = {u, v, 0};
+            }
+        }
+    const Source drawn = result.map.at(20, 8);
+    EXPECT_EQ(drawn.x - 8, nearest.x);
+    EXPECT_EQ(drawn.y - 8, nearest.y);
+}
+
+TEST(Quilting, largeToleranceDrawsFromAllPatches) {
+    std::set<std::pair<int, int>> drawn;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        Request request = requestFor(noise({20, 20}, 1), {28, 16});
+        request.seed = seed;
+        const Source source = quilt(request, {16, 0.25, 10, Stitch::Cut, 3}, 1).map.at(27, 8);
+        drawn.insert({source.x, source.y});
+    }
+    EXPECT_GT(drawn.size(), 12U);
+}
+
+TEST(Quilting, smoothedCutBlendsOnlyNearTheCut) {
+    const Request request = requestFor(blobs({64, 64}, 3), {160, 160});
+    const Synthesis hard = quilt(request, {24, 0.25, 0, Stitch::Cut, 2});
+    const Synthesis soft = quilt(request, {24, 0.25, 0, Stitch::SmoothCut, 2});
+    EXPECT_EQ(soft.mapKind, MapKind::Dominant);
+    EXPECT_EQ(hard.mapKind, MapKind::Exact);
+    const Image fromMap = soft.map.apply(request.exemplars.front().image->view());
+    std::int64_t blended = 0;
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 160; ++x)
+            blended += fromMap(x, y, 0) != soft.image(x, y, 0);
+    EXPECT_GT(blended, 0);
+    EXPECT_LT(blended, 160 * 160 / 2);
+    const ValueRange exemplar = valueRange(*request.exemplars.front().image);
+    const ValueRange result = valueRange(soft.image);
+    EXPECT_GE(result.smallest, exemplar.smallest);
+    EXPECT_LE(result.largest, exemplar.largest);
+}
+
+TEST(Quilting, refusalsNameTheValueAndTheLimit) {
+    const Method& method = findMethod("quilting");
+    const auto message = [&](const Request& request, const Values& settings) -> std::string {
+        try {
+            method.check(request, method.resolved(settings, request.exemplars.front().image->size()));
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "was taken";
+    };
+    const Request request = requestFor(blobs({30, 30}, 3), {64, 64});
+    EXPECT_THAT(message(request, {{"patch", 31}}),
+                testing::AllOf(testing::HasSubstr("31"), testing::HasSubstr("30")));
+    EXPECT_EQ(message(request, {{"patch", 30}}), "was taken");
+    EXPECT_THAT(message(requestFor(blobs({30, 30}, 3), {64, 20}, {false, true}), {{"patch", 24}}),
+                testing::AllOf(testing::HasSubstr("20"), testing::HasSubstr("24")));
+    EXPECT_THAT(message(request, {{"overlap", 0.7}}), testing::HasSubstr("0.02 to 0.5"));
+    EXPECT_THAT(message(request, {{"tolerance", -1}}), testing::HasSubstr("tolerance = -1"));
+}
+
+} // namespace
+} // namespace texloom::test
