@@ -7,9 +7,11 @@ target_compile_options(texloom_options INTERFACE
 target_include_directories(texloom_options INTERFACE ${PROJECT_SOURCE_DIR})
 
 if(TEXLOOM_SANITIZE)
-  target_compile_options(texloom_options INTERFACE -fsanitize=${TEXLOOM_SANITIZE} -fno-omit-frame-pointer -O1
-    $<$<BOOL:$<STREQUAL:${TEXLOOM_SANITIZE},address,undefined>>:-fno-sanitize-recover=all>)
+  target_compile_options(texloom_options INTERFACE -fsanitize=${TEXLOOM_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(texloom_options INTERFACE -fsanitize=${TEXLOOM_SANITIZE})
+  if(TEXLOOM_SANITIZE MATCHES undefined)
+    target_compile_options(texloom_options INTERFACE -fno-sanitize-recover=all)
+  endif()
 endif()
 
 if(NOT CMAKE_BUILD_TYPE)

@@ -98,7 +98,7 @@ Size parseSize(const std::string& text) {
 }
 
 Wrap parseWrap(const std::string& axes) {
-    if (axes != "" && axes != "x" && axes != "y" && axes != "xy")
+    if (!axes.empty() && axes != "x" && axes != "y" && axes != "xy")
         failUsage("--wrap {}: it is one of x, y and xy.", axes);
     return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
 }

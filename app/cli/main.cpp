@@ -11,7 +11,7 @@ namespace {
 
 using namespace texloom;
 
-enum Exit { kDone = 0, kFailed = 1, kUsage = 2, kCancelled = 130 };
+enum Exit { Done = 0, Failed = 1, Usage = 2, CancelledByUser = 130 };
 
 void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputRequired) {
     auto* output = command.add_option("-o,--output", out.output, "File to write: .png .jpg .tif .exr .hdr");
@@ -105,11 +105,11 @@ int run(int argc, char** argv) {
     cli::watchInterrupts();
     try {
         app.parse(argc, argv);
-        return kDone;
+        return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)
             return app.exit(error);
-        return complain(std::string(error.what()) + ". See texloom-cli --help.", kUsage);
+        return complain(std::string(error.what()) + ". See texloom-cli --help.", Usage);
     }
 }
 
@@ -119,12 +119,12 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const Cancelled&) {
-        return complain("Cancelled.", kCancelled);
+        return complain("Cancelled.", CancelledByUser);
     } catch (const UsageError& error) {
-        return complain(error.what(), kUsage);
+        return complain(error.what(), Usage);
     } catch (const std::bad_alloc&) {
-        return complain("There is not enough memory for this; try a smaller output.", kFailed);
+        return complain("There is not enough memory for this; try a smaller output.", Failed);
     } catch (const std::exception& error) {
-        return complain(error.what(), kFailed);
+        return complain(error.what(), Failed);
     }
 }

@@ -51,20 +51,22 @@ Image synthesisPicture(const PositionMap& map) {
     return map.apply(views);
 }
 
-double innovation(const PositionMap& map) {
+double innovation(const PositionMap& map, const std::function<void()>& check) {
     std::int64_t pairs = 0;
     std::int64_t broken = 0;
     const auto count = [&](const Source& a, const Source& b, int dx, int dy) {
         ++pairs;
         broken += a.exemplar != b.exemplar || b.x - a.x != dx || b.y - a.y != dy;
     };
-    for (int y = 0; y < map.height(); ++y)
+    for (int y = 0; y < map.height(); ++y) {
+        check();
         for (int x = 0; x < map.width(); ++x) {
             if (x + 1 < map.width())
                 count(map.at(x, y), map.at(x + 1, y), 1, 0);
             if (y + 1 < map.height())
                 count(map.at(x, y), map.at(x, y + 1), 0, 1);
         }
+    }
     return pairs == 0 ? 0 : static_cast<double>(broken) / static_cast<double>(pairs);
 }
 

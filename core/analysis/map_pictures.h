@@ -2,6 +2,8 @@
 
 #include "core/image/position_map.h"
 
+#include <functional>
+
 namespace texloom {
 
 /// Gives every pixel of an exemplar a colour of its own, so that neighbours differ little and far pixels much
@@ -15,6 +17,7 @@ Image synthesisPicture(const PositionMap& map);
 
 /// Share of horizontally and vertically neighbouring output pixels whose sources are not neighbours in the
 /// same way: 0 for a copy of the exemplar, near 1 where every pixel comes from elsewhere.
-double innovation(const PositionMap& map);
+/// @param check called for every row; may throw.
+double innovation(const PositionMap& map, const std::function<void()>& check = [] {});
 
 } // namespace texloom

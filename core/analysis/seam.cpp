@@ -6,46 +6,39 @@ namespace texloom {
 
 namespace {
 
-/// Mean absolute difference between the columns x and x + 1, the last one meeting the first.
-double columnDifference(const ImageView& image, int x) {
-    const int next = (x + 1) % image.width;
+/// Sum of absolute differences of two rows of `count` samples.
+double rowDifference(const float* a, const float* b, int count) {
     double sum = 0;
-    for (int c = 0; c < image.channels; ++c)
-        for (int y = 0; y < image.height; ++y)
-            sum += std::abs(static_cast<double>(image(next, y, c) - image(x, y, c)));
-    return sum / (static_cast<double>(image.height) * image.channels);
+    for (int x = 0; x < count; ++x)
+        sum += static_cast<double>(std::abs(a[x] - b[x]));
+    return sum;
 }
 
-double rowDifference(const ImageView& image, int y) {
-    const int next = (y + 1) % image.height;
-    double sum = 0;
-    for (int c = 0; c < image.channels; ++c)
-        for (int x = 0; x < image.width; ++x)
-            sum += std::abs(static_cast<double>(image(x, next, c) - image(x, y, c)));
-    return sum / (static_cast<double>(image.width) * image.channels);
-}
-
-template <class Difference> double seamScore(int count, const Difference& difference) {
-    if (count < 2)
+/// @param inside summed over `steps` steps between neighbours, @param seam over one.
+double ratio(double seam, double inside, int steps) {
+    if (steps < 1 || (seam == 0 && inside == 0))
         return 1;
-    double inside = 0;
-    for (int i = 0; i + 1 < count; ++i)
-        inside += difference(i);
-    inside /= count - 1;
-    const double seam = difference(count - 1);
-    if (inside > 0)
-        return seam / inside;
-    return seam > 0 ? HUGE_VAL : 1;
+    return inside > 0 ? seam * steps / inside : HUGE_VAL;
 }
 
 } // namespace
 
-double seamScoreX(const ImageView& image) {
-    return seamScore(image.width, [&](int x) { return columnDifference(image, x); });
-}
-
-double seamScoreY(const ImageView& image) {
-    return seamScore(image.height, [&](int y) { return rowDifference(image, y); });
+SeamScore seamScore(const ImageView& image, const std::function<void()>& check) {
+    const int lastX = image.width - 1, lastY = image.height - 1;
+    double insideX = 0, seamX = 0, insideY = 0, seamY = 0;
+    for (int c = 0; c < image.channels; ++c) {
+        const PlaneView plane = image.plane(c);
+        for (int y = 0; y < image.height; ++y) {
+            check();
+            const float* row = plane.row(y);
+            insideX += rowDifference(row, row + 1, lastX);
+            seamX += static_cast<double>(std::abs(row[0] - row[lastX]));
+            if (y < lastY)
+                insideY += rowDifference(row, plane.row(y + 1), image.width);
+        }
+        seamY += rowDifference(plane.row(0), plane.row(lastY), image.width);
+    }
+    return {ratio(seamX, insideX, lastX), ratio(seamY, insideY, lastY)};
 }
 
 } // namespace texloom

@@ -93,7 +93,7 @@ std::string depthText(const OIIO::TypeDesc& type) {
 }
 
 std::string spaceOf(const OIIO::ImageSpec& spec) {
-    const std::string own = spec.get_string_attribute("texloom:space");
+    std::string own = spec.get_string_attribute("texloom:space");
     if (!own.empty())
         return own;
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
@@ -103,11 +103,11 @@ std::string spaceOf(const OIIO::ImageSpec& spec) {
 }
 
 std::string recipeOf(const OIIO::ImageSpec& spec) {
-    const std::string embedded = spec.get_string_attribute("texloom:recipe");
+    std::string embedded = spec.get_string_attribute("texloom:recipe");
     if (!embedded.empty())
         return embedded;
     // TIFF has no place for attributes of one's own; there the description holds it.
-    const std::string description = spec.get_string_attribute("ImageDescription");
+    std::string description = spec.get_string_attribute("ImageDescription");
     return description.find("\"texloom\"") != std::string::npos ? description : std::string();
 }
 

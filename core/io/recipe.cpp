@@ -138,7 +138,7 @@ Size sizeFrom(const Field& field) {
 
 Wrap wrapFrom(const Field& field) {
     const std::string axes = field.text();
-    if (axes != "" && axes != "x" && axes != "y" && axes != "xy")
+    if (!axes.empty() && axes != "x" && axes != "y" && axes != "xy")
         field.wrong(R"("", "x", "y" or "xy")");
     return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
 }

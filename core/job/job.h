@@ -35,7 +35,7 @@ public:
     JobMonitor& monitor() { return *m_monitor; }
 
 protected:
-    JobRunner() : m_monitor(std::make_unique<JobMonitor>()) {}
+    JobRunner() = default;
     ~JobRunner() = default;
 
     /// Runs `work` on a thread of its own; `cancelled` and `failed` store how it ended if it threw.
@@ -45,7 +45,7 @@ protected:
     void join();
 
 private:
-    std::unique_ptr<JobMonitor> m_monitor;
+    std::unique_ptr<JobMonitor> m_monitor = std::make_unique<JobMonitor>();
     std::atomic<bool> m_finished = false;
     std::jthread m_thread;
 };
@@ -59,7 +59,7 @@ public:
     Job(const JobOptions& options, Work work, std::function<void()> onFinished = {}) {
         start(
             options, [this, work = std::move(work)](JobContext& context) { m_outcome = work(context); },
-            [this] { m_outcome = Cancelled{}; }, [this](Failure failure) { m_outcome = std::move(failure); },
+            [this] { m_outcome = Cancelled{}; }, [this](const Failure& failure) { m_outcome = failure; },
             std::move(onFinished));
     }
     ~Job() {

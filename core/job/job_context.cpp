@@ -1,7 +1,6 @@
 #include "core/job/job_context.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
@@ -129,13 +128,48 @@ void JobContext::preview(const ImageView& image, const PositionMap* map) {
 
 namespace {
 
+/// Runs numbered tasks on the threads of the arena that it is used in.
+/// oneTBB is not built with the thread sanitizer, which therefore cannot see that a task begins after what
+/// was done before it was started, and ends before wait() returns; the gate says both in an atomic of our
+/// own.
+class Crew {
+public:
+    explicit Crew(std::function<void(int)> body) : m_body(std::move(body)) {}
+
+    void start(int task) {
+        m_gate.fetch_add(1, std::memory_order_release);
+        m_group.run([ this, task ]() __attribute__((no_sanitize("thread"))) { perform(task); });
+    }
+
+    void wait() {
+        const Passage passage{m_gate};
+        m_group.wait();
+    }
+
+private:
+    struct Passage {
+        std::atomic<unsigned>& gate;
+        ~Passage() { gate.fetch_add(1, std::memory_order_acq_rel); }
+    };
+
+    void perform(int task) {
+        m_gate.load(std::memory_order_acquire);
+        const Passage passage{m_gate};
+        m_body(task);
+    }
+
+    std::function<void(int)> m_body;
+    std::atomic<unsigned> m_gate = 0;
+    tbb::task_group m_group;
+};
+
 /// Tasks that wait for each other. Runs those that are ready until a deadline, so that the caller gets a
 /// moment in which nothing runs.
 class TaskGraph {
 public:
     TaskGraph(int count, const std::function<std::vector<int>(int)>& before, std::function<void(int)> body)
         : m_body(std::move(body)), m_after(static_cast<std::size_t>(count)),
-          m_missing(static_cast<std::size_t>(count)) {
+          m_missing(static_cast<std::size_t>(count)), m_crew([this](int task) { perform(task); }) {
         for (int task = 0; task < count; ++task) {
             const std::vector<int> needed = before(task);
             m_missing[static_cast<std::size_t>(task)] = static_cast<int>(needed.size());
@@ -153,24 +187,22 @@ public:
         std::vector<int> ready;
         ready.swap(m_ready);
         for (const int task : ready)
-            launch(task);
-        m_group.wait();
+            m_crew.start(task);
+        m_crew.wait();
     }
 
 private:
-    void launch(int task) {
-        m_group.run([this, task] {
-            m_body(task);
-            ++m_done;
-            for (const int next : m_after[static_cast<std::size_t>(task)])
-                if (--m_missing[static_cast<std::size_t>(next)] == 0)
-                    becameReady(next);
-        });
+    void perform(int task) {
+        m_body(task);
+        ++m_done;
+        for (const int next : m_after[static_cast<std::size_t>(task)])
+            if (--m_missing[static_cast<std::size_t>(next)] == 0)
+                becameReady(next);
     }
 
     void becameReady(int task) {
         if (std::chrono::steady_clock::now() < m_deadline)
-            return launch(task);
+            return m_crew.start(task);
         const std::lock_guard lock(m_mutex);
         m_ready.push_back(task);
     }
@@ -182,7 +214,7 @@ private:
     std::mutex m_mutex;
     std::atomic<int> m_done = 0;
     std::chrono::steady_clock::time_point m_deadline;
-    tbb::task_group m_group;
+    Crew m_crew;
 };
 
 } // namespace
@@ -203,16 +235,17 @@ void JobContext::parallelAfter(int count, const std::function<std::vector<int>(i
 }
 
 void JobContext::parallel(int begin, int end, const std::function<void(int)>& body) {
+    std::atomic<int> next = begin;
     m_arena->arena().execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<int>(begin, end, 1),
-            [&](const tbb::blocked_range<int>& range) {
-                for (int i = range.begin(); i != range.end(); ++i) {
-                    check();
-                    body(i);
-                }
-            },
-            tbb::simple_partitioner());
+        Crew crew([&](int) {
+            for (int i = next++; i < end; i = next++) {
+                check();
+                body(i);
+            }
+        });
+        for (int worker = 0; worker < std::min(m_threads, end - begin); ++worker)
+            crew.start(worker);
+        crew.wait();
     });
 }
 

@@ -78,14 +78,22 @@ std::optional<std::uint64_t> kernelFigure(const char* list, std::string_view nam
     return std::nullopt;
 }
 
+std::vector<Figure> measure(const Synthesis& synthesis, JobContext& context) {
+    const auto check = [&context] { context.check(); };
+    std::vector<Figure> figures = synthesis.figures;
+    if (synthesis.mapKind == MapKind::Exact || synthesis.mapKind == MapKind::Dominant)
+        figures.push_back({TR("Innovation"), innovation(synthesis.map, check)});
+    const SeamScore seam = seamScore(synthesis.image, check);
+    figures.push_back({TR("Seam, left to right"), seam.x});
+    figures.push_back({TR("Seam, top to bottom"), seam.y});
+    return figures;
+}
+
 Result runPlan(const RunPlan& plan, JobContext& context) {
     Result result;
     result.synthesis = plan.method->run(plan.request, plan.settings, context);
-    result.figures = result.synthesis.figures;
-    if (result.synthesis.mapKind == MapKind::Exact || result.synthesis.mapKind == MapKind::Dominant)
-        result.figures.push_back({TR("Innovation"), innovation(result.synthesis.map)});
-    result.figures.push_back({TR("Seam, left to right"), seamScoreX(result.synthesis.image)});
-    result.figures.push_back({TR("Seam, top to bottom"), seamScoreY(result.synthesis.image)});
+    context.stage(0, TR("Measuring the result"));
+    result.figures = measure(result.synthesis, context);
     result.plan = plan;
     result.stages = context.stageTimes();
     for (const StageTime& stage : result.stages)

@@ -1,6 +1,5 @@
 // The promises that every registered method keeps. A new method is tested here by being registered.
 
-#include "core/analysis/seam.h"
 #include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"

@@ -37,7 +37,7 @@ private:
 
     void prepareExemplars();
     void startFromInitial();
-    void place(int cell);
+    void place(int index);
     Footprint compared(const Cell& cell) const;
     void readPatch(const Cell& cell, Image& patch) const;
     Candidate choose(const Cell& cell, Workspace& work) const;

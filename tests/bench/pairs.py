@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Times texloom-cli beside another program on the same task, turn by turn, and prints medians and the median of the
+ratios pair by pair. CPU time is user plus system of the whole process less that of the program merely starting.
+
+    tests/bench/pairs.py build/release/bin/texloom-cli                      quilting beside G'MIC's patch matching
+    tests/bench/pairs.py build/release/bin/texloom-cli --ipol PATH          quilting beside the IPOL 171 reference
+"""
+import argparse
+import os
+import resource
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+EXEMPLARS = os.path.join(os.path.dirname(__file__), "..", "..", "resources", "exemplars")
+TASKS = [(128, 512, 32), (256, 1024, 40)]  # exemplar, output, patch
+
+
+def cpu_seconds(command):
+    """CPU and wall seconds of one run, output thrown away."""
+    environment = dict(os.environ, OMP_WAIT_POLICY="passive", OMP_NUM_THREADS="1")
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    start = time.monotonic()
+    subprocess.run(command, check=True, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    wall = time.monotonic() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, wall
+
+
+def startup(command):
+    return statistics.median(cpu_seconds(command)[0] for _ in range(5))
+
+
+def compare(name, ours, our_start, theirs, their_start, runs):
+    cpu_seconds(ours)
+    cpu_seconds(theirs)
+    pairs = [(cpu_seconds(ours)[0] - our_start, cpu_seconds(theirs)[0] - their_start) for _ in range(runs)]
+    own = statistics.median(p[0] for p in pairs)
+    other = statistics.median(p[1] for p in pairs)
+    ratio = statistics.median(p[1] / max(p[0], 1e-3) for p in pairs)
+    print(f"{name}: texloom {own:.3f} s, other {other:.3f} s, other / texloom {ratio:.1f} (medians of {runs} pairs)")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("texloom_cli")
+    parser.add_argument("--ipol", help="the IPOL 171 program `quilting`, to compare with in place of G'MIC")
+    parser.add_argument("--exemplar", default=os.path.join(EXEMPLARS, "soil_clods.png"))
+    parser.add_argument("--runs", type=int, default=5)
+    options = parser.parse_args()
+    if not options.ipol and not shutil.which("gmic"):
+        sys.exit("pairs.py: gmic is not installed (Debian's package gmic), and no --ipol program was named.")
+
+    with tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "out.png")
+        for side, output, patch in TASKS:
+            crop = os.path.join(folder, f"crop{side}.png")
+            subprocess.run(["oiiotool", options.exemplar, "--crop", f"{side}x{side}+0+0", "--fullpixels", "-o", crop],
+                           check=True)
+            ours = [options.texloom_cli, "synth", "quilting", crop, "-o", out, "--size", str(output), "--seed", "1",
+                    "--set", f"patch={patch}", "--threads", "1", "--no-sidecar", "--quiet"]
+            if options.ipol:
+                maps = [os.path.join(folder, "map1.png"), os.path.join(folder, "map2.png")]
+                theirs = [options.ipol, "-p", str(patch), "-r", str(output // side), "-t", "0.1", "-o", "0.25", "-s", "1",
+                          crop, out, *maps]
+                their_start = 0.0
+            else:
+                theirs = ["gmic", "-v", "-", crop, "srand", "1", "syntexturize_matchpatch", f"{output},{output}", "o", out]
+                their_start = startup(["gmic", "-v", "-", "1"])
+            compare(f"{side} to {output}", ours, startup([options.texloom_cli, "--version"]), theirs, their_start,
+                    options.runs)
+
+
+if __name__ == "__main__":
+    main()
