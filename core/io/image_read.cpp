@@ -2,8 +2,6 @@
 #include "core/base/text.h"
 #include "core/io/image_file.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <array>
@@ -40,8 +38,9 @@ constexpr std::array<Signature, 8> kSignatures = {{
 std::string formatOf(const fs::path& path) {
     if (!fs::exists(path))
         fail("There is no file {}.", path.string());
-    if (fs::is_directory(path))
-        fail("{} is a folder, not an image.", path.string());
+    if (!fs::is_regular_file(path))
+        fail("{} is {}, not an image.", path.string(),
+             fs::is_directory(path) ? "a folder" : "no ordinary file");
     std::ifstream file(path, std::ios::binary);
     if (!file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
@@ -141,40 +140,79 @@ void checkSpec(const fs::path& path, const OIIO::ImageSpec& spec, std::int64_t l
         fail("{} is a {} image; only flat ones can be opened.", path.string(), spec.deep ? "deep" : "volume");
 }
 
-OIIO::ImageBuf readPixels(const fs::path& path, OIIO::ImageInput& input) {
-    OIIO::ImageSpec spec = input.spec();
-    spec.set_format(OIIO::TypeDesc::FLOAT);
-    spec.x = spec.y = spec.full_x = spec.full_y = 0;
-    spec.full_width = spec.width;
-    spec.full_height = spec.height;
-    OIIO::ImageBuf pixels(spec);
-    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.localpixels()))
+/// Number of steps from 0 to 1 in integer samples; 0 for others.
+float stepsOf(const OIIO::TypeDesc& type) {
+    return type.basetype == OIIO::TypeDesc::UINT8    ? 255.0F
+           : type.basetype == OIIO::TypeDesc::UINT16 ? 65535.0F
+                                                     : 0.0F;
+}
+
+/// All samples, interleaved.
+std::vector<float> readSamples(const fs::path& path, OIIO::ImageInput& input) {
+    const OIIO::ImageSpec& spec = input.spec();
+    std::vector<float> samples(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    if (!input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, samples.data()))
         fail("{} cannot be read: {}.", path.string(), reason(input.geterror()));
     // A decoder may fill what is missing and only remark on it.
     if (const std::string remark = input.geterror(); !remark.empty())
         fail("{} cannot be read: {}.", path.string(), reason(remark));
-    return spec.get_int_attribute("Orientation", 1) == 1 ? pixels : OIIO::ImageBufAlgo::reorient(pixels);
+    // The library multiplies by a rounded 1 / 255; this gives the nearest float to each step.
+    if (const float steps = stepsOf(spec.format); steps > 0)
+        for (float& sample : samples)
+            sample = std::round(sample * steps) / steps;
+    return samples;
 }
 
-Image planar(const fs::path& path, const OIIO::ImageBuf& pixels) {
-    const OIIO::ImageSpec& spec = pixels.spec();
-    Image image({spec.width, spec.height}, spec.nchannels);
-    const auto* samples = static_cast<const float*>(pixels.localpixels());
-    std::uint64_t broken = 0;
-    Size firstBroken;
+/// Where a stored pixel is shown, by the eight orientations of the EXIF and TIFF standards.
+Size shownAt(int x, int y, const OIIO::ImageSpec& spec) {
+    const int fromRight = spec.width - 1 - x;
+    const int fromBottom = spec.height - 1 - y;
+    switch (spec.get_int_attribute("Orientation", 1)) {
+    case 2:
+        return {fromRight, y};
+    case 3:
+        return {fromRight, fromBottom};
+    case 4:
+        return {x, fromBottom};
+    case 5:
+        return {y, x};
+    case 6:
+        return {fromBottom, x};
+    case 7:
+        return {fromBottom, fromRight};
+    case 8:
+        return {y, fromRight};
+    default:
+        return {x, y};
+    }
+}
+
+Image upright(const OIIO::ImageSpec& spec, const std::vector<float>& samples) {
+    Image image(turned(spec) ? Size{spec.height, spec.width} : Size{spec.width, spec.height}, spec.nchannels);
+    const float* sample = samples.data();
+    const bool asStored = shownAt(0, 0, spec) == Size{0, 0} && !turned(spec);
     for (int y = 0; y < spec.height; ++y)
-        for (int x = 0; x < spec.width; ++x)
-            for (int c = 0; c < spec.nchannels; ++c) {
-                const float sample = *samples++;
-                image(x, y, c) = sample;
-                if (!std::isfinite(sample) && broken++ == 0)
-                    firstBroken = {x, y};
-            }
+        for (int x = 0; x < spec.width; ++x) {
+            const Size at = asStored ? Size{x, y} : shownAt(x, y, spec);
+            for (int c = 0; c < spec.nchannels; ++c)
+                image(at.width, at.height, c) = *sample++;
+        }
+    return image;
+}
+
+void checkFinite(const fs::path& path, const Image& image) {
+    std::uint64_t broken = 0;
+    Size first;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            for (int c = 0; c < image.channels(); ++c)
+                if (!std::isfinite(image(x, y, c)) && broken++ == 0)
+                    first = {x, y};
     if (broken > 0)
         fail("{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs "
-             "finite ones.",
-             path.string(), grouped(broken), firstBroken.width, firstBroken.height);
-    return image;
+             "finite "
+             "ones.",
+             path.string(), grouped(broken), first.width, first.height);
 }
 
 } // namespace
@@ -183,8 +221,9 @@ LoadedImage readImage(const fs::path& path, std::int64_t largestPixels) {
     const std::string format = formatOf(path);
     const auto input = openInput(path, format);
     checkSpec(path, input->spec(), largestPixels);
-    const ImageFileInfo info = describe(input->spec(), format);
-    return {planar(path, readPixels(path, *input)), info};
+    LoadedImage loaded{upright(input->spec(), readSamples(path, *input)), describe(input->spec(), format)};
+    checkFinite(path, loaded.image);
+    return loaded;
 }
 
 ImageFileInfo readImageInfo(const fs::path& path) {

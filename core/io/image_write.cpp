@@ -3,6 +3,7 @@
 #include "core/io/image_file.h"
 #include "core/io/temporary_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
@@ -15,6 +16,9 @@ namespace texloom {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Longer texts come back from a TIFF cut off.
+constexpr std::size_t kLongestTiffText = 65535;
 
 struct Format {
     std::string_view name;
@@ -76,7 +80,10 @@ void checkFormat(const fs::path& path, const Format& format, int channels, Depth
 
 OIIO::ImageSpec specFor(Size size, int channels, const Format& format, const WriteOptions& options) {
     OIIO::ImageSpec spec(size.width, size.height, channels, typeOf(options.depth));
-    spec.attribute("oiio:ColorSpace", options.space == "srgb" ? "sRGB" : "Linear");
+    // In a TIFF it would become an EXIF directory, which this OpenImageIO writes broken through a stream;
+    // readers take integers for sRGB there without being told.
+    if (format.name != "tiff")
+        spec.attribute("oiio:ColorSpace", options.space == "srgb" ? "sRGB" : "Linear");
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("texloom:space", options.space);
     spec.attribute("Software", "Texloom");
@@ -88,12 +95,41 @@ OIIO::ImageSpec specFor(Size size, int channels, const Format& format, const Wri
         spec.attribute("compression", "zip");
     if (format.name == "tiff")
         spec.attribute("compression", "zip");
-    if (!options.recipe.empty())
+    const bool fits = format.name != "tiff" || options.recipe.size() < kLongestTiffText;
+    if (!options.recipe.empty() && fits)
         spec.attribute(format.name == "tiff" ? "ImageDescription" : "texloom:recipe", options.recipe);
     for (const auto& [name, text] : options.attributes)
         spec.attribute(name, text);
     return spec;
 }
+
+/// Lets an encoder write to, and read back from, a temporary file.
+class TemporaryStream : public OIIO::Filesystem::IOProxy {
+public:
+    explicit TemporaryStream(TemporaryFile& file) : IOProxy("", Write), m_file(file) {}
+
+    const char* proxytype() const override { return "temporary"; }
+    std::size_t read(void* data, std::size_t size) override {
+        const std::size_t count = m_file.read(data, size, m_pos);
+        m_pos += static_cast<std::int64_t>(count);
+        return count;
+    }
+    std::size_t write(const void* data, std::size_t size) override {
+        const std::size_t count = m_file.write(data, size, m_pos);
+        m_pos += static_cast<std::int64_t>(count);
+        return count;
+    }
+    std::size_t pread(void* data, std::size_t size, std::int64_t offset) override {
+        return m_file.read(data, size, offset);
+    }
+    std::size_t pwrite(const void* data, std::size_t size, std::int64_t offset) override {
+        return m_file.write(data, size, offset);
+    }
+    std::size_t size() const override { return m_file.size(); }
+
+private:
+    TemporaryFile& m_file;
+};
 
 [[noreturn]] void failWriting(const fs::path& path, const std::string& message) {
     const std::string why = message.substr(0, message.find('\n'));
@@ -107,8 +143,10 @@ void writeImage(const fs::path& path, Size size, int channels, const RowSource& 
     const Format& format = formatFor(path);
     checkFormat(path, format, channels, options.depth);
     TemporaryFile temporary(path);
+    TemporaryStream stream(temporary);
     auto output = OIIO::ImageOutput::create(std::string(format.name));
-    if (!output || !output->open(temporary.path().string(), specFor(size, channels, format, options)))
+    if (!output || !output->set_ioproxy(&stream) ||
+        !output->open(path.string(), specFor(size, channels, format, options)))
         failWriting(path, output ? output->geterror() : "there is no writer for this format");
     std::vector<float> row(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(channels));
     for (int y = 0; y < size.height; ++y) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <climits>
 
 namespace texloom {
 
@@ -59,9 +60,12 @@ struct Field {
         return json.get<std::string>();
     }
     int whole() const {
-        if (!json.is_number_integer() || json.get<std::int64_t>() < -2147483648LL ||
-            json.get<std::int64_t>() > 2147483647LL)
-            wrong("a whole number");
+        // A number above the signed range is stored unsigned and would read as a negative one.
+        const bool fits = json.is_number_unsigned()
+                              ? json.get<std::uint64_t>() <= INT_MAX
+                              : json.is_number_integer() && json.get<std::int64_t>() >= INT_MIN;
+        if (!fits)
+            wrong("a whole number that is not too large");
         return json.get<int>();
     }
 };
@@ -213,6 +217,8 @@ Recipe Recipe::fromJson(std::string_view text, const fs::path& folder) {
         });
     } catch (const Json::parse_error& error) {
         failUsage("The recipe is not JSON: it breaks off or goes wrong at byte {}.", error.byte);
+    } catch (const Json::exception&) {
+        failUsage("The recipe holds a number that is too large.");
     }
     return recipeFrom({json, ""}, folder);
 }

@@ -3,12 +3,14 @@
 #include "core/base/error.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 namespace texloom {
 
@@ -16,43 +18,69 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path folderOf(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
+constexpr mode_t kPermissions = 0666; // less what the user's mask takes away
 
-void flushToDisk(const fs::path& file) {
-    const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool flushed = handle >= 0 && ::fsync(handle) == 0;
-    const int error = errno;
-    if (handle >= 0)
-        ::close(handle);
-    if (!flushed)
-        throw std::system_error(error, std::generic_category());
+[[noreturn]] void failWriting(const fs::path& file, int error) {
+    fail("{} cannot be written: {}.", file.string(), std::strerror(error));
 }
 
 } // namespace
 
 TemporaryFile::TemporaryFile(const fs::path& target) : m_target(target) {
-    const fs::path folder = folderOf(target);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder))
         fail("{} cannot be written: there is no folder {}.", target.string(), folder.string());
     static std::atomic<int> count = 0;
-    m_path = folder / fmt::format(".{}.{}-{}{}", target.stem().string(), ::getpid(), count++,
-                                  target.extension().string());
+    m_path = folder / fmt::format(".texloom-{}-{}{}", ::getpid(), count++, target.extension().string());
+    m_handle = ::open(m_path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, kPermissions);
+    if (m_handle < 0)
+        failWriting(target, errno);
 }
 
 TemporaryFile::~TemporaryFile() {
+    if (m_handle >= 0)
+        ::close(m_handle);
     std::error_code ignored;
     fs::remove(m_path, ignored);
 }
 
-void TemporaryFile::commit() {
-    try {
-        flushToDisk(m_path);
-        fs::rename(m_path, m_target);
-    } catch (const std::system_error& error) {
-        fail("{} cannot be written: {}.", m_target.string(), error.code().message());
+std::size_t TemporaryFile::write(const void* data, std::size_t size, std::int64_t offset) {
+    std::size_t written = 0;
+    while (written < size) {
+        const ssize_t count = ::pwrite(m_handle, static_cast<const char*>(data) + written, size - written,
+                                       offset + static_cast<std::int64_t>(written));
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0) {
+            m_error = m_error != 0 ? m_error : count < 0 ? errno : ENOSPC;
+            break;
+        }
+        written += static_cast<std::size_t>(count);
     }
+    return written;
+}
+
+std::size_t TemporaryFile::read(void* data, std::size_t size, std::int64_t offset) const {
+    const ssize_t count = ::pread(m_handle, data, size, offset);
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
+}
+
+std::size_t TemporaryFile::size() const {
+    struct stat status {};
+    return ::fstat(m_handle, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
+void TemporaryFile::commit() {
+    if (m_error != 0)
+        failWriting(m_target, m_error);
+    if (::fsync(m_handle) != 0)
+        failWriting(m_target, errno);
+    if (::close(std::exchange(m_handle, -1)) != 0)
+        failWriting(m_target, errno);
+    std::error_code error;
+    fs::rename(m_path, m_target, error);
+    if (error)
+        failWriting(m_target, error.value());
 }
 
 } // namespace texloom

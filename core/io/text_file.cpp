@@ -23,8 +23,8 @@ struct CloseFile {
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 FileHandle openForReading(const fs::path& path) {
-    if (fs::is_directory(path))
-        fail("{} is a folder.", path.string());
+    if (fs::exists(path) && !fs::is_regular_file(path))
+        fail("{} is {}.", path.string(), fs::is_directory(path) ? "a folder" : "no ordinary file");
     FileHandle file(std::fopen(path.c_str(), "rb"));
     if (!file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
@@ -46,11 +46,7 @@ std::string fileHash(const fs::path& path) {
 
 void writeText(const fs::path& path, std::string_view text) {
     TemporaryFile temporary(path);
-    FileHandle file(std::fopen(temporary.path().c_str(), "wb"));
-    const bool written = file && std::fwrite(text.data(), 1, text.size(), file.get()) == text.size() &&
-                         std::fclose(file.release()) == 0;
-    if (!written)
-        fail("{} cannot be written: {}.", path.string(), std::strerror(errno));
+    temporary.write(text.data(), text.size(), 0);
     temporary.commit();
 }
 

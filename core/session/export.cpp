@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 namespace texloom {
 
@@ -108,13 +109,16 @@ std::vector<Step> companionSteps(const Result& result, const ExportOptions& opti
         failUsage("{} copies no pixels, so that it gives companion maps no layout.",
                   result.plan.method->info().title);
     const std::vector<ExemplarFile>& companions = result.plan.companions.front();
+    std::set<fs::path> taken = {options.image};
     for (std::size_t i = 0; i < companions.size(); ++i) {
         std::string extension = companions[i].path.extension().string();
         if (extension == ".jpg" || extension == ".jpeg")
             extension = ".png";
-        const fs::path path = beside(
-            options.image, companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()),
-            extension);
+        const std::string suffix =
+            companionSuffix(result.plan.request.exemplars.front().name, companions[i].name());
+        fs::path path = beside(options.image, suffix, extension);
+        for (int copy = 2; !taken.insert(path).second; ++copy)
+            path = beside(options.image, fmt::format("{}_{}", suffix, copy), extension);
         steps.push_back({{path, "companion map " + companions[i].name(), false},
                          [&result, &options, i, path] { writeCompanion(result, options, i, path); }});
     }

@@ -1,0 +1,207 @@
+#include "core/io/image_file.h"
+#include "core/session/export.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/exemplar/exemplar_panel.h"
+#include "ui/exemplar/files.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/elided_label.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/text.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QUrl>
+
+using namespace texloom;
+using namespace texloom::ui;
+
+namespace {
+
+void drop(QWidget& on, const QMimeData& what) {
+    QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &what, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&on, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent event(QPointF(9, 9), Qt::CopyAction, &what, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&on, &event);
+}
+
+} // namespace
+
+class ExemplarsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void droppedFileIsOpenedAndRemembered() {
+        const QString path = writeTexture(m_folder, QStringLiteral("dropped.png"), {40, 30});
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        drop(*m_window, data);
+        QVERIFY(opened.wait());
+        QVERIFY((m_window->store()->current()->file().image->size() == Size{40, 30}));
+        QCOMPARE(recentFiles().front(), path);
+        QVERIFY(m_window->store()->current()->picture == m_window->exemplarPanel()->viewer()->picture());
+    }
+
+    void remoteAddressIsRefusedInWords() {
+        QMimeData data;
+        data.setUrls({QUrl(QStringLiteral("https://example.org/bark.jpg"))});
+        drop(*m_window, data);
+        QVERIFY(m_window->messages()->isVisible());
+        QVERIFY(m_window->messages()->text().contains(QStringLiteral("save the picture")));
+    }
+
+    void pastedPixelsBecomeAnExemplar() {
+        QImage pixels(33, 22, QImage::Format_RGB32);
+        pixels.fill(QColor(10, 200, 30));
+        QApplication::clipboard()->setImage(pixels);
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        child<QAction>(*m_window, "paste")->trigger();
+        QVERIFY(opened.wait());
+        const ExemplarFile& file = m_window->store()->current()->file();
+        QVERIFY((file.image->size() == Size{33, 22}));
+        QVERIFY(std::abs((*file.image)(5, 5, 1) - 200.0F / 255) < 1e-5F);
+        QFile::remove(toQString(file.path));
+    }
+
+    void brokenFileIsSaidInPlaceAndTheExemplarStays() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("good.png"), {64, 64})));
+        const auto before = m_window->store()->current()->file().image;
+        QFile broken(m_folder.filePath(QStringLiteral("broken.png")));
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.write("no picture");
+        broken.close();
+        QSignalSpy failed(m_window->store(), &ExemplarStore::failed);
+        m_window->openFiles({broken.fileName()});
+        QVERIFY(failed.wait());
+        QVERIFY(m_window->messages()->isVisible());
+        QCOMPARE(m_window->messages()->kind(), MessageBar::Kind::Error);
+        QVERIFY2(m_window->messages()->text().contains(QStringLiteral("broken.png")),
+                 qPrintable(m_window->messages()->text()));
+        QVERIFY(m_window->store()->current()->file().image == before);
+        QCOMPARE(m_window->store()->loading(), 0);
+    }
+
+    void listHasWhatIsOpenAndRemovesIt() {
+        auto* list = child<QListWidget>(*m_window, "exemplarList");
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("one.png"), {64, 64})));
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        const QString longName = QString(150, QLatin1Char('n')) + QStringLiteral(".png");
+        m_window->openFiles({writeTexture(m_folder, longName, {32, 48})});
+        QVERIFY(opened.wait());
+        QCOMPARE(list->count(), 2);
+        QCOMPARE(list->currentRow(), 1);
+        QVERIFY(m_window->exemplarPanel()->width() < m_window->width() / 2);
+        list->setCurrentRow(0);
+        QCOMPARE(m_window->store()->current()->file().name(), std::string("one"));
+        child<QAction>(*m_window, "removeExemplar")->trigger();
+        QCOMPARE(list->count(), 1);
+        QVERIFY((m_window->store()->current()->file().image->size() == Size{32, 48}));
+    }
+
+    void checkedExemplarsAreUsedWhereAMethodTakesSeveral() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("first.png"), {64, 64})));
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        m_window->openFiles({writeTexture(m_folder, QStringLiteral("second.png"), {64, 64}, 2)});
+        QVERIFY(opened.wait());
+        const bool several = m_window->inspector()->method()->info().severalExemplars;
+        QCOMPARE(m_window->input(false).exemplars.size(), several ? 2U : 1U);
+        auto* list = child<QListWidget>(*m_window, "exemplarList");
+        if (several)
+            list->item(0)->setCheckState(Qt::Unchecked);
+        QCOMPARE(m_window->input(false).exemplars.size(), 1U);
+        QCOMPARE(m_window->input(false).exemplars.front().image.name(), std::string("second"));
+    }
+
+    void colourSpaceIsReadAnew() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("space.png"), {32, 32})));
+        const auto before = m_window->store()->current()->file().image;
+        auto* space = child<QComboBox>(*m_window, "colourSpace");
+        QCOMPARE(space->currentData().toString(), QStringLiteral("srgb"));
+        const int linear = space->findData(QStringLiteral("linear"));
+        QVERIFY(linear >= 0);
+        space->setCurrentIndex(linear);
+        Q_EMIT space->activated(linear);
+        QTRY_COMPARE(m_window->store()->current()->file().space, std::string("linear"));
+        QVERIFY((*m_window->store()->current()->file().image)(3, 3, 0) > (*before)(3, 3, 0));
+    }
+
+    void masksAreGivenToMethodsThatHeedThem() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("masked.png"), {48, 48})));
+        QSignalSpy changed(m_window->store(), &ExemplarStore::changed);
+        m_window->store()->setMask(m_window->store()->current()->id,
+                                   writeTexture(m_folder, QStringLiteral("mask.png"), {48, 48}));
+        QVERIFY(changed.wait());
+        QCOMPARE(m_window->input(false).exemplars.front().mask.has_value(),
+                 m_window->inspector()->method()->info().usesMask);
+        child<QAction>(*m_window, "clearExemplarMask")->trigger();
+        QVERIFY(!m_window->input(false).exemplars.front().mask);
+    }
+
+    void recipeInAPictureRestoresTheSettings() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("source.png"), {64, 64})));
+        ExportOptions options;
+        options.image = toPath(m_folder.filePath(QStringLiteral("made.png")));
+        exportResult(*m_window->result(), options);
+        const RunPlan& plan = m_window->result()->plan;
+        const Values settings = plan.settings;
+        const std::uint64_t seed = plan.request.seed;
+        const Size size = plan.request.size;
+
+        m_window->inspector()->setValues({{"patch", 20}});
+        m_window->inspector()->output()->setSeed(seed + 77);
+        m_window->inspector()->output()->setOutputSize({50, 50});
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        m_window->openFiles({toQString(options.image)});
+        QVERIFY(opened.wait());
+        QVERIFY(m_window->messages()->isVisible());
+        QSignalSpy replaced(m_window->store(), &ExemplarStore::replaced);
+        child<QPushButton>(*m_window, "messageAction")->click();
+        QVERIFY(replaced.wait());
+        QVERIFY(m_window->inspector()->values() == settings);
+        QCOMPARE(m_window->inspector()->output()->seed(), seed);
+        QVERIFY(m_window->inspector()->output()->outputSize() == size);
+        QCOMPARE(m_window->store()->current()->file().name(), std::string("source"));
+    }
+
+    void bundledExemplarsAreOnTheStartPage() {
+        auto* list = child<QListWidget>(*m_window, "bundledThumbnails");
+        QVERIFY(!bundledExemplars().isEmpty());
+        QTRY_COMPARE(list->count(), bundledExemplars().size());
+        for (const QString& path : bundledExemplars())
+            QVERIFY2(!path.contains(QStringLiteral("_normal")), qPrintable(path));
+    }
+
+    void longLabelsAreElidedInTheMiddle() {
+        ElidedLabel label;
+        label.setFullText(QStringLiteral("a very long name of a file that does not fit.png"));
+        label.resize(100, 30);
+        label.show();
+        QVERIFY(label.text().contains(QChar(0x2026)));
+        QVERIFY(label.text().endsWith(QStringLiteral("png")));
+        QCOMPARE(label.toolTip(), label.fullText());
+    }
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+TEXLOOM_UI_TESTS(ExemplarsTest)
+#include "exemplars_test.moc"

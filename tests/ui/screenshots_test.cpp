@@ -1,0 +1,165 @@
+#include "tests/ui/window_fixture.h"
+#include "ui/exemplar/files.h"
+#include "ui/export/export_dialog.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/inspector/param_row.h"
+#include "ui/inspector/value_editor.h"
+#include "ui/jobs/background.h"
+#include "ui/jobs/run_panel.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/appearance.h"
+#include "ui/window/message_bar.h"
+
+#include <QAction>
+#include <QDir>
+#include <QLabel>
+#include <QListWidget>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QToolButton>
+
+using namespace texloom;
+using namespace texloom::ui;
+
+/// Draws the window in all its states to PNG files, for people to look at, and checks that nothing is cut
+/// off.
+class ScreenshotsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(QDir().mkpath(QStringLiteral(TEXLOOM_SCREENSHOTS))); }
+
+    void everyState_data() {
+        QTest::addColumn<int>("appearance");
+        QTest::newRow("light") << static_cast<int>(Appearance::Light);
+        QTest::newRow("dark") << static_cast<int>(Appearance::Dark);
+    }
+
+    void everyState() {
+        QFETCH(int, appearance);
+        applyAppearance(static_cast<Appearance>(appearance));
+        MainWindow window;
+        window.resize(1280, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        auto* bundled = child<QListWidget>(window, "bundledThumbnails");
+        QTRY_COMPARE(bundled->count(), bundledExemplars().size());
+        workers().waitForDone();
+        QCoreApplication::processEvents();
+        shoot(window, "start");
+
+        QVERIFY(openAndFinish(window, bundledNamed("crazy_paving")));
+        shoot(window, "quick");
+        showRunning(window);
+        showResult(window);
+        showError(window);
+        showExport(window);
+    }
+
+    void twiceAsManyPixels() {
+        if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+            QSKIP("this is the enlarged run");
+        QProcess again;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
+        again.setProcessEnvironment(environment);
+        again.setProcessChannelMode(QProcess::ForwardedChannels);
+        again.start(QCoreApplication::applicationFilePath(), {QStringLiteral("everyState")});
+        QVERIFY(again.waitForFinished(200'000));
+        QCOMPARE(again.exitCode(), 0);
+    }
+
+private:
+    static QString bundledNamed(const QString& name) {
+        for (const QString& path : bundledExemplars())
+            if (path.contains(name))
+                return path;
+        return bundledExemplars().front();
+    }
+
+    static void showRunning(MainWindow& window) {
+        window.inspector()->output()->setOutputSize({2048, 2048});
+        QSignalSpy progressed(window.controller(), &RunController::progressed);
+        QSignalSpy previewed(window.controller(), &RunController::previewed);
+        window.startRun(false);
+        QVERIFY(previewed.wait(60'000));
+        for (int i = 0; i < 12 && window.controller()->running(); ++i)
+            progressed.wait(1000);
+        shoot(window, "running");
+        window.controller()->stop();
+        QTRY_VERIFY(!window.controller()->running());
+        QCoreApplication::processEvents();
+        shoot(window, "stopped");
+        window.messages()->dismiss();
+    }
+
+    static void showResult(MainWindow& window) {
+        window.inspector()->output()->setOutputSize({512, 512});
+        QSignalSpy finished(window.controller(), &RunController::finished);
+        window.startRun(false);
+        QVERIFY(finished.wait(60'000));
+        QTRY_VERIFY(window.results()->viewer(ResultView::PositionTab)->picture());
+        QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
+        Q_EMIT window.results()->viewer(ResultView::ResultTab)->hovered({200, 100});
+        window.inspector()->rows().front()->editor()->setFocus();
+        shoot(window, "result");
+        child<QAction>(window, "repeat")->trigger();
+        shoot(window, "repeated");
+        child<QAction>(window, "repeat")->trigger();
+        window.results()->setTab(ResultView::SynthesisTab);
+        shoot(window, "synthesis-map");
+        window.results()->setTab(ResultView::PositionTab);
+        shoot(window, "position-map");
+        window.results()->setTab(ResultView::ResultTab);
+    }
+
+    static void showError(MainWindow& window) {
+        window.inspector()->rows().front()->setValue(512);
+        Q_EMIT window.inspector()->edited();
+        QTRY_VERIFY(!window.runPanel()->refusal().isEmpty());
+        window.openFiles({QStringLiteral("/no/such/picture of bark.png")});
+        QTRY_VERIFY(window.messages()->isVisible());
+        shoot(window, "error");
+        window.messages()->dismiss();
+        window.inspector()->resetAll();
+    }
+
+    static void showExport(MainWindow& window) {
+        child<QAction>(window, "export")->trigger();
+        auto* dialog = window.findChild<ExportDialog*>();
+        QVERIFY(dialog != nullptr);
+        QVERIFY(QTest::qWaitForWindowExposed(dialog));
+        shoot(*dialog, "export");
+        dialog->reject();
+        child<QAction>(window, "shortcuts")->trigger();
+        auto* keys = child<QDialog>(window, "shortcutsDialog");
+        QVERIFY(QTest::qWaitForWindowExposed(keys));
+        shoot(*keys, "shortcuts");
+        keys->reject();
+    }
+
+    static void shoot(QWidget& widget, const char* state) {
+        QCoreApplication::processEvents();
+        checkTexts(widget);
+        const QString scale = qEnvironmentVariable("QT_SCALE_FACTOR", QStringLiteral("1"));
+        const QString file = QStringLiteral("%1/%2-%3-%4x.png")
+                                 .arg(QStringLiteral(TEXLOOM_SCREENSHOTS), QLatin1String(state),
+                                      QLatin1String(QTest::currentDataTag()), scale);
+        QVERIFY2(widget.grab().save(file), qPrintable(file));
+    }
+
+    /// Every text must have the room that it asks for.
+    static void checkTexts(QWidget& widget) {
+        for (const auto* button : widget.findChildren<QToolButton*>())
+            if (button->isVisible() && !button->text().isEmpty() &&
+                button->toolButtonStyle() != Qt::ToolButtonIconOnly)
+                QVERIFY2(button->width() >= button->minimumSizeHint().width(), qPrintable(button->text()));
+        for (const auto* label : widget.findChildren<QLabel*>())
+            if (label->isVisible() && label->wordWrap() && label->width() > 0)
+                QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+    }
+};
+
+TEXLOOM_UI_TESTS(ScreenshotsTest)
+#include "screenshots_test.moc"

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "ui/window/main_window.h"
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+#include <memory>
+
+namespace texloom::ui {
+
+/// Makes an application whose settings and caches are in a temporary folder, and runs the tests of one class.
+int runTests(int argc, char** argv, const std::function<int(int, char**)>& tests);
+
+/// A picture in which no two patches are alike, the same at each call.
+Image testTexture(Size size, int channels = 3, std::uint64_t seed = 1);
+
+/// Writes a test texture as an 8-bit PNG. @return its path.
+QString writeTexture(const QTemporaryDir& folder, const QString& name, Size size, std::uint64_t seed = 1);
+
+/// Brings the window to the state in which a first exemplar has been opened and its quick run has ended.
+bool openAndFinish(MainWindow& window, const QString& path);
+
+/// The child of this type and name. The test ends if there is none.
+template <class Widget> Widget* child(const QObject& parent, const char* name) {
+    auto* found = parent.findChild<Widget*>(QLatin1String(name));
+    if (found == nullptr)
+        qFatal("no child %s", name);
+    return found;
+}
+
+} // namespace texloom::ui
+
+/// The main() of a file with one test class.
+#define TEXLOOM_UI_TESTS(Class)                                                                              \
+    int main(int argc, char** argv) {                                                                        \
+        return texloom::ui::runTests(argc, argv, [](int count, char** values) {                              \
+            Class tests;                                                                                     \
+            return QTest::qExec(&tests, count, values);                                                      \
+        });                                                                                                  \
+    }

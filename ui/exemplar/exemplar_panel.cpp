@@ -1,0 +1,229 @@
+#include "ui/exemplar/exemplar_panel.h"
+
+#include "core/color/color_pipeline.h"
+#include "ui/exemplar/files.h"
+#include "ui/viewers/image_viewer.h"
+#include "ui/window/elided_label.h"
+#include "ui/window/icons.h"
+#include "ui/window/text.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QListWidget>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr int kListIconLines = 2;
+
+QString channelText(int channels) {
+    switch (channels) {
+    case 1:
+        return ExemplarPanel::tr("grey");
+    case 3:
+        return ExemplarPanel::tr("colour");
+    case 4:
+        return ExemplarPanel::tr("colour and alpha");
+    default:
+        return ExemplarPanel::tr("%1 channels").arg(channels);
+    }
+}
+
+QString factsOf(const ExemplarFile& file) {
+    return ExemplarPanel::tr("%1 px · %2 · %3 · %4")
+        .arg(sizeText(file.image->size()), QString::fromStdString(file.info.format).toUpper(),
+             QString::fromStdString(file.info.depth), channelText(file.image->channels()));
+}
+
+/// The scale at which a picture fills an icon of this side.
+double iconScale(const DisplayPicture& picture, int side) {
+    return static_cast<double>(side) / picture.size().longerSide();
+}
+
+/// An icon that keeps its colours where it is selected.
+QIcon pictureIcon(const QImage& image) {
+    const QPixmap pixmap = QPixmap::fromImage(image);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    return icon;
+}
+
+} // namespace
+
+ExemplarPanel::ExemplarPanel(ExemplarStore* store, const QList<QAction*>& actions, QWidget* parent)
+    : QWidget(parent), m_store(store), m_viewer(new ImageViewer(this)), m_name(new ElidedLabel(this)),
+      m_facts(new QLabel(this)), m_space(new QComboBox(this)), m_maskName(new ElidedLabel(this)),
+      m_setMask(new QToolButton(this)), m_clearMask(new QToolButton(this)), m_maskRow(new QWidget(this)),
+      m_list(new QListWidget(this)) {
+    setObjectName(QStringLiteral("exemplarPanel"));
+    m_viewer->setObjectName(QStringLiteral("exemplarViewer"));
+    m_viewer->setAccessibleName(tr("Exemplar"));
+    m_viewer->setPlaceholder(tr("No exemplar yet.\nDrop a picture here."));
+    QFont bold = font();
+    bold.setBold(true);
+    m_name->setFont(bold);
+    m_facts->setWordWrap(true);
+
+    m_list->setObjectName(QStringLiteral("exemplarList"));
+    m_list->setAccessibleName(tr("Open exemplars"));
+    m_list->setTextElideMode(Qt::ElideMiddle);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setIconSize(QSize(1, 1) * fontMetrics().height() * kListIconLines);
+
+    auto* buttons = new QHBoxLayout;
+    for (QAction* action : actions) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setFocusPolicy(Qt::StrongFocus);
+        buttons->addWidget(button);
+    }
+    buttons->addStretch();
+
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_viewer, 3);
+    column->addWidget(m_name);
+    column->addWidget(m_facts);
+    column->addWidget(makeDetails());
+    column->addWidget(m_list, 2);
+    column->addLayout(buttons);
+    connectStore();
+    showCurrent();
+}
+
+QWidget* ExemplarPanel::makeDetails() {
+    m_space->setObjectName(QStringLiteral("colourSpace"));
+    m_space->setToolTip(
+        tr("The colour space that the file's values are in. Data, such as heights, is never converted."));
+    m_space->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const ColorSpace& space : color::spaces())
+        m_space->addItem(translated(space.title), QString::fromStdString(space.id));
+    m_setMask->setObjectName(QStringLiteral("setMask"));
+    m_setMask->setText(tr("Choose…"));
+    m_setMask->setToolTip(tr("A picture of the exemplar's size: where it is black, nothing is copied."));
+    m_setMask->setAccessibleName(tr("Choose a mask"));
+    m_clearMask->setObjectName(QStringLiteral("clearMask"));
+    setIconButton(m_clearMask, QStringLiteral("close"), tr("Remove the mask"));
+    for (QToolButton* button : {m_setMask, m_clearMask})
+        button->setFocusPolicy(Qt::StrongFocus);
+
+    auto* maskLayout = new QHBoxLayout(m_maskRow);
+    maskLayout->setContentsMargins(0, 0, 0, 0);
+    maskLayout->addWidget(m_maskName, 1);
+    maskLayout->addWidget(m_setMask);
+    maskLayout->addWidget(m_clearMask);
+
+    auto* details = new QWidget(this);
+    auto* form = new QFormLayout(details);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("&Colour space"), m_space);
+    form->addRow(tr("Mask"), m_maskRow);
+    return details;
+}
+
+void ExemplarPanel::connectStore() {
+    connect(m_store, &ExemplarStore::changed, this, &ExemplarPanel::fillList);
+    connect(m_store, &ExemplarStore::currentChanged, this, &ExemplarPanel::showCurrent);
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+        if (item != nullptr && !m_filling)
+            m_store->setCurrent(item->data(Qt::UserRole).toInt());
+    });
+    connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (!m_filling && m_several)
+            m_store->setChecked(item->data(Qt::UserRole).toInt(), item->checkState() == Qt::Checked);
+    });
+    connect(m_space, &QComboBox::activated, this, [this] {
+        if (const ExemplarEntry* entry = m_store->current())
+            m_store->setSpace(entry->id, m_space->currentData().toString());
+    });
+    connect(m_store, &ExemplarStore::failed, this, [this] { showDetails(m_store->current()); });
+    connect(m_setMask, &QToolButton::clicked, this, &ExemplarPanel::chooseMask);
+    connect(m_clearMask, &QToolButton::clicked, this, [this] {
+        if (const ExemplarEntry* entry = m_store->current())
+            m_store->clearMask(entry->id);
+    });
+    connect(m_viewer, &ImageViewer::hovered, this, &ExemplarPanel::hovered);
+    connect(m_viewer, &ImageViewer::unhovered, this, &ExemplarPanel::unhovered);
+}
+
+void ExemplarPanel::chooseMask() {
+    const ExemplarEntry* const entry = m_store->current();
+    if (entry == nullptr)
+        return;
+    const QString path = QFileDialog::getOpenFileName(
+        window(), tr("Choose a mask"), toQString(entry->file().path.parent_path()), pictureFilter());
+    if (!path.isEmpty())
+        m_store->setMask(entry->id, path);
+}
+
+void ExemplarPanel::setMethod(const MethodInfo& info) {
+    m_several = info.severalExemplars;
+    m_maskRow->setEnabled(info.usesMask);
+    m_maskRow->setToolTip(info.usesMask ? QString()
+                                        : tr("%1 does not use a mask.").arg(translated(info.title)));
+    fillList();
+}
+
+void ExemplarPanel::fillList() {
+    m_filling = true;
+    m_list->clear();
+    for (const ExemplarEntry& entry : m_store->entries()) {
+        const QImage& small = entry.picture->levelFor(iconScale(*entry.picture, m_list->iconSize().width()));
+        auto* item =
+            new QListWidgetItem(pictureIcon(small), QString::fromStdString(entry.file().name()), m_list);
+        item->setToolTip(toQString(entry.file().path));
+        item->setData(Qt::UserRole, entry.id);
+        if (m_several)
+            item->setCheckState(entry.checked ? Qt::Checked : Qt::Unchecked);
+    }
+    m_filling = false;
+    showCurrent();
+}
+
+void ExemplarPanel::showCurrent() {
+    const ExemplarEntry* const entry = m_store->current();
+    m_viewer->setPicture(entry != nullptr ? entry->picture : nullptr);
+    m_viewer->setMarker({});
+    const QSignalBlocker blocker(m_list);
+    for (int row = 0; row < m_list->count(); ++row)
+        if (entry != nullptr && m_list->item(row)->data(Qt::UserRole).toInt() == entry->id)
+            m_list->setCurrentRow(row);
+    showDetails(entry);
+}
+
+void ExemplarPanel::showDetails(const ExemplarEntry* entry) {
+    const bool mask = entry != nullptr && entry->exemplar.mask;
+    for (QWidget* detail : {static_cast<QWidget*>(m_space), static_cast<QWidget*>(m_setMask)})
+        detail->setEnabled(entry != nullptr);
+    m_clearMask->setVisible(mask);
+    m_maskName->setFullText(mask ? QString::fromStdString(entry->exemplar.mask->name()) : tr("None"),
+                            mask ? toQString(entry->exemplar.mask->path) : QString());
+    m_name->setVisible(entry != nullptr);
+    m_facts->setVisible(entry != nullptr);
+    if (entry == nullptr)
+        return;
+    m_name->setFullText(toQString(entry->file().path.filename()), toQString(entry->file().path));
+    m_facts->setText(factsOf(entry->file()));
+    m_space->setCurrentIndex(m_space->findData(QString::fromStdString(entry->file().space)));
+}
+
+void ExemplarPanel::showSource(const ExemplarEntry& entry, QPoint pixel) {
+    if (m_viewer->picture() != entry.picture)
+        m_viewer->setPicture(entry.picture);
+    m_viewer->setMarker(pixel);
+}
+
+void ExemplarPanel::hideSource() {
+    m_viewer->setMarker({});
+    const ExemplarEntry* const entry = m_store->current();
+    if (entry != nullptr && m_viewer->picture() != entry->picture)
+        m_viewer->setPicture(entry->picture);
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/methods/method.h"
+#include "ui/exemplar/exemplar_store.h"
+
+#include <QPoint>
+#include <QWidget>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QToolButton;
+
+namespace texloom::ui {
+
+class ElidedLabel;
+class ImageViewer;
+
+/// The left dock: the exemplar that is looked at, large enough to see where the result's pixels came from,
+/// what is known of it, and the list of all that are open.
+class ExemplarPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The actions become the buttons under the list.
+    ExemplarPanel(ExemplarStore* store, const QList<QAction*>& actions, QWidget* parent = nullptr);
+
+    /// Shows what this method can use: check boxes if it learns from several exemplars, masks if it heeds
+    /// them.
+    void setMethod(const MethodInfo& info);
+    /// Marks the pixel that the result's pixel under the cursor came from, in the exemplar it belongs to.
+    void showSource(const ExemplarEntry& entry, QPoint pixel);
+    void hideSource();
+    ImageViewer* viewer() const { return m_viewer; }
+    /// Asks for a mask file for the current exemplar.
+    void chooseMask();
+
+Q_SIGNALS:
+    void hovered(QPoint pixel);
+    void unhovered();
+
+private:
+    QWidget* makeDetails();
+    void connectStore();
+    void fillList();
+    void showCurrent();
+    void showDetails(const ExemplarEntry* entry);
+
+    ExemplarStore* m_store;
+    ImageViewer* m_viewer;
+    ElidedLabel* m_name;
+    QLabel* m_facts;
+    QComboBox* m_space;
+    ElidedLabel* m_maskName;
+    QToolButton* m_setMask;
+    QToolButton* m_clearMask;
+    QWidget* m_maskRow;
+    QListWidget* m_list;
+    bool m_several = false;
+    bool m_filling = false;
+};
+
+} // namespace texloom::ui

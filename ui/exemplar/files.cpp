@@ -1,0 +1,108 @@
+#include "ui/exemplar/files.h"
+
+#include "core/base/error.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QDirIterator>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUrl>
+
+namespace texloom::ui {
+
+namespace {
+
+const QString kRecents = QStringLiteral("recentFiles");
+constexpr int kMostRecents = 12;
+
+const QStringList& pictureNames() {
+    static const QStringList names{
+        QStringLiteral("*.png"),  QStringLiteral("*.jpg"), QStringLiteral("*.jpeg"), QStringLiteral("*.tif"),
+        QStringLiteral("*.tiff"), QStringLiteral("*.exr"), QStringLiteral("*.hdr")};
+    return names;
+}
+
+/// The folder of bundled exemplars, or empty.
+QString bundleFolder() {
+    QStringList candidates;
+    const QString named = qEnvironmentVariable("TEXLOOM_RESOURCES");
+    if (!named.isEmpty())
+        candidates += named + QStringLiteral("/exemplars");
+    QDir folder(QCoreApplication::applicationDirPath());
+    candidates += folder.filePath(QStringLiteral("../share/texloom/exemplars"));
+    do
+        candidates += folder.filePath(QStringLiteral("resources/exemplars"));
+    while (folder.cdUp());
+    for (const QString& candidate : candidates)
+        if (QFileInfo(candidate).isDir())
+            return QDir::cleanPath(candidate);
+    return {};
+}
+
+} // namespace
+
+QStringList bundledExemplars() {
+    const QString folder = bundleFolder();
+    if (folder.isEmpty())
+        return {};
+    QStringList found;
+    QDirIterator files(folder, pictureNames(), QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QFileInfo file(files.next());
+        const bool companion =
+            file.dir() != QDir(folder) && !file.baseName().endsWith(QStringLiteral("_albedo"));
+        if (!companion)
+            found += file.filePath();
+    }
+    found.sort();
+    return found;
+}
+
+QStringList recentFiles() {
+    QStringList present;
+    for (const QString& path : QSettings().value(kRecents).toStringList())
+        if (QFileInfo::exists(path))
+            present += path;
+    return present;
+}
+
+void addRecentFile(const QString& path) {
+    QStringList recents = QSettings().value(kRecents).toStringList();
+    recents.removeAll(path);
+    recents.prepend(path);
+    QSettings().setValue(kRecents, recents.mid(0, kMostRecents));
+}
+
+QString pictureFilter() {
+    return QCoreApplication::translate("files", "Pictures and recipes (%1 *.json);;All files (*)")
+        .arg(pictureNames().join(QLatin1Char(' ')));
+}
+
+bool offersPicture(const QMimeData& data) {
+    return data.hasUrls() || data.hasImage();
+}
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile())
+            paths += url.toLocalFile();
+    return paths;
+}
+
+QString savePastedPicture(const QImage& picture) {
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
+                      QStringLiteral("/pasted"));
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+    QString path = folder.filePath(QStringLiteral("pasted-%1.png").arg(stamp));
+    if (!folder.mkpath(QStringLiteral(".")) || !picture.save(path, "PNG"))
+        fail("The pasted picture could not be kept in {}; check that there is room.",
+             folder.path().toStdString());
+    return path;
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <QStringList>
+
+class QMimeData;
+
+namespace texloom::ui {
+
+/// The exemplars that come with the program, as paths; empty if their folder is not there. Looked for in
+/// $TEXLOOM_RESOURCES/exemplars, then beside and above the program.
+QStringList bundledExemplars();
+
+/// The files opened last, newest first; those that are gone are left out.
+QStringList recentFiles();
+void addRecentFile(const QString& path);
+
+/// The filter of a dialog that opens pictures.
+QString pictureFilter();
+
+/// Whether something dropped or pasted holds files or a picture.
+bool offersPicture(const QMimeData& data);
+
+/// Paths of the local files in it.
+QStringList localFiles(const QMimeData& data);
+
+/// Writes a pasted picture to a file of its own in the cache folder. Called on a worker. @throws Error
+QString savePastedPicture(const QImage& picture);
+
+} // namespace texloom::ui

@@ -1,0 +1,240 @@
+#include "ui/export/export_dialog.h"
+
+#include "core/color/color_pipeline.h"
+#include "ui/jobs/background.h"
+#include "ui/window/appearance.h"
+#include "ui/window/icons.h"
+#include "ui/window/text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr int kTableLines = 8;
+constexpr int kNameWidth = 60;
+
+bool hasCompanions(const RunPlan& plan) {
+    return !plan.companions.empty() && !plan.companions.front().empty();
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& folder, QWidget* parent)
+    : QDialog(parent), m_result(std::move(result)),
+      m_folder(new QLineEdit(QDir::toNativeSeparators(folder), this)),
+      m_name(new QLineEdit(QString::fromStdString(m_result->fileName()), this)),
+      m_format(new QComboBox(this)), m_depth(new QComboBox(this)), m_space(new QComboBox(this)),
+      m_stMap(new QCheckBox(tr("S&TMap for compositors (EXR)"), this)),
+      m_exactMap(new QCheckBox(tr("Exact &positions (16-bit PNG)"), this)),
+      m_sidecar(new QCheckBox(tr("&Recipe beside the picture (JSON)"), this)),
+      m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 3, this)),
+      m_problem(new QLabel(this)) {
+    setObjectName(QStringLiteral("exportDialog"));
+    setWindowTitle(tr("Export"));
+    m_folder->setObjectName(QStringLiteral("exportFolder"));
+    m_name->setObjectName(QStringLiteral("exportName"));
+    m_name->setMinimumWidth(fontMetrics().averageCharWidth() * kNameWidth);
+    m_format->setObjectName(QStringLiteral("exportFormat"));
+    m_depth->setObjectName(QStringLiteral("exportDepth"));
+    m_space->setObjectName(QStringLiteral("exportSpace"));
+    m_stMap->setObjectName(QStringLiteral("exportStMap"));
+    m_exactMap->setObjectName(QStringLiteral("exportExactMap"));
+    m_sidecar->setObjectName(QStringLiteral("exportSidecar"));
+    m_companions->setObjectName(QStringLiteral("exportCompanions"));
+    m_table->setObjectName(QStringLiteral("exportTable"));
+    m_problem->setObjectName(QStringLiteral("exportProblem"));
+    fillFormats();
+    fillDepths();
+    makeForm();
+    refresh();
+    m_name->setFocus();
+    m_name->selectAll();
+}
+
+void ExportDialog::fillFormats() {
+    m_format->addItem(tr("PNG"), QStringLiteral(".png"));
+    m_format->addItem(tr("TIFF"), QStringLiteral(".tif"));
+    m_format->addItem(tr("OpenEXR"), QStringLiteral(".exr"));
+    m_format->addItem(tr("JPEG"), QStringLiteral(".jpg"));
+    m_format->addItem(tr("Radiance HDR"), QStringLiteral(".hdr"));
+    m_space->addItem(tr("Automatic"), QString());
+    for (const ColorSpace& space : color::spaces())
+        m_space->addItem(translated(space.title), QString::fromStdString(space.id));
+    m_space->setToolTip(tr("Automatic: sRGB, or linear for depths that hold it."));
+}
+
+void ExportDialog::fillDepths() {
+    m_depth->clear();
+    for (const Depth depth : depthsFor(toPath(QStringLiteral("x") + m_format->currentData().toString())))
+        m_depth->addItem(tr("%1").arg(QString::fromStdString(std::string(depthName(depth)))),
+                         static_cast<int>(depth));
+    m_depth->setEnabled(m_depth->count() > 1);
+}
+
+QWidget* ExportDialog::makeFolderRow() {
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* choose = new QToolButton(row);
+    choose->setText(tr("Choose…"));
+    choose->setAccessibleName(tr("Choose a folder"));
+    choose->setFocusPolicy(Qt::StrongFocus);
+    connect(choose, &QToolButton::clicked, this, &ExportDialog::chooseFolder);
+    layout->addWidget(m_folder, 1);
+    layout->addWidget(choose);
+    return row;
+}
+
+void ExportDialog::makeForm() {
+    const bool map = m_result->synthesis.mapKind != MapKind::None;
+    for (QCheckBox* box : {m_stMap, m_exactMap}) {
+        box->setEnabled(map);
+        if (!map)
+            box->setToolTip(tr("This method makes new pixels, so there is no map of where they came from."));
+    }
+    m_sidecar->setChecked(true);
+    m_sidecar->setToolTip(tr("All settings, to make the same result again."));
+    m_companions->setChecked(hasCompanions(m_result->plan));
+    m_companions->setVisible(hasCompanions(m_result->plan));
+
+    auto* form = new QFormLayout;
+    QWidget* const folderRow = makeFolderRow();
+    form->addRow(tr("&Folder"), folderRow);
+    qobject_cast<QLabel*>(form->labelForField(folderRow))->setBuddy(m_folder);
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("F&ormat"), m_format);
+    form->addRow(tr("&Depth"), m_depth);
+    form->addRow(tr("&Colour space"), m_space);
+    form->addRow(tr("Position map"), m_stMap);
+    form->addRow(QString(), m_exactMap);
+    form->addRow(tr("Also"), m_sidecar);
+    form->addRow(QString(), m_companions);
+
+    m_table->setHorizontalHeaderLabels({tr("File"), tr("Holds"), tr("On disk")});
+    m_table->setAccessibleName(tr("Files that will be written"));
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
+    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionMode(QAbstractItemView::NoSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setTextElideMode(Qt::ElideMiddle);
+    m_table->setMinimumHeight(fontMetrics().height() * kTableLines);
+    m_problem->setWordWrap(true);
+    m_problem->setTextFormat(Qt::PlainText);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, errorColor(colors));
+    m_problem->setPalette(colors);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_write = buttons->addButton(tr("&Write files"), QDialogButtonBox::AcceptRole);
+    m_write->setObjectName(QStringLiteral("exportWrite"));
+    m_write->setIcon(icon(QStringLiteral("export")));
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(form);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_problem);
+    column->addWidget(buttons);
+
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
+        fillDepths();
+        refresh();
+    });
+    for (QLineEdit* edit : {m_folder, m_name})
+        connect(edit, &QLineEdit::textChanged, this, &ExportDialog::refresh);
+    for (QComboBox* combo : {m_depth, m_space})
+        connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
+    for (QCheckBox* box : {m_stMap, m_exactMap, m_sidecar, m_companions})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
+}
+
+QString ExportDialog::folder() const {
+    return QDir::fromNativeSeparators(m_folder->text().trimmed());
+}
+
+ExportOptions ExportDialog::options() const {
+    const QString base = folder() + QLatin1Char('/') + m_name->text().trimmed();
+    ExportOptions options;
+    options.image = toPath(base + m_format->currentData().toString());
+    options.depth = static_cast<Depth>(m_depth->currentData().toInt());
+    options.space = m_space->currentData().toString().toStdString();
+    options.sidecar = m_sidecar->isChecked();
+    if (m_stMap->isChecked())
+        options.maps.push_back(toPath(base + QStringLiteral("_stmap.exr")));
+    if (m_exactMap->isChecked())
+        options.maps.push_back(toPath(base + QStringLiteral("_map.png")));
+    options.companions = m_companions->isChecked();
+    return options;
+}
+
+QString ExportDialog::refusal() const {
+    const QString name = m_name->text().trimmed();
+    if (name.isEmpty())
+        return tr("The files need a name.");
+    if (name.contains(QLatin1Char('/')))
+        return tr("The name cannot hold a slash; choose the folder above.");
+    if (folder().isEmpty())
+        return tr("Choose the folder to write to.");
+    if (!QDir(folder()).exists())
+        return tr("The folder %1 is not there.").arg(folder());
+    try {
+        checkWritable(options().image, m_result->synthesis.image.channels());
+        exportEntries(*m_result, options());
+    } catch (const std::exception& error) {
+        return sentence(error);
+    }
+    return {};
+}
+
+void ExportDialog::refresh() {
+    const QString problem = refusal();
+    m_problem->setVisible(!problem.isEmpty());
+    m_problem->setText(problem);
+    m_write->setEnabled(problem.isEmpty());
+    m_write->setToolTip(problem);
+    fillTable(problem.isEmpty() ? exportEntries(*m_result, options()) : std::vector<ExportEntry>());
+}
+
+void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
+    m_table->setRowCount(static_cast<int>(entries.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const ExportEntry& entry = entries[static_cast<std::size_t>(row)];
+        auto* file = new QTableWidgetItem(toQString(entry.path.filename()));
+        file->setToolTip(toQString(entry.path));
+        auto* disk = new QTableWidgetItem(entry.exists ? tr("replaces the file there") : tr("new"));
+        QFont font = m_table->font();
+        font.setBold(entry.exists);
+        disk->setFont(font);
+        m_table->setItem(row, 0, file);
+        m_table->setItem(row, 1, new QTableWidgetItem(translated(entry.content)));
+        m_table->setItem(row, 2, disk);
+    }
+}
+
+void ExportDialog::chooseFolder() {
+    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Export to"), folder());
+    if (!chosen.isEmpty())
+        m_folder->setText(QDir::toNativeSeparators(chosen));
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/session/export.h"
+
+#include <QDialog>
+
+#include <memory>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace texloom::ui {
+
+/// Asks where and how to write a result, and shows every file before it is written: what it holds, and
+/// whether it replaces one that is there. Writing is up to whoever opened the dialog, off the GUI thread.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    ExportDialog(std::shared_ptr<const Result> result, const QString& folder, QWidget* parent = nullptr);
+
+    /// What is asked for as the dialog stands.
+    ExportOptions options() const;
+    /// Why it cannot be written; empty if it can.
+    QString refusal() const;
+    const std::shared_ptr<const Result>& result() const { return m_result; }
+    QString folder() const;
+
+private:
+    void makeForm();
+    QWidget* makeFolderRow();
+    void fillFormats();
+    void fillDepths();
+    void refresh();
+    void fillTable(const std::vector<ExportEntry>& entries);
+    void chooseFolder();
+
+    std::shared_ptr<const Result> m_result;
+    QLineEdit* m_folder;
+    QLineEdit* m_name;
+    QComboBox* m_format;
+    QComboBox* m_depth;
+    QComboBox* m_space;
+    QCheckBox* m_stMap;
+    QCheckBox* m_exactMap;
+    QCheckBox* m_sidecar;
+    QCheckBox* m_companions;
+    QTableWidget* m_table;
+    QLabel* m_problem;
+    QPushButton* m_write = nullptr;
+};
+
+} // namespace texloom::ui

@@ -1,0 +1,285 @@
+#include "ui/inspector/output_group.h"
+
+#include "ui/exemplar/files.h"
+#include "ui/inspector/seed_edit.h"
+#include "ui/jobs/background.h"
+#include "ui/window/elided_label.h"
+#include "ui/window/icons.h"
+#include "ui/window/text.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr int kFirstSide = 512;
+/// The size taken by itself for a new exemplar goes no higher; larger ones are asked for.
+constexpr int kLargestFirstSide = 1024;
+constexpr int kMostThreads = 256;
+
+QWidget* rowOf(const QList<QWidget*>& widgets, int stretched) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (int i = 0; i < widgets.size(); ++i)
+        layout->addWidget(widgets[i], i == stretched ? 1 : 0);
+    if (stretched < 0)
+        layout->addStretch();
+    return row;
+}
+
+int limited(int side) {
+    return std::clamp(side, 1, kLargestSide);
+}
+
+} // namespace
+
+OutputGroup::OutputGroup(QWidget* parent)
+    : QGroupBox(tr("Output"), parent), m_width(makeSide(QStringLiteral("outputWidth"))),
+      m_height(makeSide(QStringLiteral("outputHeight"))), m_wrapX(new QCheckBox(tr("across (X)"), this)),
+      m_wrapY(new QCheckBox(tr("down (Y)"), this)), m_seed(new SeedEdit(this)), m_lock(new QToolButton(this)),
+      m_initialName(new ElidedLabel(this)), m_chooseInitial(new QToolButton(this)),
+      m_clearInitial(new QToolButton(this)), m_threads(new QSpinBox(this)) {
+    m_width->setAccessibleName(tr("Width"));
+    m_height->setAccessibleName(tr("Height"));
+    m_threads->setObjectName(QStringLiteral("threads"));
+    m_threads->setRange(0, kMostThreads);
+    m_threads->setSpecialValueText(tr("Automatic"));
+    explain(m_threads,
+            tr("<b>Threads</b> How many of the processor's cores a run uses. The result is the same with any "
+               "number. Automatic: one for each core."));
+
+    auto* form = new QFormLayout(this);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(tr("S&ize"), makeSizeRow());
+    qobject_cast<QLabel*>(form->labelForField(form->itemAt(0, QFormLayout::FieldRole)->widget()))
+        ->setBuddy(m_width);
+    form->addRow(QString(), makePresetRow());
+    form->addRow(tr("Wraps"), makeWrapRow());
+    form->addRow(tr("See&d"), makeSeedRow());
+    qobject_cast<QLabel*>(form->labelForField(m_seed->parentWidget()))->setBuddy(m_seed);
+    form->addRow(tr("Start from"), makeInitialRow());
+    form->addRow(tr("&Threads"), m_threads);
+    connect(m_threads, &QSpinBox::valueChanged, this, &OutputGroup::edited);
+    showInitial();
+}
+
+QSpinBox* OutputGroup::makeSide(const QString& name) {
+    auto* side = new QSpinBox(this);
+    side->setObjectName(name);
+    side->setRange(1, kLargestSide);
+    side->setValue(kFirstSide);
+    side->setKeyboardTracking(false);
+    explain(side,
+            tr("<b>Size</b> Width and height of the result in pixels, 1 to %1 each.").arg(kLargestSide));
+    connect(side, &QSpinBox::valueChanged, this, [this] {
+        m_sizeChosen = true;
+        Q_EMIT edited();
+    });
+    return side;
+}
+
+QWidget* OutputGroup::makeSizeRow() {
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_width, 1);
+    layout->addWidget(new QLabel(tr("×"), row));
+    layout->addWidget(m_height, 1);
+    layout->addWidget(new QLabel(tr("px"), row));
+    return row;
+}
+
+QWidget* OutputGroup::makePresetRow() {
+    m_presets = new QWidget(this);
+    auto* layout = new QHBoxLayout(m_presets);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (const int factor : {1, 2, 4}) {
+        auto* button = new QToolButton(m_presets);
+        button->setText(tr("×%1").arg(factor));
+        button->setObjectName(QStringLiteral("sizeTimes%1").arg(factor));
+        button->setAccessibleName(tr("%1 times the exemplar's size").arg(factor));
+        button->setFocusPolicy(Qt::StrongFocus);
+        explain(button,
+                tr("<b>×%1</b> Makes the result %1 times as wide and as high as the exemplar.").arg(factor));
+        connect(button, &QToolButton::clicked, this, [this, factor] { multiply(factor); });
+        layout->addWidget(button);
+    }
+    layout->addWidget(new QLabel(tr("of the exemplar"), m_presets), 1);
+    return m_presets;
+}
+
+QWidget* OutputGroup::makeWrapRow() {
+    m_wrapX->setObjectName(QStringLiteral("wrapX"));
+    m_wrapY->setObjectName(QStringLiteral("wrapY"));
+    m_wrapX->setAccessibleName(tr("Wraps across"));
+    m_wrapY->setAccessibleName(tr("Wraps down"));
+    for (QCheckBox* box : {m_wrapX, m_wrapY})
+        connect(box, &QCheckBox::toggled, this, &OutputGroup::edited);
+    return rowOf({m_wrapX, m_wrapY}, -1);
+}
+
+QWidget* OutputGroup::makeSeedRow() {
+    m_seed->setObjectName(QStringLiteral("seed"));
+    explain(
+        m_seed,
+        tr("<b>Seed</b> Where the random choices begin. The same seed and settings give the same pixels."));
+    auto* dice = new QToolButton(this);
+    dice->setObjectName(QStringLiteral("drawSeed"));
+    setIconButton(dice, QStringLiteral("dice"), tr("Draw a new seed"));
+    m_lock->setObjectName(QStringLiteral("lockSeed"));
+    m_lock->setCheckable(true);
+    m_lock->setChecked(true);
+    setIconButton(m_lock, QStringLiteral("lock"), tr("Keep the seed"));
+    m_lock->setIcon(toggleIcon(QStringLiteral("lock")));
+    explain(m_lock, tr("<b>Keep the seed</b> On: every run uses this seed. Off: every run draws a new one."));
+    for (QToolButton* button : {dice, m_lock})
+        button->setFocusPolicy(Qt::StrongFocus);
+    connect(m_seed, &SeedEdit::seedChanged, this, &OutputGroup::edited);
+    connect(dice, &QToolButton::clicked, this, &OutputGroup::drawSeed);
+    return rowOf({m_seed, dice, m_lock}, 0);
+}
+
+QWidget* OutputGroup::makeInitialRow() {
+    m_chooseInitial->setObjectName(QStringLiteral("chooseInitial"));
+    m_chooseInitial->setText(tr("Choose…"));
+    m_chooseInitial->setAccessibleName(tr("Choose an image to start from"));
+    m_clearInitial->setObjectName(QStringLiteral("clearInitial"));
+    setIconButton(m_clearInitial, QStringLiteral("close"), tr("Start without an image"));
+    for (QToolButton* button : {m_chooseInitial, m_clearInitial})
+        button->setFocusPolicy(Qt::StrongFocus);
+    connect(m_chooseInitial, &QToolButton::clicked, this, &OutputGroup::chooseInitial);
+    connect(m_clearInitial, &QToolButton::clicked, this, [this] {
+        setInitial({});
+        Q_EMIT edited();
+    });
+    return rowOf({m_initialName, m_chooseInitial, m_clearInitial}, 0);
+}
+
+void OutputGroup::explain(QWidget* widget, const QString& help) {
+    widget->setToolTip(help);
+    widget->installEventFilter(this);
+}
+
+bool OutputGroup::eventFilter(QObject* watched, QEvent* event) {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (widget != nullptr && (event->type() == QEvent::FocusIn || event->type() == QEvent::Enter))
+        Q_EMIT helpWanted(widget->toolTip());
+    if (event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QGroupBox::eventFilter(watched, event);
+}
+
+Size OutputGroup::outputSize() const {
+    return {m_width->value(), m_height->value()};
+}
+
+void OutputGroup::setOutputSize(Size size) {
+    m_width->setValue(limited(size.width));
+    m_height->setValue(limited(size.height));
+    m_sizeChosen = true;
+}
+
+Wrap OutputGroup::wrap() const {
+    return {m_wrapX->isEnabled() && m_wrapX->isChecked(), m_wrapY->isEnabled() && m_wrapY->isChecked()};
+}
+
+void OutputGroup::setWrap(Wrap wrap) {
+    m_wrapX->setChecked(wrap.x);
+    m_wrapY->setChecked(wrap.y);
+}
+
+std::uint64_t OutputGroup::seed() const {
+    return m_seed->seed();
+}
+
+void OutputGroup::setSeed(std::uint64_t seed) {
+    m_seed->setSeed(seed);
+}
+
+bool OutputGroup::seedLocked() const {
+    return m_lock->isChecked();
+}
+
+void OutputGroup::drawSeed() {
+    m_seed->draw();
+}
+
+int OutputGroup::threads() const {
+    return m_threads->value();
+}
+
+void OutputGroup::setMethod(const MethodInfo& info) {
+    const QString title = translated(info.title);
+    for (QCheckBox* box : {m_wrapX, m_wrapY}) {
+        box->setEnabled(info.wraps);
+        const QString axis = box == m_wrapX ? tr("left and right edges") : tr("upper and lower edges");
+        explain(box,
+                info.wraps
+                    ? tr("<b>Wraps</b> The result's %1 join without a seam when it is repeated.").arg(axis)
+                    : tr("<b>Wraps</b> %1 cannot make a result that wraps.").arg(title.toHtmlEscaped()));
+    }
+    m_chooseInitial->setEnabled(info.startsFromImage);
+    explain(m_chooseInitial,
+            info.startsFromImage
+                ? tr("<b>Start from</b> An image of the result's size that the method begins with.")
+                : tr("<b>Start from</b> %1 cannot start from an image.").arg(title.toHtmlEscaped()));
+    if (!info.startsFromImage)
+        setInitial({});
+}
+
+void OutputGroup::setExemplarSize(Size size) {
+    m_exemplar = size;
+    m_presets->setEnabled(!size.empty());
+    if (m_sizeChosen || size.empty())
+        return;
+    const QSignalBlocker widthBlocker(m_width);
+    const QSignalBlocker heightBlocker(m_height);
+    m_width->setValue(std::min(size.width * 2, kLargestFirstSide));
+    m_height->setValue(std::min(size.height * 2, kLargestFirstSide));
+}
+
+void OutputGroup::multiply(int factor) {
+    setOutputSize({limited(m_exemplar.width * factor), limited(m_exemplar.height * factor)});
+}
+
+void OutputGroup::chooseInitial() {
+    const QString path =
+        QFileDialog::getOpenFileName(window(), tr("Start from an image"), {}, pictureFilter());
+    if (path.isEmpty())
+        return;
+    inBackground(
+        this, [file = toPath(path)] { return loadExemplar(file); },
+        [this](ExemplarFile image) {
+            setInitial(std::move(image));
+            Q_EMIT edited();
+        },
+        [this](const QString& why) { Q_EMIT failed(why); });
+}
+
+void OutputGroup::setInitial(std::optional<ExemplarFile> image) {
+    m_initial = std::move(image);
+    showInitial();
+}
+
+void OutputGroup::showInitial() {
+    m_initialName->setFullText(m_initial ? toQString(m_initial->path.filename()) : tr("Nothing"),
+                               m_initial ? toQString(m_initial->path) : QString());
+    m_clearInitial->setVisible(m_initial.has_value());
+}
+
+} // namespace texloom::ui

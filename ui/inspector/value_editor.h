@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/base/param.h"
+
+#include <QWidget>
+
+#include <memory>
+
+namespace texloom::ui {
+
+/// Edits one value of a parameter's type.
+class ValueEditor : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+
+    virtual Value value() const = 0;
+    /// Shows a value without saying that it was edited.
+    virtual void setValue(const Value& value) = 0;
+
+Q_SIGNALS:
+    /// The user changed the value.
+    void edited();
+};
+
+/// The editor that suits a parameter: a slider with a spin box in step, a check box, or a list of choices.
+ValueEditor* makeValueEditor(const Param& param, QWidget* parent);
+
+} // namespace texloom::ui

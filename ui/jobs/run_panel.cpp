@@ -1,0 +1,106 @@
+#include "ui/jobs/run_panel.h"
+
+#include "core/base/text.h"
+#include "ui/window/action_button.h"
+#include "ui/window/appearance.h"
+#include "ui/window/text.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QVBoxLayout>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr int kBarSteps = 1000;
+
+} // namespace
+
+RunPanel::RunPanel(QAction* run, QAction* quick, QAction* stop, QWidget* parent)
+    : QWidget(parent), m_note(new QLabel(this)), m_stage(new QLabel(this)), m_time(new QLabel(this)),
+      m_bar(new QProgressBar(this)) {
+    setObjectName(QStringLiteral("runPanel"));
+    m_note->setObjectName(QStringLiteral("runNote"));
+    m_note->setWordWrap(true);
+    m_note->setTextFormat(Qt::PlainText);
+    m_bar->setObjectName(QStringLiteral("runProgress"));
+    m_bar->setRange(0, kBarSteps);
+    m_bar->setAccessibleName(tr("Progress of the run"));
+    m_stage->setTextFormat(Qt::PlainText);
+
+    auto* buttons = new QHBoxLayout;
+    for (QAction* action : {run, quick, stop})
+        buttons->addWidget(new ActionButton(action, this), action == run ? 2 : 1);
+    auto* primary = qobject_cast<QPushButton*>(buttons->itemAt(0)->widget());
+    primary->setDefault(true);
+    auto* texts = new QHBoxLayout;
+    texts->addWidget(m_stage, 1);
+    texts->addWidget(m_time);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(buttons);
+    column->addWidget(m_note);
+    column->addWidget(m_bar);
+    column->addLayout(texts);
+    setRunning(false);
+}
+
+void RunPanel::setEstimate(const Estimate& estimate) {
+    const QString seconds =
+        estimate.seconds < 1
+            ? tr("under 1 s")
+            : tr("about %1")
+                  .arg(QString::fromStdString(
+                      durationText(estimate.seconds < 10 ? estimate.seconds : std::round(estimate.seconds))));
+    say(tr("Takes %1 · %2").arg(seconds, QString::fromStdString(byteText(estimate.bytes))), {});
+}
+
+void RunPanel::setRefusal(const QString& sentence) {
+    say(tr("Cannot run: %1").arg(sentence), sentence);
+}
+
+void RunPanel::setHint(const QString& text) {
+    say(text, {});
+}
+
+void RunPanel::say(const QString& text, const QString& refusal) {
+    m_refusal = refusal;
+    m_note->setText(text);
+    colorNote();
+}
+
+void RunPanel::colorNote() {
+    QPalette colors = palette();
+    if (!m_refusal.isEmpty())
+        colors.setColor(QPalette::WindowText, errorColor(colors));
+    m_note->setPalette(colors);
+}
+
+void RunPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        colorNote();
+}
+
+void RunPanel::setRunning(bool running) {
+    m_note->setVisible(!running);
+    for (QWidget* shown :
+         {static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_stage), static_cast<QWidget*>(m_time)})
+        shown->setVisible(running);
+}
+
+void RunPanel::showProgress(const RunProgress& progress) {
+    m_bar->setValue(static_cast<int>(progress.fraction * kBarSteps));
+    m_bar->setFormat(percentText(progress.fraction));
+    m_stage->setText(progress.stage);
+    const QString passed = QString::fromStdString(durationText(progress.seconds));
+    m_time->setText(progress.left
+                        ? tr("%1, %2 left").arg(passed, QString::fromStdString(durationText(*progress.left)))
+                        : passed);
+}
+
+} // namespace texloom::ui

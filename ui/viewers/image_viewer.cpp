@@ -1,0 +1,283 @@
+#include "ui/viewers/image_viewer.h"
+
+#include "ui/window/text.h"
+
+#include <QCursor>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr double kZoomStep = 1.25;
+constexpr double kWheelNotch = 120;
+
+int modulo(int value, int divisor) {
+    const int rest = value % divisor;
+    return rest < 0 ? rest + divisor : rest;
+}
+
+} // namespace
+
+ImageViewer::ImageViewer(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+QSize ImageViewer::sizeHint() const {
+    return QSize(1, 1) * fontMetrics().height() * 12;
+}
+
+QSize ImageViewer::minimumSizeHint() const {
+    return QSize(1, 1) * fontMetrics().height() * 6;
+}
+
+void ImageViewer::setPicture(std::shared_ptr<const DisplayPicture> picture) {
+    const bool sameSize = m_picture && picture && m_picture->size() == picture->size();
+    m_picture = std::move(picture);
+    if (!sameSize) {
+        m_fitted = true;
+        m_cursor.reset();
+    }
+    if (m_fitted)
+        fitQuietly();
+    describe();
+    update();
+}
+
+void ImageViewer::setPlaceholder(const QString& text) {
+    m_placeholder = text;
+    describe();
+    update();
+}
+
+void ImageViewer::setBadge(const QString& text) {
+    m_badge = text;
+    describe();
+    update();
+}
+
+void ImageViewer::setMarker(std::optional<QPoint> pixel) {
+    if (m_marker == pixel)
+        return;
+    m_marker = pixel;
+    update();
+}
+
+void ImageViewer::setView(const ViewTransform& view, bool fitted) {
+    m_fitted = fitted;
+    m_view = view;
+    if (fitted)
+        fitQuietly();
+    update();
+}
+
+std::optional<QPoint> ImageViewer::pixelAt(QPointF point) const {
+    if (!m_picture)
+        return {};
+    const QPointF exact = m_view.toImage(point);
+    const QPoint pixel(static_cast<int>(std::floor(exact.x())), static_cast<int>(std::floor(exact.y())));
+    const Size size = m_picture->size();
+    if (m_repeat)
+        return QPoint(modulo(pixel.x(), size.width), modulo(pixel.y(), size.height));
+    if (!QRect(0, 0, size.width, size.height).contains(pixel))
+        return {};
+    return pixel;
+}
+
+QSizeF ImageViewer::imageSize() const {
+    return m_picture ? QSizeF(m_picture->size().width, m_picture->size().height) : QSizeF();
+}
+
+void ImageViewer::fitQuietly() {
+    const QSizeF view = m_repeat ? QSizeF(size()) / 2 : QSizeF(size());
+    m_view.fit(imageSize(), view, devicePixelRatioF());
+    if (m_repeat)
+        m_view.pan({view.width() / 2, view.height() / 2});
+}
+
+void ImageViewer::fit() {
+    m_fitted = true;
+    fitQuietly();
+    changedByHand();
+}
+
+void ImageViewer::actualSize() {
+    m_fitted = false;
+    m_view.setScaleAt(QRectF(rect()).center(), 1 / devicePixelRatioF());
+    changedByHand();
+}
+
+void ImageViewer::zoomIn() {
+    zoomBy(kZoomStep, zoomAnchor());
+}
+
+void ImageViewer::zoomOut() {
+    zoomBy(1 / kZoomStep, zoomAnchor());
+}
+
+void ImageViewer::setRepeats(bool repeat) {
+    if (m_repeat == repeat)
+        return;
+    m_repeat = repeat;
+    if (m_fitted)
+        fitQuietly();
+    changedByHand();
+    Q_EMIT repeatsChanged(repeat);
+}
+
+QPointF ImageViewer::zoomAnchor() const {
+    const QPoint cursor = mapFromGlobal(QCursor::pos());
+    return underMouse() && rect().contains(cursor) ? QPointF(cursor) : QRectF(rect()).center();
+}
+
+void ImageViewer::zoomBy(double factor, QPointF anchor) {
+    m_fitted = false;
+    m_view.setScaleAt(anchor, m_view.scale() * factor);
+    changedByHand();
+}
+
+void ImageViewer::panBy(QPointF distance) {
+    m_fitted = false;
+    m_view.pan(distance);
+    changedByHand();
+}
+
+void ImageViewer::changedByHand() {
+    if (!m_repeat && m_picture)
+        m_view.keepInReach(imageSize(), size());
+    describe();
+    update();
+    Q_EMIT viewChanged();
+}
+
+void ImageViewer::describe() {
+    QString text = m_placeholder;
+    if (m_picture)
+        text =
+            tr("%1 pixels at %2. %3")
+                .arg(sizeText(m_picture->size()), percentText(m_view.scale() * devicePixelRatioF()), m_badge)
+                .trimmed();
+    if (text != accessibleDescription())
+        setAccessibleDescription(text);
+}
+
+void ImageViewer::resizeEvent(QResizeEvent*) {
+    if (m_fitted)
+        fitQuietly();
+    else if (!m_repeat && m_picture)
+        m_view.keepInReach(imageSize(), size());
+}
+
+void ImageViewer::wheelEvent(QWheelEvent* event) {
+    if (m_picture)
+        zoomBy(std::pow(kZoomStep, event->angleDelta().y() / kWheelNotch), event->position());
+    event->accept();
+}
+
+void ImageViewer::mousePressEvent(QMouseEvent* event) {
+    m_dragging = event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton;
+    m_dragPoint = event->position();
+    if (m_dragging)
+        setCursor(Qt::ClosedHandCursor);
+}
+
+void ImageViewer::mouseMoveEvent(QMouseEvent* event) {
+    if (m_dragging) {
+        panBy(event->position() - m_dragPoint);
+        m_dragPoint = event->position();
+    }
+    m_cursor.reset();
+    hoverAt(event->position());
+}
+
+void ImageViewer::mouseReleaseEvent(QMouseEvent*) {
+    m_dragging = false;
+    unsetCursor();
+}
+
+void ImageViewer::leaveEvent(QEvent*) {
+    Q_EMIT unhovered();
+}
+
+void ImageViewer::focusInEvent(QFocusEvent* event) {
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void ImageViewer::focusOutEvent(QFocusEvent* event) {
+    QWidget::focusOutEvent(event);
+    m_cursor.reset();
+    update();
+}
+
+void ImageViewer::hoverAt(QPointF point) {
+    if (const auto pixel = pixelAt(point))
+        Q_EMIT hovered(*pixel);
+    else
+        Q_EMIT unhovered();
+}
+
+bool ImageViewer::panKey(const QKeyEvent& event) {
+    const std::pair<int, QPoint> ways[] = {
+        {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, -1}}, {Qt::Key_Down, {0, 1}}};
+    for (const auto& [key, way] : ways)
+        if (event.key() == key) {
+            if (event.modifiers() & Qt::ShiftModifier)
+                moveCursor(way);
+            else
+                panBy(-QPointF(way) * fontMetrics().height() * 2);
+            return true;
+        }
+    return false;
+}
+
+bool ImageViewer::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool plain = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
+        const auto own = {Qt::Key_F, Qt::Key_1, Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_W};
+        if (plain && std::find(own.begin(), own.end(), key->key()) != own.end())
+            event->accept();
+    }
+    return QWidget::event(event);
+}
+
+void ImageViewer::keyPressEvent(QKeyEvent* event) {
+    if (!m_picture || panKey(*event))
+        return;
+    switch (event->key()) {
+    case Qt::Key_F:
+        return fit();
+    case Qt::Key_1:
+        return actualSize();
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        return zoomIn();
+    case Qt::Key_Minus:
+        return zoomOut();
+    case Qt::Key_W:
+        return setRepeats(!m_repeat);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void ImageViewer::moveCursor(QPoint step) {
+    const Size size = m_picture->size();
+    const QPoint from = m_cursor.value_or(pixelAt(QRectF(rect()).center()).value_or(QPoint()));
+    m_cursor = QPoint(std::clamp(from.x() + step.x(), 0, size.width - 1),
+                      std::clamp(from.y() + step.y(), 0, size.height - 1));
+    update();
+    Q_EMIT hovered(*m_cursor);
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "ui/viewers/display_picture.h"
+#include "ui/viewers/view_transform.h"
+
+#include <QPoint>
+#include <QPointF>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace texloom::ui {
+
+/// Shows any picture of the program. Wheel, + and − zoom at the cursor, dragging and the arrow keys pan, F
+/// fits, 1 is 100 %, W repeats the picture endlessly; Shift with the arrow keys moves a cursor of its own
+/// from pixel to pixel, for those who have no mouse.
+class ImageViewer : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ImageViewer(QWidget* parent = nullptr);
+
+    /// Shows a picture. Zoom and pan stay if its size is that of the picture before; else it is fitted.
+    void setPicture(std::shared_ptr<const DisplayPicture> picture);
+    const std::shared_ptr<const DisplayPicture>& picture() const { return m_picture; }
+    /// What is said in the viewer's middle while there is no picture.
+    void setPlaceholder(const QString& text);
+    const QString& placeholder() const { return m_placeholder; }
+    /// A short text in the corner, such as "Preview 1:4"; none if empty.
+    void setBadge(const QString& text);
+    const QString& badge() const { return m_badge; }
+    /// Marks an image pixel with a crosshair and a circle; none takes the mark away.
+    void setMarker(std::optional<QPoint> pixel);
+    const std::optional<QPoint>& marker() const { return m_marker; }
+
+    bool repeats() const { return m_repeat; }
+    const ViewTransform& view() const { return m_view; }
+    /// Takes over another viewer's zoom and pan, for pictures of the same size.
+    void setView(const ViewTransform& view, bool fitted);
+    bool fitted() const { return m_fitted; }
+    /// The image pixel at a point of the widget, if there is one; while the picture repeats there always is.
+    std::optional<QPoint> pixelAt(QPointF point) const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+public Q_SLOTS:
+    void fit();
+    void actualSize();
+    void zoomIn();
+    void zoomOut();
+    /// Shows the picture tiled without end.
+    void setRepeats(bool repeat);
+
+Q_SIGNALS:
+    /// The mouse or the keyboard's cursor came to an image pixel.
+    void hovered(QPoint pixel);
+    /// The mouse left the picture.
+    void unhovered();
+    /// Zoom or pan changed by hand.
+    void viewChanged();
+    void repeatsChanged(bool repeat);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    QSizeF imageSize() const;
+    void fitQuietly();
+    void zoomBy(double factor, QPointF anchor);
+    QPointF zoomAnchor() const;
+    void panBy(QPointF distance);
+    void changedByHand();
+    bool panKey(const QKeyEvent& event);
+    void moveCursor(QPoint step);
+    void hoverAt(QPointF point);
+    void describe();
+
+    void paintPicture(QPainter& painter) const;
+    void paintRepeated(QPainter& painter, const QImage& level) const;
+    void paintOnce(QPainter& painter, const QImage& level) const;
+    void paintBackdrop(QPainter& painter) const;
+    void paintMarker(QPainter& painter, QPoint pixel) const;
+    void paintBadge(QPainter& painter) const;
+
+    std::shared_ptr<const DisplayPicture> m_picture;
+    QString m_placeholder;
+    QString m_badge;
+    ViewTransform m_view;
+    bool m_fitted = true;
+    bool m_repeat = false;
+    bool m_dragging = false;
+    QPointF m_dragPoint;
+    std::optional<QPoint> m_marker;
+    std::optional<QPoint> m_cursor;
+};
+
+} // namespace texloom::ui

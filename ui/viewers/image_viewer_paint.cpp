@@ -1,0 +1,143 @@
+#include "ui/viewers/image_viewer.h"
+#include "ui/window/appearance.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QStyle>
+
+#include <cmath>
+
+namespace texloom::ui {
+
+namespace {
+
+/// What shows behind pixels that are transparent or not made yet.
+QImage checkerboard(int square, bool dark) {
+    QImage tile(square * 2, square * 2, QImage::Format_RGB32);
+    tile.fill(dark ? QColor(0x3a3a3a) : QColor(0xd9d9d9));
+    QPainter painter(&tile);
+    const QColor other = dark ? QColor(0x464646) : QColor(0xe8e8e8);
+    painter.fillRect(0, 0, square, square, other);
+    painter.fillRect(square, square, square, square, other);
+    return tile;
+}
+
+} // namespace
+
+void ImageViewer::paintEvent(QPaintEvent* event) {
+    QPainter painter(this);
+    const bool dark = isDark(palette());
+    painter.fillRect(event->rect(), dark ? palette().color(QPalette::Base).darker(120)
+                                         : palette().color(QPalette::Window).darker(115));
+    const int margin = fontMetrics().height();
+    if (m_picture) {
+        paintPicture(painter);
+    } else {
+        painter.setPen(palette().color(QPalette::WindowText));
+        painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
+                         Qt::AlignCenter | Qt::TextWordWrap, m_placeholder);
+    }
+    if (m_picture && (m_cursor || m_marker))
+        paintMarker(painter, m_cursor ? *m_cursor : *m_marker);
+    paintBadge(painter);
+    if (hasFocus()) {
+        const int width = style()->pixelMetric(QStyle::PM_DefaultFrameWidth, nullptr, this) * 2;
+        painter.setPen(QPen(palette().color(QPalette::Highlight), width));
+        painter.setBrush(Qt::NoBrush);
+        const double half = width / 2.0;
+        painter.drawRect(QRectF(rect()).adjusted(half, half, -half, -half));
+    }
+}
+
+void ImageViewer::paintPicture(QPainter& painter) const {
+    const double deviceScale = m_view.scale() * devicePixelRatioF();
+    const QImage& level = m_picture->levelFor(deviceScale);
+    if (m_picture->transparent())
+        paintBackdrop(painter);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, deviceScale * m_picture->step() < 1);
+    if (m_repeat)
+        paintRepeated(painter, level);
+    else
+        paintOnce(painter, level);
+}
+
+void ImageViewer::paintBackdrop(QPainter& painter) const {
+    const int square = std::max(2, fontMetrics().height() / 2);
+    const QBrush brush(checkerboard(square, isDark(palette())));
+    const QRectF image(m_view.origin(), imageSize() * m_view.scale());
+    painter.fillRect(m_repeat ? QRectF(rect()) : image.intersected(rect()), brush);
+}
+
+void ImageViewer::paintOnce(QPainter& painter, const QImage& level) const {
+    const double cell = static_cast<double>(m_picture->step()) * m_picture->image().width() / level.width();
+    const double cellDown =
+        static_cast<double>(m_picture->step()) * m_picture->image().height() / level.height();
+    const QRectF image(m_view.origin(), imageSize() * m_view.scale());
+    const QRectF shown = image.intersected(rect());
+    if (shown.isEmpty())
+        return;
+    const QPointF first = m_view.toImage(shown.topLeft());
+    const QPointF last = m_view.toImage(shown.bottomRight());
+    const QPoint from(static_cast<int>(std::floor(first.x() / cell)),
+                      static_cast<int>(std::floor(first.y() / cellDown)));
+    const QPoint to(static_cast<int>(std::ceil(last.x() / cell)),
+                    static_cast<int>(std::ceil(last.y() / cellDown)));
+    const QRect part = QRect(from, to - QPoint(1, 1)).intersected(level.rect());
+    const QRectF target(m_view.toWidget({part.x() * cell, part.y() * cellDown}),
+                        QSizeF(part.width() * cell, part.height() * cellDown) * m_view.scale());
+    painter.save();
+    painter.setClipRect(image.toAlignedRect());
+    painter.drawImage(target, level, part);
+    painter.restore();
+}
+
+void ImageViewer::paintRepeated(QPainter& painter, const QImage& level) const {
+    const QSizeF tile = imageSize() * m_view.scale();
+    const QPointF origin(std::fmod(m_view.origin().x(), tile.width()),
+                         std::fmod(m_view.origin().y(), tile.height()));
+    QTransform transform;
+    transform.translate(origin.x(), origin.y());
+    transform.scale(tile.width() / level.width(), tile.height() / level.height());
+    QBrush brush(level);
+    brush.setTransform(transform);
+    painter.fillRect(rect(), brush);
+}
+
+void ImageViewer::paintMarker(QPainter& painter, QPoint pixel) const {
+    const double radius = fontMetrics().height() * 0.6;
+    const double reach = radius * 1.9;
+    const QPointF centre = m_view.toWidget(QPointF(pixel) + QPointF(0.5, 0.5));
+    QPainterPath path;
+    path.addEllipse(centre, radius, radius);
+    for (const QPointF way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        path.moveTo(centre + way * radius);
+        path.lineTo(centre + way * reach);
+    }
+    const double width = std::max(1.0, fontMetrics().lineWidth() * 1.5);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, width * 3, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(path);
+    painter.setPen(QPen(Qt::white, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(path);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void ImageViewer::paintBadge(QPainter& painter) const {
+    if (m_badge.isEmpty() || !m_picture)
+        return;
+    const int margin = fontMetrics().height() / 2;
+    QRect text = fontMetrics().boundingRect(m_badge);
+    text.moveTopLeft({margin * 2, margin * 2});
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 190));
+    painter.drawRoundedRect(text.adjusted(-margin, -margin / 2, margin, margin / 2), margin / 2.0,
+                            margin / 2.0);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(Qt::white);
+    painter.drawText(text, Qt::AlignCenter | Qt::TextDontClip, m_badge);
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,82 @@
+#include "ui/window/actions.h"
+
+#include "ui/window/icons.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QMainWindow>
+
+namespace texloom::ui {
+
+namespace {
+
+struct Maker {
+    QMainWindow* window;
+
+    QAction* operator()(const char* name, const QString& text, const QList<QKeySequence>& keys = {},
+                        const QString& help = {}, const char* iconName = nullptr) const {
+        auto* action = new QAction(text, window);
+        action->setObjectName(QLatin1String(name));
+        action->setShortcuts(keys);
+        QString plain = text;
+        plain.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+        const QString tip = help.isEmpty() ? plain : help;
+        action->setToolTip(keys.isEmpty() ? tip
+                                          : QStringLiteral("%1 (%2)").arg(
+                                                tip, keys.front().toString(QKeySequence::NativeText)));
+        action->setStatusTip(action->toolTip());
+        if (iconName != nullptr)
+            action->setIcon(icon(QLatin1String(iconName)));
+        window->addAction(action);
+        return action;
+    }
+};
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Actions", text);
+}
+
+} // namespace
+
+Actions::Actions(QMainWindow* window) {
+    const Maker make{window};
+    open = make("open", tr("&Open…"), {QKeySequence::Open}, tr("Open exemplars or a recipe"), "open");
+    paste = make("paste", tr("&Paste"), {QKeySequence::Paste}, tr("Paste a picture or a file as an exemplar"),
+                 "paste");
+    exportResult = make("export", tr("&Export…"), {Qt::CTRL | Qt::Key_E},
+                        tr("Write the result and its maps to files"), "export");
+    quit = make("quit", tr("&Quit"), {Qt::CTRL | Qt::Key_Q});
+    copyResult =
+        make("copyResult", tr("&Copy result"), {QKeySequence::Copy}, tr("Copy the result as a picture"));
+    setMask = make("setExemplarMask", tr("Set &mask…"));
+    clearMask = make("clearExemplarMask", tr("&Clear mask"));
+    removeExemplar = make("removeExemplar", tr("&Remove"), {Qt::CTRL | Qt::Key_Delete},
+                          tr("Take the exemplar off the list; its file stays"), "close");
+    run = make("run", tr("&Run"), {Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter},
+               tr("Make the result"), "run");
+    quick = make("quick", tr("&Quick"),
+                 {Qt::CTRL | Qt::SHIFT | Qt::Key_Return, Qt::CTRL | Qt::SHIFT | Qt::Key_Enter},
+                 tr("Make a small preview with the same settings"), "quick");
+    stop = make("stop", tr("&Stop"), {Qt::Key_Escape}, tr("Stop the run and keep what is there"), "stop");
+    newSeedRun = make("newSeedRun", tr("&New seed and run"), {Qt::CTRL | Qt::Key_R}, {}, "dice");
+    resetParameters = make("resetParameters", tr("Reset all &parameters"), {}, {}, "reset");
+    fit = make("fit", tr("&Fit"), {Qt::Key_F}, tr("Fit the picture in the view"), "fit");
+    actualSize = make("actualSize", tr("&100 %"), {Qt::Key_1},
+                      tr("One screen pixel for each of the picture's"), "actual-size");
+    zoomIn = make("zoomIn", tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, {}, "zoom-in");
+    zoomOut = make("zoomOut", tr("Zoom &out"), {Qt::Key_Minus}, {}, "zoom-out");
+    repeat = make("repeat", tr("&Repeat"), {Qt::Key_W}, tr("Show the picture repeated on all sides"), "wrap");
+    repeat->setCheckable(true);
+    resultTab = make("showResult", tr("R&esult"), {Qt::CTRL | Qt::Key_1});
+    synthesisTab = make("showSynthesisMap", tr("&Synthesis map"), {Qt::CTRL | Qt::Key_2});
+    positionTab = make("showPositionMap", tr("&Position map"), {Qt::CTRL | Qt::Key_3});
+    resetLayout = make("resetLayout", tr("Reset &layout"));
+    fullScreen = make("fullScreen", tr("F&ull screen"), {Qt::Key_F11});
+    fullScreen->setCheckable(true);
+    shortcuts = make("shortcuts", tr("&Keyboard shortcuts"), {Qt::Key_Question}, {}, "help");
+    about = make("about", tr("&About Texloom"));
+    about->setMenuRole(QAction::AboutRole);
+    quit->setMenuRole(QAction::QuitRole);
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,40 @@
+#pragma once
+
+class QAction;
+class QMainWindow;
+
+namespace texloom::ui {
+
+/// Everything the main window can do, once each: menus, toolbar and buttons all show these.
+struct Actions {
+    /// Makes them as children of `window`, with texts, keys, icons and object names.
+    explicit Actions(QMainWindow* window);
+
+    QAction* open;
+    QAction* paste;
+    QAction* exportResult;
+    QAction* quit;
+    QAction* copyResult;
+    QAction* setMask;
+    QAction* clearMask;
+    QAction* removeExemplar;
+    QAction* run;
+    QAction* quick;
+    QAction* stop;
+    QAction* newSeedRun;
+    QAction* resetParameters;
+    QAction* fit;
+    QAction* actualSize;
+    QAction* zoomIn;
+    QAction* zoomOut;
+    QAction* repeat;
+    QAction* resultTab;
+    QAction* synthesisTab;
+    QAction* positionTab;
+    QAction* resetLayout;
+    QAction* fullScreen;
+    QAction* shortcuts;
+    QAction* about;
+};
+
+} // namespace texloom::ui

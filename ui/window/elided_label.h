@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QLabel>
+
+namespace texloom::ui {
+
+/// A label of one line that shortens a long text in its middle, where file names differ least; the tooltip
+/// has the whole. It never makes its window wider.
+class ElidedLabel : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit ElidedLabel(QWidget* parent = nullptr);
+
+    /// @param toolTip what hovering shows; the text itself if empty.
+    void setFullText(const QString& text, const QString& toolTip = {});
+    const QString& fullText() const { return m_text; }
+
+    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void elide();
+
+    QString m_text;
+};
+
+} // namespace texloom::ui

@@ -1,0 +1,316 @@
+#include "ui/window/main_window.h"
+
+#include "ui/exemplar/exemplar_panel.h"
+#include "ui/exemplar/files.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/inspector/param_row.h"
+#include "ui/inspector/value_editor.h"
+#include "ui/jobs/background.h"
+#include "ui/jobs/run_panel.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/appearance.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/readout.h"
+#include "ui/window/start_page.h"
+#include "ui/window/text.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace texloom::ui {
+
+namespace {
+
+/// Raised when docks or toolbars change, so that an older layout is not restored over them.
+constexpr int kLayoutVersion = 1;
+constexpr std::chrono::milliseconds kPlanPause{150};
+/// The window's first size in lines and widths of text.
+constexpr int kFirstWidth = 180;
+constexpr int kFirstHeight = 50;
+
+QDockWidget* dockFor(QWidget* content, const QString& title, const QString& name, QMainWindow* window) {
+    auto* dock = new QDockWidget(title, window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable |
+                      QDockWidget::DockWidgetClosable);
+    return dock;
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent), m_actions(this), m_store(new ExemplarStore(this)),
+      m_controller(new RunController(this)), m_method(new QComboBox(this)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(tr("Texloom"));
+    setAcceptDrops(true);
+    m_planTimer.setSingleShot(true);
+    m_planTimer.setInterval(kPlanPause);
+    connect(&m_planTimer, &QTimer::timeout, this, &MainWindow::plan);
+
+    m_method->setObjectName(QStringLiteral("method"));
+    m_method->setAccessibleName(tr("Method"));
+    for (const Method& method : methods()) {
+        m_method->addItem(translated(method.info().title), QString::fromStdString(method.id()));
+        m_method->setItemData(
+            m_method->count() - 1,
+            tr("%1\n%2").arg(translated(method.info().summary), translated(method.info().citation)),
+            Qt::ToolTipRole);
+    }
+    makeCentre();
+    makeDocks();
+    makeMenus();
+    makeToolBar();
+    m_readout = new Readout(this);
+    statusBar()->addWidget(m_readout, 1);
+    connectActions();
+    connectViewActions();
+    connectStore();
+    connectRun();
+    connectHovers();
+    restoreLayout();
+    setTabOrderThrough();
+    methodChosen();
+    exemplarsChanged();
+    plan();
+    QTimer::singleShot(0, m_start, &StartPage::refresh);
+}
+
+MainWindow::~MainWindow() {
+    delete m_controller;
+    workers().waitForDone();
+}
+
+void MainWindow::makeCentre() {
+    auto* middle = new QWidget(this);
+    m_messages = new MessageBar(middle);
+    m_centre = new QStackedWidget(middle);
+    m_start = new StartPage({m_actions.open, m_actions.paste}, m_centre);
+    m_results = new ResultView(m_centre);
+    m_centre->addWidget(m_start);
+    m_centre->addWidget(m_results);
+    auto* column = new QVBoxLayout(middle);
+    column->addWidget(m_messages);
+    column->addWidget(m_centre, 1);
+    setCentralWidget(middle);
+}
+
+void MainWindow::makeDocks() {
+    m_exemplars = new ExemplarPanel(m_store, {m_actions.open, m_actions.paste, m_actions.removeExemplar});
+    auto* parameters = new QWidget;
+    m_inspector = new Inspector(parameters);
+    m_runPanel = new RunPanel(m_actions.run, m_actions.quick, m_actions.stop, parameters);
+    auto* column = new QVBoxLayout(parameters);
+    column->addWidget(m_inspector, 1);
+    column->addWidget(m_runPanel);
+    addDockWidget(Qt::LeftDockWidgetArea,
+                  dockFor(m_exemplars, tr("Exemplars"), QStringLiteral("exemplarDock"), this));
+    addDockWidget(Qt::RightDockWidgetArea,
+                  dockFor(parameters, tr("Parameters"), QStringLiteral("parameterDock"), this));
+}
+
+void MainWindow::makeMenus() {
+    QMenu* const file = menuBar()->addMenu(tr("&File"));
+    file->addAction(m_actions.open);
+    QMenu* const recent = file->addMenu(tr("Open &recent"));
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentMenu(recent); });
+    QMenu* const samples = file->addMenu(tr("&Samples"));
+    for (const QString& path : bundledExemplars())
+        samples->addAction(QFileInfo(path).completeBaseName(), this, [this, path] { openFiles({path}); });
+    samples->setEnabled(!samples->isEmpty());
+    file->addAction(m_actions.paste);
+    file->addSeparator();
+    file->addAction(m_actions.exportResult);
+    file->addSeparator();
+    file->addAction(m_actions.quit);
+
+    menuBar()->addMenu(tr("&Edit"))->addAction(m_actions.copyResult);
+    menuBar()
+        ->addMenu(tr("E&xemplar"))
+        ->addActions({m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
+    menuBar()
+        ->addMenu(tr("&Synthesis"))
+        ->addActions({m_actions.run, m_actions.quick, m_actions.stop, m_actions.newSeedRun,
+                      m_actions.resetParameters});
+    menuBar()->addMenu(makeViewMenu());
+    menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
+}
+
+QMenu* MainWindow::makeViewMenu() {
+    auto* view = new QMenu(tr("&View"), this);
+    view->addActions(
+        {m_actions.fit, m_actions.actualSize, m_actions.zoomIn, m_actions.zoomOut, m_actions.repeat});
+    view->addSeparator();
+    view->addActions({m_actions.resultTab, m_actions.synthesisTab, m_actions.positionTab});
+    view->addSeparator();
+    for (const auto* dock : findChildren<QDockWidget*>())
+        view->addAction(dock->toggleViewAction());
+    view->addAction(m_actions.resetLayout);
+    view->addSeparator();
+    view->addAction(m_actions.fullScreen);
+    view->addMenu(makeAppearanceMenu());
+    return view;
+}
+
+QMenu* MainWindow::makeAppearanceMenu() {
+    auto* menu = new QMenu(tr("&Appearance"), this);
+    auto* group = new QActionGroup(menu);
+    const std::pair<QString, Appearance> ways[] = {{tr("As the &desktop"), Appearance::System},
+                                                   {tr("&Light"), Appearance::Light},
+                                                   {tr("Da&rk"), Appearance::Dark}};
+    for (const auto& [title, appearance] : ways) {
+        QAction* const action = menu->addAction(title);
+        action->setCheckable(true);
+        action->setChecked(savedAppearance() == appearance);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [appearance = appearance] {
+            saveAppearance(appearance);
+            applyAppearance(appearance);
+        });
+    }
+    return menu;
+}
+
+void MainWindow::makeToolBar() {
+    QToolBar* const bar = addToolBar(tr("Toolbar"));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    bar->addActions({m_actions.open, m_actions.paste});
+    bar->addSeparator();
+    bar->addWidget(m_method);
+    bar->addActions({m_actions.run, m_actions.stop, m_actions.quick});
+    bar->addSeparator();
+    bar->addAction(m_actions.repeat);
+    bar->addSeparator();
+    bar->addAction(m_actions.exportResult);
+}
+
+void MainWindow::setTabOrderThrough() {
+    QWidget* const exemplars = m_exemplars->findChild<QWidget*>(QStringLiteral("exemplarList"));
+    setTabOrder(exemplars, m_method);
+    setTabOrder(m_method, m_inspector->findChild<QWidget*>(QStringLiteral("outputWidth")));
+    QWidget* const last = m_inspector->rows().empty()
+                              ? m_inspector
+                              : static_cast<QWidget*>(m_inspector->rows().back()->editor());
+    QWidget* const run = m_runPanel->findChild<QWidget*>(QStringLiteral("runButton"));
+    setTabOrder(last, run);
+    setTabOrder(m_runPanel->findChild<QWidget*>(QStringLiteral("stopButton")),
+                m_results->viewer(ResultView::ResultTab));
+}
+
+void MainWindow::restoreLayout() {
+    resize(fontMetrics().averageCharWidth() * kFirstWidth, fontMetrics().height() * kFirstHeight);
+    const int side = fontMetrics().averageCharWidth();
+    resizeDocks({findChild<QDockWidget*>(QStringLiteral("exemplarDock")),
+                 findChild<QDockWidget*>(QStringLiteral("parameterDock"))},
+                {side * 38, side * 46}, Qt::Horizontal);
+    m_defaultLayout = saveState(kLayoutVersion);
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
+    connect(m_actions.resetLayout, &QAction::triggered, this,
+            [this] { restoreState(m_defaultLayout, kLayoutVersion); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    m_controller->stop();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::connectActions() {
+    connect(m_actions.open, &QAction::triggered, this, &MainWindow::openDialog);
+    connect(m_actions.paste, &QAction::triggered, this, &MainWindow::paste);
+    connect(m_actions.exportResult, &QAction::triggered, this, &MainWindow::exportDialog);
+    connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions.copyResult, &QAction::triggered, this, &MainWindow::copyResult);
+    connect(m_actions.setMask, &QAction::triggered, m_exemplars, &ExemplarPanel::chooseMask);
+    connect(m_actions.clearMask, &QAction::triggered, this, [this] {
+        if (const ExemplarEntry* entry = m_store->current())
+            m_store->clearMask(entry->id);
+    });
+    connect(m_actions.removeExemplar, &QAction::triggered, this, [this] {
+        if (const ExemplarEntry* entry = m_store->current())
+            m_store->remove(entry->id);
+    });
+    connect(m_actions.run, &QAction::triggered, this, [this] {
+        if (!m_inspector->output()->seedLocked())
+            m_inspector->output()->drawSeed();
+        startRun(false);
+    });
+    connect(m_actions.quick, &QAction::triggered, this, [this] { startRun(true); });
+    connect(m_actions.stop, &QAction::triggered, m_controller, &RunController::stop);
+    connect(m_actions.newSeedRun, &QAction::triggered, this, [this] {
+        m_inspector->output()->drawSeed();
+        startRun(false);
+    });
+    connect(m_actions.resetParameters, &QAction::triggered, m_inspector, &Inspector::resetAll);
+    connect(m_actions.shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
+    connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
+    connect(m_method, &QComboBox::currentIndexChanged, this, &MainWindow::methodChosen);
+    connect(m_start, &StartPage::chosen, this, [this](const QString& path) { openFiles({path}); });
+}
+
+void MainWindow::connectViewActions() {
+    connect(m_actions.fit, &QAction::triggered, this, [this] { m_results->currentViewer()->fit(); });
+    connect(m_actions.actualSize, &QAction::triggered, this,
+            [this] { m_results->currentViewer()->actualSize(); });
+    connect(m_actions.zoomIn, &QAction::triggered, this, [this] { m_results->currentViewer()->zoomIn(); });
+    connect(m_actions.zoomOut, &QAction::triggered, this, [this] { m_results->currentViewer()->zoomOut(); });
+    connect(m_actions.repeat, &QAction::toggled, m_results, &ResultView::setRepeats);
+    for (const auto tab : {ResultView::ResultTab, ResultView::SynthesisTab, ResultView::PositionTab})
+        connect(m_results->viewer(tab), &ImageViewer::repeatsChanged, m_actions.repeat, &QAction::setChecked);
+    connect(m_actions.resultTab, &QAction::triggered, this,
+            [this] { m_results->setTab(ResultView::ResultTab); });
+    connect(m_actions.synthesisTab, &QAction::triggered, this,
+            [this] { m_results->setTab(ResultView::SynthesisTab); });
+    connect(m_actions.positionTab, &QAction::triggered, this,
+            [this] { m_results->setTab(ResultView::PositionTab); });
+    connect(m_actions.fullScreen, &QAction::toggled, this,
+            [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+}
+
+void MainWindow::connectStore() {
+    connect(m_store, &ExemplarStore::changed, this, &MainWindow::exemplarsChanged);
+    connect(m_store, &ExemplarStore::currentChanged, this, &MainWindow::exemplarsChanged);
+    connect(m_store, &ExemplarStore::opened, this, &MainWindow::exemplarOpened);
+    connect(m_store, &ExemplarStore::failed, this, &MainWindow::fail);
+    connect(m_store, &ExemplarStore::loadingChanged, this, &MainWindow::planSoon);
+    connect(m_inspector, &Inspector::edited, this, &MainWindow::planSoon);
+    connect(m_inspector->output(), &OutputGroup::failed, this, &MainWindow::fail);
+}
+
+void MainWindow::connectRun() {
+    connect(m_controller, &RunController::started, this, &MainWindow::runStarted);
+    connect(m_controller, &RunController::progressed, m_runPanel, &RunPanel::showProgress);
+    connect(m_controller, &RunController::previewed, this, &MainWindow::runPreviewed);
+    connect(m_controller, &RunController::finished, this, &MainWindow::runFinished);
+    connect(m_controller, &RunController::stopped, this, &MainWindow::runStopped);
+    connect(m_controller, &RunController::failed, this, &MainWindow::runFailed);
+}
+
+void MainWindow::connectHovers() {
+    connect(m_results, &ResultView::resultHovered, this, &MainWindow::hoverResult);
+    connect(m_results, &ResultView::positionHovered, this,
+            [this](QPoint pixel) { hoverExemplar(m_store->current(), pixel); });
+    connect(m_results, &ResultView::unhovered, this, &MainWindow::endHover);
+    connect(m_exemplars, &ExemplarPanel::hovered, this,
+            [this](QPoint pixel) { hoverExemplar(m_store->current(), pixel); });
+    connect(m_exemplars, &ExemplarPanel::unhovered, this, &MainWindow::endHover);
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,235 @@
+#include "core/base/version.h"
+#include "ui/exemplar/files.h"
+#include "ui/export/export_dialog.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/jobs/background.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/shortcuts_dialog.h"
+#include "ui/window/start_page.h"
+#include "ui/window/text.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QUrl>
+
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+const QString kOpenFolder = QStringLiteral("folders/open");
+const QString kExportFolder = QStringLiteral("folders/export");
+
+bool isRecipe(const QString& path) {
+    return path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+}
+
+/// What a recipe needs, and the files that are not those it was made with.
+struct LoadedRecipe {
+    RunInput input;
+    QStringList changed;
+};
+
+LoadedRecipe loadAll(const std::filesystem::path& path) {
+    LoadedRecipe loaded;
+    loaded.input = loadRecipe(readRecipe(path), [&](const std::filesystem::path& file) {
+        loaded.changed += toQString(file.filename());
+    });
+    return loaded;
+}
+
+} // namespace
+
+void MainWindow::openFiles(const QStringList& paths) {
+    for (const QString& path : paths) {
+        const QString file = QFileInfo(path).absoluteFilePath();
+        if (isRecipe(file))
+            offerRecipe(file, tr("%1 holds the settings of a result.").arg(QFileInfo(file).fileName()));
+        else
+            m_store->open(file);
+    }
+}
+
+void MainWindow::openDialog() {
+    const QString folder = QSettings().value(kOpenFolder).toString();
+    const QStringList paths =
+        QFileDialog::getOpenFileNames(this, tr("Open exemplars"), folder, pictureFilter());
+    if (paths.isEmpty())
+        return;
+    QSettings().setValue(kOpenFolder, QFileInfo(paths.front()).path());
+    openFiles(paths);
+}
+
+void MainWindow::fillRecentMenu(QMenu* menu) {
+    menu->clear();
+    for (const QString& path : recentFiles()) {
+        QAction* const action =
+            menu->addAction(icon(QStringLiteral("folder-recent")), QFileInfo(path).fileName(), this,
+                            [this, path] { openFiles({path}); });
+        action->setToolTip(path);
+    }
+    if (menu->isEmpty())
+        menu->addAction(tr("Nothing opened yet"))->setEnabled(false);
+    menu->setToolTipsVisible(true);
+}
+
+void MainWindow::paste() {
+    if (const QMimeData* offered = QApplication::clipboard()->mimeData())
+        take(*offered);
+}
+
+void MainWindow::take(const QMimeData& offered) {
+    const QStringList files = localFiles(offered);
+    if (!files.isEmpty())
+        return openFiles(files);
+    const auto picture = qvariant_cast<QImage>(offered.imageData());
+    if (!picture.isNull()) {
+        inBackground(
+            this, [picture] { return savePastedPicture(picture); },
+            [this](const QString& path) { m_store->open(path); }, [this](const QString& why) { fail(why); });
+        return;
+    }
+    fail(offered.hasUrls()
+             ? tr("Only files on this computer can be opened; save the picture first, then drop its file.")
+             : tr("There is no picture in what was pasted; copy a picture or a picture file first."));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!offersPicture(*event->mimeData()))
+        return;
+    event->acceptProposedAction();
+    m_start->setDropping(true);
+    statusBar()->showMessage(tr("Let go to open it as an exemplar."));
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+    m_start->setDropping(false);
+    statusBar()->clearMessage();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    m_start->setDropping(false);
+    statusBar()->clearMessage();
+    event->acceptProposedAction();
+    take(*event->mimeData());
+}
+
+void MainWindow::exemplarOpened(int id) {
+    const ExemplarEntry* const entry = m_store->find(id);
+    const QString path = toQString(entry->file().path);
+    const bool pasted = path.startsWith(QStandardPaths::writableLocation(QStandardPaths::CacheLocation));
+    if (!pasted)
+        addRecentFile(path);
+    if (!entry->file().info.recipe.empty())
+        offerRecipe(path, tr("%1 was made here and holds its settings.").arg(QFileInfo(path).fileName()));
+    else if (m_messages->kind() == MessageBar::Kind::Error)
+        m_messages->dismiss();
+    const bool first = m_store->entries().size() == 1 && !m_result && !m_controller->running();
+    if (first)
+        startRun(true);
+}
+
+void MainWindow::offerRecipe(const QString& path, const QString& text) {
+    m_messages->say(MessageBar::Kind::Information, text, tr("Restore settings"),
+                    [this, path] { loadRecipeFrom(path); });
+}
+
+void MainWindow::loadRecipeFrom(const QString& path) {
+    inBackground(
+        this, [file = toPath(path)] { return loadAll(file); },
+        [this](const LoadedRecipe& loaded) {
+            restore(loaded.input);
+            if (!loaded.changed.isEmpty())
+                m_messages->say(
+                    MessageBar::Kind::Information,
+                    tr("Settings restored, but these files changed since, so the result will differ: %1.")
+                        .arg(loaded.changed.join(QStringLiteral(", "))));
+        },
+        [this](const QString& why) { fail(why); });
+}
+
+void MainWindow::restore(const RunInput& input) {
+    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
+    connect(
+        m_store, &ExemplarStore::replaced, this,
+        [this, input] {
+            OutputGroup* const output = m_inspector->output();
+            output->setOutputSize(input.size);
+            output->setWrap(input.wrap);
+            output->setSeed(input.seed);
+            output->setInitial(input.initial);
+            m_inspector->setValues(input.settings);
+            plan();
+        },
+        Qt::SingleShotConnection);
+    m_store->replaceAll(input.exemplars);
+}
+
+void MainWindow::exportDialog() {
+    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    const QString known = QFileInfo(pictures).isDir() ? pictures : QDir::homePath();
+    const QString folder = QSettings().value(kExportFolder, known).toString();
+    auto* dialog = new ExportDialog(m_result, folder, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { writeFiles(*dialog); });
+    dialog->open();
+}
+
+void MainWindow::writeFiles(const ExportDialog& dialog) {
+    const QString folder = dialog.folder();
+    QSettings().setValue(kExportFolder, folder);
+    m_messages->say(MessageBar::Kind::Information, tr("Writing to %1…").arg(folder));
+    inBackground(
+        this,
+        [result = dialog.result(), options = dialog.options()] { return exportResult(*result, options); },
+        [this, folder](const std::vector<ExportEntry>& written) {
+            const QString text = written.size() == 1
+                                     ? tr("Wrote 1 file to %1.").arg(folder)
+                                     : tr("Wrote %1 files to %2.").arg(written.size()).arg(folder);
+            m_messages->say(MessageBar::Kind::Information, text, tr("Open folder"),
+                            [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+        },
+        [this](const QString& why) { fail(why); });
+}
+
+void MainWindow::copyResult() {
+    QApplication::clipboard()->setImage(m_resultPictures.result->image());
+    m_messages->say(MessageBar::Kind::Information, tr("The result is on the clipboard."));
+}
+
+void MainWindow::showShortcuts() {
+    auto* dialog = new ShortcutsDialog(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::showAbout() {
+    auto* box = new QMessageBox(this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("About Texloom"));
+    box->setTextFormat(Qt::RichText);
+    box->setText(tr("<h3>Texloom %1</h3><p>A workbench for exemplar-based texture synthesis.</p><p>Free "
+                    "software under "
+                    "the GNU General Public License, version 3 or later.</p>")
+                     .arg(QLatin1String(kVersion)));
+    box->open();
+}
+
+} // namespace texloom::ui

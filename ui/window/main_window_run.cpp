@@ -1,0 +1,288 @@
+#include "core/base/text.h"
+#include "ui/exemplar/exemplar_panel.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/jobs/background.h"
+#include "ui/jobs/run_panel.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/readout.h"
+#include "ui/window/text.h"
+
+#include <QComboBox>
+#include <QStackedWidget>
+
+#include <algorithm>
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+/// Longer side of a quick run's picture.
+constexpr int kQuickSide = 384;
+
+/// The size of a preview: the output's shape, small.
+Size quickSize(Size size) {
+    const int longer = size.longerSide();
+    if (longer <= kQuickSide)
+        return size;
+    const auto shortened = [=](int side) {
+        return std::max(1, static_cast<int>(static_cast<std::int64_t>(side) * kQuickSide / longer));
+    };
+    return {shortened(size.width), shortened(size.height)};
+}
+
+/// What can be started now, and what it will need.
+struct Outlook {
+    Estimate estimate;
+    QString refusal;
+    QString quickRefusal;
+
+    Outlook(const RunInput& full, const RunInput& quick) {
+        try {
+            estimate = planRun(full).estimate;
+        } catch (const std::exception& error) {
+            refusal = translated(sentence(error).toStdString());
+        }
+        try {
+            planRun(quick);
+        } catch (const std::exception& error) {
+            quickRefusal = translated(sentence(error).toStdString());
+        }
+    }
+};
+
+/// The top left of an image to start from, for a preview of this size.
+ExemplarFile croppedTo(const ExemplarFile& file, Size size) {
+    ExemplarFile part = file;
+    if (file.image->width() >= size.width && file.image->height() >= size.height)
+        part.image = std::make_shared<const Image>(file.image->view().crop(0, 0, size));
+    return part;
+}
+
+} // namespace
+
+std::vector<RunExemplar> MainWindow::usedExemplars() const {
+    std::vector<RunExemplar> used;
+    const MethodInfo& info = m_inspector->method()->info();
+    for (const ExemplarEntry& entry : m_store->entries())
+        if (info.severalExemplars ? entry.checked : &entry == m_store->current()) {
+            used.push_back(entry.exemplar);
+            if (!info.usesMask)
+                used.back().mask.reset();
+        }
+    return used;
+}
+
+RunInput MainWindow::input(bool quick) const {
+    const OutputGroup* const output = m_inspector->output();
+    RunInput input;
+    input.method = m_inspector->method()->id();
+    input.settings = m_inspector->values();
+    input.exemplars = usedExemplars();
+    input.size = quick ? quickSize(output->outputSize()) : output->outputSize();
+    input.wrap = output->wrap();
+    input.seed = output->seed();
+    input.threads = output->threads();
+    if (output->initial())
+        input.initial = quick ? croppedTo(*output->initial(), input.size) : output->initial();
+    return input;
+}
+
+void MainWindow::methodChosen() {
+    m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString()));
+    m_method->setToolTip(m_method->currentData(Qt::ToolTipRole).toString());
+    m_exemplars->setMethod(m_inspector->method()->info());
+    planSoon();
+}
+
+void MainWindow::exemplarsChanged() {
+    const bool any = !m_store->entries().empty() || m_result;
+    m_centre->setCurrentIndex(any ? 1 : 0);
+    const std::vector<RunExemplar> used = usedExemplars();
+    m_inspector->setExemplarSize(used.empty() ? Size{} : used.front().image.image->size());
+
+    const ExemplarEntry* const current = m_store->current();
+    int index = 0;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (current != nullptr && used[i].image.image == current->file().image)
+            index = static_cast<int>(i);
+    m_results->setExemplar(current, index, std::max(1, static_cast<int>(used.size())));
+    updateActions();
+    planSoon();
+}
+
+void MainWindow::planSoon() {
+    m_planTimer.start();
+}
+
+void MainWindow::plan() {
+    const int request = ++m_planRequest;
+    if (m_store->entries().empty()) {
+        m_canRun = m_canQuick = false;
+        updateActions();
+        m_runPanel->setHint(m_store->loading() > 0 ? tr("Reading the picture…")
+                                                   : tr("Open an exemplar first."));
+        return;
+    }
+    inBackground(
+        this, [full = input(false), quick = input(true)] { return Outlook(full, quick); },
+        [this, request](const Outlook& outlook) {
+            if (request != m_planRequest)
+                return;
+            m_canRun = outlook.refusal.isEmpty();
+            m_canQuick = outlook.quickRefusal.isEmpty();
+            m_actions.quick->setToolTip(m_canQuick ? m_actions.quick->statusTip() : outlook.quickRefusal);
+            if (m_canRun)
+                m_runPanel->setEstimate(outlook.estimate);
+            else
+                m_runPanel->setRefusal(outlook.refusal);
+            updateActions();
+        },
+        [this](const QString& why) { fail(why); });
+}
+
+void MainWindow::updateActions() {
+    const bool running = m_controller->running() || m_starting;
+    m_actions.run->setEnabled(m_canRun && !running);
+    m_actions.quick->setEnabled(m_canQuick && !running);
+    m_actions.newSeedRun->setEnabled(m_canRun && !running);
+    m_actions.stop->setEnabled(m_controller->running());
+    m_actions.exportResult->setEnabled(m_result && m_resultShown);
+    m_actions.copyResult->setEnabled(m_result && m_resultShown);
+    const ExemplarEntry* const current = m_store->current();
+    const bool masks = m_inspector->method()->info().usesMask;
+    m_actions.setMask->setEnabled(current != nullptr && masks);
+    m_actions.clearMask->setEnabled(current != nullptr && current->exemplar.mask);
+    m_actions.removeExemplar->setEnabled(current != nullptr);
+}
+
+void MainWindow::startRun(bool quick) {
+    if (m_starting)
+        return;
+    m_starting = true;
+    updateActions();
+    inBackground(
+        this, [wanted = input(quick)] { return planRun(wanted); },
+        [this, quick](RunPlan plan) {
+            m_starting = false;
+            m_messages->dismiss();
+            m_shownExemplars = plan.request.exemplars;
+            m_controller->start(std::move(plan), quick);
+        },
+        [this](const QString& why) {
+            m_starting = false;
+            fail(translated(why.toStdString()));
+            updateActions();
+        });
+}
+
+void MainWindow::runStarted() {
+    m_resultShown = false;
+    m_runPanel->setRunning(true);
+    m_results->setTitle((m_controller->quick() ? tr("Quick preview under way: %1") : tr("Under way: %1"))
+                            .arg(m_controller->label()));
+    updateActions();
+}
+
+void MainWindow::runPreviewed(const RunPictures& pictures) {
+    m_resultShown = false;
+    m_results->showPictures(pictures);
+    if (m_controller->running())
+        m_results->setBadge(m_controller->quick() ? tr("Quick preview")
+                            : pictures.step > 1   ? tr("Preview 1:%1").arg(pictures.step)
+                                                  : QString());
+    updateActions();
+}
+
+void MainWindow::runFinished(const std::shared_ptr<const Result>& result, const RunPictures& pictures) {
+    m_result = result;
+    m_resultPictures = pictures;
+    m_resultQuick = m_controller->quick();
+    m_runPanel->setRunning(false);
+    showResult();
+}
+
+void MainWindow::showResult() {
+    m_shownExemplars = m_result->plan.request.exemplars;
+    m_results->showPictures(m_resultPictures);
+    m_results->setBadge(m_resultQuick ? tr("Quick preview") : QString());
+    const Size size = m_result->plan.request.size;
+    const QString label = tr("%1 · seed %2 · %3 · %4")
+                              .arg(translated(m_result->plan.method->info().title))
+                              .arg(m_result->plan.request.seed)
+                              .arg(sizeText(size), QString::fromStdString(durationText(m_result->seconds)));
+    m_results->setTitle(m_resultQuick ? tr("Quick preview: %1").arg(label) : label);
+    m_resultShown = true;
+    updateActions();
+    plan();
+}
+
+void MainWindow::runStopped(double fraction) {
+    m_runPanel->setRunning(false);
+    const QString text = tr("Stopped at %1").arg(percentText(fraction));
+    m_results->setTitle(tr("%1: %2").arg(text, m_controller->label()));
+    m_results->setBadge(text);
+    if (m_result)
+        m_messages->say(MessageBar::Kind::Information, tr("%1. The picture is as far as it got.").arg(text),
+                        tr("Back to the last result"), [this] { showResult(); });
+    updateActions();
+}
+
+void MainWindow::runFailed(const QString& sentence) {
+    m_runPanel->setRunning(false);
+    if (m_result)
+        showResult();
+    else
+        m_results->setTitle({});
+    fail(sentence);
+    updateActions();
+}
+
+void MainWindow::fail(const QString& sentence) {
+    m_messages->say(MessageBar::Kind::Error, sentence);
+}
+
+void MainWindow::hoverResult(QPoint pixel) {
+    const RunPictures& shown = m_results->pictures();
+    const Source source = shown.sourceOf(pixel.x(), pixel.y());
+    QString place = tr("x %1, y %2").arg(pixel.x()).arg(pixel.y());
+    const ExemplarEntry* entry = nullptr;
+    if (source.valid() && source.exemplar < m_shownExemplars.size()) {
+        const Exemplar& exemplar = m_shownExemplars[source.exemplar];
+        entry = m_store->find(exemplar.image);
+        place = tr("%1 → %2 x %3, y %4")
+                    .arg(place, QString::fromStdString(exemplar.name))
+                    .arg(source.x)
+                    .arg(source.y);
+    }
+    m_readout->show(place, shown.result ? shown.result->valueText(pixel.x(), pixel.y()) : QString(),
+                    tr("working space · float"));
+    if (entry != nullptr)
+        m_exemplars->showSource(*entry, {source.x, source.y});
+    else
+        m_exemplars->hideSource();
+    m_results->markPosition(entry, {source.x, source.y});
+}
+
+void MainWindow::hoverExemplar(const ExemplarEntry* entry, QPoint pixel) {
+    if (entry == nullptr)
+        return;
+    const ExemplarFile& file = entry->file();
+    m_readout->show(
+        tr("%1 x %2, y %3").arg(QString::fromStdString(file.name())).arg(pixel.x()).arg(pixel.y()),
+        entry->picture->valueText(pixel.x(), pixel.y()),
+        tr("%1 · %2").arg(QString::fromStdString(file.space), QString::fromStdString(file.info.depth)));
+    m_results->markPosition(entry, pixel);
+    m_exemplars->showSource(*entry, pixel);
+}
+
+void MainWindow::endHover() {
+    m_readout->clear();
+    m_exemplars->hideSource();
+    m_results->markPosition(nullptr, {});
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,30 @@
+#include "ui/window/text.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <cmath>
+
+namespace texloom::ui {
+
+QString translated(const std::string& text) {
+    return text.empty() ? QString() : QCoreApplication::translate("core", text.c_str());
+}
+
+QString toQString(const std::filesystem::path& path) {
+    return QFile::decodeName(path.c_str());
+}
+
+std::filesystem::path toPath(const QString& path) {
+    return QFile::encodeName(path).toStdString();
+}
+
+QString sizeText(Size size) {
+    return QCoreApplication::translate("text", "%1 × %2").arg(size.width).arg(size.height);
+}
+
+QString percentText(double fraction) {
+    return QCoreApplication::translate("text", "%1 %").arg(static_cast<int>(std::floor(fraction * 100)));
+}
+
+} // namespace texloom::ui
