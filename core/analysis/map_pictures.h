@@ -18,6 +18,7 @@ Image synthesisPicture(const PositionMap& map);
 /// Share of horizontally and vertically neighbouring output pixels whose sources are not neighbours in the
 /// same way: 0 for a copy of the exemplar, near 1 where every pixel comes from elsewhere.
 /// @param check called for every row; may throw.
-double innovation(const PositionMap& map, const std::function<void()>& check = [] {});
+double innovation(
+    const PositionMap& map, const std::function<void()>& check = [] {});
 
 } // namespace texloom

@@ -45,7 +45,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const Axis vertical(request.size.height, settings.patch, settings.overlapPixels(), request.wrap.y);
     const double patches = static_cast<double>(horizontal.count()) * vertical.count();
     const Size canvas{horizontal.canvas(), vertical.canvas()};
-    // On an axis that wraps overlaps differ by a pixel: at most seven kinds along a row, for five kinds of row.
+    // On an axis that wraps overlaps differ by a pixel: at most seven kinds along a row, for five kinds of
+    // row.
     constexpr int kShapes = 35;
     constexpr std::uint64_t kCellBytes = 160;
 
