@@ -1,0 +1,102 @@
+#include "tests/cli/program.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+namespace texloom::test {
+
+namespace {
+
+std::string contentOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void redirect(const std::filesystem::path& path, int to) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(file, to);
+    ::close(file);
+}
+
+} // namespace
+
+int Ended::complaints() const {
+    const auto ends = std::count(err.begin(), err.end(), '\n');
+    return static_cast<int>(ends) + (err.empty() || err.back() == '\n' ? 0 : 1);
+}
+
+Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+    std::vector<std::string> words = {TEXLOOM_CLI};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    const std::filesystem::path out = m_output / "out", err = m_output / "err";
+    m_id = ::fork();
+    if (m_id < 0)
+        throw std::runtime_error("no process");
+    if (m_id > 0)
+        return;
+    redirect("/dev/null", STDIN_FILENO);
+    redirect(out, STDOUT_FILENO);
+    redirect(err, STDERR_FILENO);
+    if (::chdir(folder.c_str()) == 0)
+        ::execv(pointers.front(), pointers.data());
+    ::_exit(127);
+}
+
+Program::~Program() {
+    if (running()) {
+        signal(SIGKILL);
+        ::waitpid(m_id, &m_status, 0);
+    }
+}
+
+bool Program::running() {
+    if (!m_ended)
+        m_ended = ::waitpid(m_id, &m_status, WNOHANG) == m_id;
+    return !m_ended;
+}
+
+std::chrono::milliseconds Program::worked() const {
+    std::ifstream file("/proc/" + std::to_string(m_id) + "/stat");
+    std::string skipped;
+    long long user = 0, system = 0;
+    std::getline(file, skipped, ')');
+    for (int i = 0; i < 11; ++i)
+        file >> skipped;
+    file >> user >> system;
+    return std::chrono::milliseconds((user + system) * 1000 / ::sysconf(_SC_CLK_TCK));
+}
+
+void Program::signal(int number) const {
+    ::kill(m_id, number);
+}
+
+Ended Program::wait(std::chrono::seconds limit) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    while (running() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (running()) {
+        signal(SIGKILL);
+        ::waitpid(m_id, &m_status, 0);
+        m_ended = true;
+    }
+    const int status = WIFEXITED(m_status) ? WEXITSTATUS(m_status) : 128 + WTERMSIG(m_status);
+    return {status, contentOf(m_output / "out"), contentOf(m_output / "err")};
+}
+
+Ended runCli(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+    return Program(arguments, folder).wait();
+}
+
+} // namespace texloom::test

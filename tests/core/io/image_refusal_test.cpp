@@ -1,0 +1,291 @@
+#include "core/io/image_file.h"
+#include "tests/core/io/file_limit.h"
+#include "tests/core/io/foreign_files.h"
+#include "tests/core/io/write_as.h"
+#include "tests/core/refusal.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <fstream>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <thread>
+
+namespace texloom::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+void put(const fs::path& path, std::string_view bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+std::string get(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Every format and depth that is written, with an image that it holds.
+struct Kind {
+    const char* name;
+    Depth depth;
+    const char* label;
+
+    friend void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.label; }
+};
+constexpr std::array<Kind, 9> kKinds = {{{"a.png", Depth::Bits8, "png8"},
+                                         {"a.png", Depth::Bits16, "png16"},
+                                         {"a.jpg", Depth::Bits8, "jpeg"},
+                                         {"a.tif", Depth::Bits8, "tiff8"},
+                                         {"a.tif", Depth::Bits16, "tiff16"},
+                                         {"a.tif", Depth::Float, "tiffFloat"},
+                                         {"a.exr", Depth::Half, "exrHalf"},
+                                         {"a.exr", Depth::Float, "exrFloat"},
+                                         {"a.hdr", Depth::Float, "hdr"}}};
+
+} // namespace
+
+class Kinds : public ::testing::TestWithParam<Kind> {
+protected:
+    fs::path path() const { return m_folder / GetParam().name; }
+    void write() const { writeImage(path(), m_image, as(GetParam().depth)); }
+    /// Bytes of the whole file.
+    std::uintmax_t wholeSize() const {
+        write();
+        const std::uintmax_t size = fs::file_size(path());
+        fs::remove(path());
+        return size;
+    }
+
+    TemporaryFolder m_folder;
+    Image m_image = noise({200, 150}, 3);
+};
+
+INSTANTIATE_TEST_SUITE_P(ImageFile, Kinds, ::testing::ValuesIn(kKinds),
+                         [](const auto& test) { return test.param.label; });
+
+TEST_P(Kinds, AFullDiskLeavesNoFile) {
+    const std::uintmax_t size = wholeSize();
+    for (const std::uintmax_t bytes : {std::uintmax_t{0}, std::uintmax_t{10}, size / 4, size / 2, size - 1}) {
+        const FileLimit limit(bytes);
+        EXPECT_THAT([&] { write(); }, refusal(GetParam().name, "cannot be written"))
+            << bytes << " of " << size;
+        EXPECT_EQ(m_folder.entries(), 0) << bytes << " of " << size;
+        fs::remove(path());
+    }
+}
+
+TEST_P(Kinds, AFullDiskKeepsTheEarlierFile) {
+    const std::uintmax_t size = wholeSize();
+    put(path(), "what was there before");
+    for (const std::uintmax_t bytes : {std::uintmax_t{100}, size - 1}) {
+        const FileLimit limit(bytes);
+        EXPECT_THROW(write(), Error) << bytes;
+        EXPECT_EQ(get(path()), "what was there before") << bytes;
+        EXPECT_EQ(m_folder.entries(), 1) << bytes;
+    }
+}
+
+TEST_P(Kinds, StoppingLeavesNoFile) {
+    int rows = 0;
+    const WriteOptions options{
+        .depth = GetParam().depth, .space = "srgb", .recipe = {}, .attributes = {}, .check = [&] {
+            if (++rows == 70)
+                throw std::length_error("stop");
+        }};
+    EXPECT_THROW(writeImage(path(), m_image, options), std::length_error);
+    EXPECT_EQ(m_folder.entries(), 0);
+}
+
+TEST_P(Kinds, CutShortIsRefused) {
+    write();
+    const std::string whole = get(path());
+    for (const std::size_t length : {whole.size() / 2, whole.size() * 9 / 10}) {
+        put(path(), std::string_view(whole).substr(0, length));
+        EXPECT_THAT([&] { readImage(path()); }, refusal(GetParam().name)) << length << " of " << whole.size();
+    }
+}
+
+TEST_P(Kinds, CutToItsFirstBytesIsRefused) {
+    write();
+    const std::string whole = get(path());
+    for (const std::size_t length : {4U, 16U, 40U}) {
+        put(path(), std::string_view(whole).substr(0, length));
+        EXPECT_THAT([&] { readImage(path()); }, refusal(GetParam().name)) << length;
+        EXPECT_THAT([&] { readImageInfo(path()); }, refusal(GetParam().name)) << length;
+    }
+}
+
+TEST_P(Kinds, TooManyPixelsAreRefusedWithTheFigure) {
+    write();
+    EXPECT_THAT([&] { readImage(path(), 29999); }, refusal("200 × 150 px", "29,999"));
+    EXPECT_NO_THROW(readImage(path(), 30000));
+}
+
+TEST_P(Kinds, AnUnwritableFolderIsNamed) {
+    put(m_folder / "file", "a file, not a folder");
+    const fs::path inFile = m_folder / "file" / GetParam().name;
+    EXPECT_THAT([&] { writeImage(inFile, m_image, as(GetParam().depth)); },
+                refusal("cannot be written", (m_folder / "file").string()));
+    EXPECT_THAT([&] { checkWritable(inFile, 3); }, refusal("cannot be written"));
+    EXPECT_EQ(m_folder.entries(), 1);
+}
+
+TEST(ReadImage, NamesAFileThatIsNotThere) {
+    const TemporaryFolder folder;
+    EXPECT_THAT([&] { readImage(folder / "gone.png"); }, refusal("gone.png", "no file"));
+}
+
+TEST(ReadImage, RefusesAFolder) {
+    const TemporaryFolder folder;
+    EXPECT_THAT([&] { readImage(folder.path()); }, refusal("is a folder"));
+}
+
+TEST(ReadImage, RefusesAFileWithoutBytes) {
+    const TemporaryFolder folder;
+    put(folder / "a.png", "");
+    EXPECT_THAT([&] { readImage(folder / "a.png"); }, refusal("a.png", "0 bytes"));
+}
+
+TEST(ReadImage, RefusesTextNamedAsAnImage) {
+    const TemporaryFolder folder;
+    put(folder / "a.png", "Dear Sir or Madam,\n");
+    EXPECT_THAT([&] { readImage(folder / "a.png"); }, refusal("a.png", "not an image"));
+}
+
+TEST(ReadImage, DoesNotWaitForAPipe) {
+    const TemporaryFolder folder;
+    const fs::path pipe = folder / "a.png";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    // Ends the wait, should there be one.
+    std::jthread rescue([&](const std::stop_token& stop) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        while (!stop.stop_requested() && std::chrono::steady_clock::now() < end)
+            std::this_thread::yield();
+        if (!stop.stop_requested())
+            std::ofstream(pipe) << "x";
+    });
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_THAT([&] { readImage(pipe); }, refusal("a.png"));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+}
+
+TEST(ReadImage, CountsValuesThatAreNotFiniteAndShowsTheFirst) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.exr", "a.tif"}) {
+        Image image = noise({40, 30}, 3);
+        image(17, 5, 1) = std::numeric_limits<float>::quiet_NaN();
+        image(3, 6, 0) = std::numeric_limits<float>::infinity();
+        image(39, 29, 2) = -std::numeric_limits<float>::infinity();
+        writeImage(folder / name, image, as(Depth::Float, "linear"));
+        EXPECT_THAT([&] { readImage(folder / name); }, refusal(name, "3 values", "(17, 5)")) << name;
+    }
+}
+
+TEST(ReadImage, RefusesAHugeHeaderBeforeItTakesMemory) {
+    const TemporaryFolder folder;
+    writeHugePngHeader(folder / "a.png", 60000, 60000);
+    EXPECT_THAT([&] { readImage(folder / "a.png"); }, refusal("60000 × 60000", "536,870,912"));
+}
+
+TEST(ReadImage, RefusesAHeaderBeyondWhatAFormatAllows) {
+    const TemporaryFolder folder;
+    for (const std::uint32_t side : {0U, 0x7fffffffU, 0xffffffffU}) {
+        writeHugePngHeader(folder / "a.png", side, side);
+        EXPECT_THAT([&] { readImage(folder / "a.png"); }, refusal("a.png")) << side;
+    }
+}
+
+TEST(ReadImage, RefusesAPngWithFarTooFewRows) {
+    const TemporaryFolder folder;
+    writeHugePngHeader(folder / "a.png", 1000, 1000);
+    EXPECT_THAT([&] { readImage(folder / "a.png"); }, refusal("a.png"));
+}
+
+TEST(WriteImage, NamesAnUnknownExtensionAndTheKnownOnes) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(
+        [&] {
+            writeImage(folder / "a.xyz", noise({4, 4}, 3), {});
+        },
+        ThrowsMessage<UsageError>(AllOf(HasSubstr(".xyz"), HasSubstr(".png"), HasSubstr(".exr"))));
+    EXPECT_THROW(checkWritable(folder / "a", 3), UsageError);
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteImage, NamesChannelsThatAFormatDoesNotHold) {
+    const TemporaryFolder folder;
+    for (const auto& [name, channels] : {std::pair{"a.png", 5}, {"a.jpg", 4}, {"a.jpg", 2}, {"a.hdr", 1}}) {
+        EXPECT_THAT([&] { checkWritable(folder / name, channels); },
+                    refusal(std::to_string(channels) + " channels"));
+        EXPECT_THROW(writeImage(folder / name, noise({4, 4}, channels), as(depthsFor(name).front())),
+                     UsageError);
+    }
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteImage, NamesADepthThatAFormatDoesNotHold) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(
+        [&] {
+            writeImage(folder / "a.png", noise({4, 4}, 3), as(Depth::Half));
+        },
+        refusal(".png", "half"));
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteImage, TakesExtensionsInCapitals) {
+    const TemporaryFolder folder;
+    writeImage(folder / "A.PNG", noise({4, 4}, 3), {});
+    EXPECT_EQ(readImageInfo(folder / "A.PNG").format, "png");
+}
+
+TEST(WriteImage, ClampsWhatIntegersDoNotHold) {
+    const TemporaryFolder folder;
+    Image image({2, 1}, 1);
+    image(0, 0, 0) = -3;
+    image(1, 0, 0) = 7;
+    writeImage(folder / "a.png", image, {});
+    const Image back = readImage(folder / "a.png").image;
+    EXPECT_EQ(back(0, 0, 0), 0);
+    EXPECT_EQ(back(1, 0, 0), 1);
+}
+
+TEST(CheckWritable, RefusesAFolder) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "a.png");
+    EXPECT_THAT([&] { checkWritable(folder / "a.png", 3); }, refusal("it is a folder"));
+}
+
+TEST(CheckWritable, NamesAMissingFolder) {
+    const TemporaryFolder folder;
+    EXPECT_THAT([&] { checkWritable(folder / "gone" / "a.png", 3); },
+                refusal("no folder", (folder / "gone").string()));
+}
+
+TEST(CheckWritable, LeavesNothing) {
+    const TemporaryFolder folder;
+    checkWritable(folder / "a.png", 3);
+    EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WriteText, AFullDiskKeepsTheEarlierFile) {
+    const TemporaryFolder folder;
+    writeText(folder / "a.json", "before");
+    const FileLimit limit(1000);
+    EXPECT_THAT([&] { writeText(folder / "a.json", std::string(100000, 'x')); },
+                refusal("cannot be written"));
+    EXPECT_EQ(get(folder / "a.json"), "before");
+    EXPECT_EQ(folder.entries(), 1);
+}
+
+} // namespace texloom::test

@@ -1,0 +1,239 @@
+#include "core/base/error.h"
+#include "core/io/map_file.h"
+#include "core/session/export.h"
+#include "tests/core/io/file_limit.h"
+#include "tests/core/session/sample_run.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+namespace texloom::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+std::set<fs::path> filesIn(const fs::path& folder) {
+    return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+
+std::string contentOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The sample with a normal map beside it, run, and an export of everything into a folder of its own.
+struct SampleExport {
+    SampleExport() {
+        sample.addCompanion("bark_normal", sample.input.exemplars[0].image.image->size());
+        result = sample.run();
+        options.image = out / "made.png";
+        options.maps = {out / "made_map.exr", out / "made_map.png"};
+    }
+    SampleRun sample;
+    TemporaryFolder out;
+    Result result;
+    ExportOptions options;
+};
+
+/// What a recipe makes when it is run again.
+Image again(const Recipe& recipe) {
+    SampleRun sample;
+    sample.input = loadRecipe(recipe);
+    return sample.run().synthesis.image;
+}
+
+} // namespace
+
+TEST(ExportResult, WritesExactlyWhatItAnnounced) {
+    const SampleExport sample;
+    std::set<fs::path> announced, written;
+    for (const ExportEntry& entry : exportEntries(sample.result, sample.options))
+        announced.insert(entry.path);
+    EXPECT_TRUE(filesIn(sample.out.path()).empty());
+    for (const ExportEntry& entry : exportResult(sample.result, sample.options))
+        written.insert(entry.path);
+    EXPECT_EQ(filesIn(sample.out.path()), announced);
+    EXPECT_EQ(written, announced);
+    EXPECT_EQ(announced.size(), 5U);
+}
+
+TEST(ExportResult, WritesOnlyTheResultWhenOnlyThatIsWanted) {
+    SampleExport sample;
+    sample.options.maps.clear();
+    sample.options.sidecar = sample.options.companions = false;
+    exportResult(sample.result, sample.options);
+    EXPECT_EQ(filesIn(sample.out.path()), std::set{sample.options.image});
+}
+
+TEST(ExportEntries, KnowWhatIsThereAlready) {
+    const SampleExport sample;
+    writeText(sample.out / "made.json", "{}");
+    for (const ExportEntry& entry : exportEntries(sample.result, sample.options))
+        EXPECT_EQ(entry.exists, entry.path.filename() == "made.json") << entry.path;
+}
+
+TEST(ExportEntries, NameNoFileTwice) {
+    SampleExport sample;
+    fs::create_directory(sample.sample.folder / "other");
+    for (const char* name : {"normal", "other/normal"})
+        sample.sample.addCompanion(name, {48, 44});
+    const Result result = sample.sample.run();
+    std::set<fs::path> paths;
+    for (const ExportEntry& entry : exportEntries(result, sample.options))
+        EXPECT_TRUE(paths.insert(entry.path).second) << entry.path << " is written twice";
+}
+
+TEST(ExportResult, SidecarRunsAgainToTheSameBits) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    EXPECT_TRUE(samePixels(again(readRecipe(sample.out / "made.json")), sample.result.synthesis.image));
+}
+
+TEST(ExportResult, EveryFormatsEmbeddedRecipeRunsAgainToTheSameBits) {
+    SampleExport sample;
+    for (const char* name : {"made.png", "made.tif", "made.exr"}) {
+        sample.options.image = sample.out / name;
+        sample.options.depth = depthsFor(sample.options.image).front();
+        exportResult(sample.result, sample.options);
+        EXPECT_TRUE(samePixels(again(readRecipe(sample.options.image)), sample.result.synthesis.image))
+            << name;
+    }
+}
+
+TEST(ExportResult, MapsHoldTheRecipeToo) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    for (const fs::path& map : sample.options.maps)
+        EXPECT_EQ(readRecipe(map).seed, 3U) << map;
+}
+
+TEST(ExportResult, MapsMakeTheResultFromTheExemplar) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    const Image& exemplar = *sample.result.plan.request.exemplars[0].image;
+    for (const fs::path& map : sample.options.maps)
+        EXPECT_TRUE(samePixels(readPositionMap(map).apply(exemplar), sample.result.synthesis.image)) << map;
+}
+
+TEST(ExportResult, EightBitPixelsAreThoseOfTheResult) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    EXPECT_TRUE(samePixels(readImage(sample.options.image).image, sample.result.synthesis.image));
+}
+
+TEST(ExportResult, CompanionsAreTheMapApplied) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    const Image& normal = *sample.sample.input.exemplars[0].companions[0].image;
+    EXPECT_TRUE(samePixels(readImage(sample.out / "made_normal.png").image,
+                           sample.result.synthesis.map.apply(normal)));
+}
+
+TEST(ExportResult, HalfFilesAreLinear) {
+    SampleExport sample;
+    sample.options.image = sample.out / "made.exr";
+    sample.options.depth = Depth::Half;
+    exportResult(sample.result, sample.options);
+    EXPECT_EQ(readImageInfo(sample.options.image).space, "linear");
+    const Image back = *loadExemplar(sample.options.image).image;
+    for (int x = 0; x < back.width(); ++x)
+        EXPECT_NEAR(back(x, 7, 1), sample.result.synthesis.image(x, 7, 1), 1e-3);
+}
+
+TEST(ExportResult, SidecarStatesTheMapsConvention) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    const std::string text = readText(sample.out / "made.json");
+    for (const fs::path& map : sample.options.maps)
+        EXPECT_THAT(text, HasSubstr(mapConvention(map)));
+}
+
+TEST(ExportResult, LeavesNothingNewWhenOneFileFails) {
+    SampleExport sample;
+    sample.options.maps.push_back(sample.out / "missing" / "map.exr");
+    EXPECT_THROW(exportResult(sample.result, sample.options), Error);
+    EXPECT_TRUE(filesIn(sample.out.path()).empty());
+}
+
+TEST(ExportResult, LeavesNothingNewWhenTheDiskIsFull) {
+    const SampleExport sample;
+    exportResult(sample.result, sample.options);
+    const auto smallest = [&] {
+        std::uintmax_t bytes = ~std::uintmax_t{0};
+        for (const fs::path& file : filesIn(sample.out.path()))
+            bytes = std::min(bytes, fs::file_size(file));
+        return bytes;
+    }();
+    for (const fs::path& file : filesIn(sample.out.path()))
+        fs::remove(file);
+    const FileLimit limit(smallest + 1);
+    EXPECT_THROW(exportResult(sample.result, sample.options), Error);
+    EXPECT_TRUE(filesIn(sample.out.path()).empty());
+}
+
+TEST(ExportResult, KeepsAnEarlierFileThatItCouldNotReplace) {
+    const SampleExport sample;
+    writeText(sample.out / "made.png", "an earlier result");
+    const FileLimit limit(100);
+    EXPECT_THROW(exportResult(sample.result, sample.options), Error);
+    EXPECT_EQ(contentOf(sample.out / "made.png"), "an earlier result");
+    EXPECT_EQ(filesIn(sample.out.path()), std::set{sample.out / "made.png"});
+}
+
+TEST(ExportResult, LeavesNothingWhenItIsStoppedAnywhere) {
+    const SampleExport sample;
+    int calls = 0;
+    ExportOptions counted = sample.options;
+    counted.check = [&] { ++calls; };
+    exportResult(sample.result, counted);
+    EXPECT_GT(calls, 3 * 60);
+    for (const fs::path& file : filesIn(sample.out.path()))
+        fs::remove(file);
+    for (int stop = 1; stop <= calls; stop += 37) {
+        int left = stop;
+        counted.check = [&] {
+            if (--left == 0)
+                throw Cancelled{};
+        };
+        EXPECT_THROW(exportResult(sample.result, counted), Cancelled);
+        EXPECT_TRUE(filesIn(sample.out.path()).empty()) << "stopped at " << stop;
+    }
+}
+
+TEST(ExportResult, RefusesAnUnknownSpaceAndLeavesNothing) {
+    SampleExport sample;
+    sample.options.space = "rec2020";
+    EXPECT_THAT([&] { exportResult(sample.result, sample.options); },
+                ThrowsMessage<UsageError>(HasSubstr("rec2020")));
+    EXPECT_TRUE(filesIn(sample.out.path()).empty());
+}
+
+TEST(DepthLike, KeepsTheSourcesDepthWhereItCan) {
+    ExemplarFile source;
+    source.info.depth = "16-bit";
+    EXPECT_EQ(depthLike(source, "a.png"), Depth::Bits16);
+    EXPECT_EQ(depthLike(source, "a.jpg"), Depth::Bits8);
+    source.info.depth = "float";
+    EXPECT_EQ(depthLike(source, "a.exr"), Depth::Float);
+    EXPECT_EQ(depthLike(source, "a.tif"), Depth::Float);
+}
+
+TEST(ReportJson, HoldsRecipeTimesMemoryAndFigures) {
+    const SampleExport sample;
+    const auto report = nlohmann::json::parse(reportJson(sample.result, sample.out.path()));
+    EXPECT_EQ(report.at("recipe").at("seed"), 3);
+    EXPECT_EQ(report.at("threads"), 2);
+    EXPECT_GT(report.at("seconds").get<double>(), 0);
+    EXPECT_FALSE(report.at("stages").empty());
+    EXPECT_GT(report.at("peakMemoryBytes").get<double>(), 1e6);
+    EXPECT_TRUE(report.at("figures").contains("Innovation"));
+}
+
+} // namespace texloom::test

@@ -1,0 +1,186 @@
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/image_file.h"
+#include "core/io/map_file.h"
+#include "core/io/recipe.h"
+#include "tests/fuzz/damage.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <ostream>
+
+namespace texloom::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kSeed = 20261122;
+constexpr std::int64_t kLargestPixels = 1 << 20;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::chrono::seconds kLongest{20};
+#else
+constexpr std::chrono::seconds kLongest{2};
+#endif
+
+int iterations() {
+    const char* asked = std::getenv("TEXLOOM_FUZZ_ITERATIONS");
+    long long count = 300;
+    if (asked && !parseInteger(asked, count))
+        ADD_FAILURE() << "TEXLOOM_FUZZ_ITERATIONS is " << asked << ", not a number";
+    return static_cast<int>(count);
+}
+
+std::string get(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void put(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// Runs a reader, which may succeed or throw Error, and nothing else, in time.
+void expectReadOrRefused(const std::function<void()>& read) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        read();
+    } catch (const Error& error) {
+        EXPECT_STRNE(error.what(), "");
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    } catch (const std::exception& error) {
+        ADD_FAILURE() << "not a texloom::Error: " << error.what();
+    } catch (...) {
+        ADD_FAILURE() << "not a texloom::Error, and no exception of the standard";
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - start, kLongest);
+}
+
+/// Says in a file which iteration is under way, since after a crash nobody is left to say it.
+class Trace {
+public:
+    Trace(const char* name) : m_path(fs::temp_directory_path() / (std::string("texloom-fuzz-") + name)) {}
+    ~Trace() {
+        std::error_code ignored;
+        fs::remove(m_path, ignored);
+    }
+    Trace(const Trace&) = delete;
+    Trace& operator=(const Trace&) = delete;
+    void at(int iteration) const {
+        put(m_path, "seed " + std::to_string(kSeed) + ", iteration " + std::to_string(iteration) + "\n");
+    }
+
+private:
+    fs::path m_path;
+};
+
+/// Damages `originals` in turn and hands each to `read`.
+void fuzz(const char* name, const std::vector<std::string>& originals, int count,
+          const std::function<void(const std::string&)>& read) {
+    const Random random(kSeed);
+    const Trace trace(name);
+    for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
+        SCOPED_TRACE("seed " + std::to_string(kSeed) + ", iteration " + std::to_string(i));
+        trace.at(i);
+        const auto which = static_cast<std::size_t>(i) % originals.size();
+        const std::string& other =
+            originals[(which + 1 + static_cast<std::size_t>(i) / 7) % originals.size()];
+        const std::string bytes = damaged(originals[which], other, random, i);
+        expectReadOrRefused([&] { read(bytes); });
+    }
+}
+
+/// The bytes of one small image in this format.
+std::string sample(const TemporaryFolder& folder, const char* name, Depth depth, int channels) {
+    WriteOptions options;
+    options.depth = depth;
+    options.recipe = R"({"texloom": 1, "method": "quilting"})";
+    writeImage(folder / name, blobs({40, 31}, channels), options);
+    std::string bytes = get(folder / name);
+    fs::remove(folder / name);
+    return bytes;
+}
+
+} // namespace
+
+struct FuzzFormat {
+    const char* name;
+    std::vector<std::pair<Depth, int>> kinds;
+
+    friend void PrintTo(const FuzzFormat& format, std::ostream* out) { *out << format.name; }
+};
+
+class FuzzImages : public ::testing::TestWithParam<FuzzFormat> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Fuzz, FuzzImages,
+    ::testing::Values(FuzzFormat{"a.png", {{Depth::Bits8, 3}, {Depth::Bits16, 4}, {Depth::Bits8, 1}}},
+                      FuzzFormat{"a.jpg", {{Depth::Bits8, 3}, {Depth::Bits8, 1}}},
+                      FuzzFormat{"a.tif", {{Depth::Bits8, 3}, {Depth::Float, 4}, {Depth::Bits16, 1}}},
+                      FuzzFormat{"a.exr", {{Depth::Half, 3}, {Depth::Float, 4}, {Depth::Half, 1}}},
+                      FuzzFormat{"a.hdr", {{Depth::Float, 3}}}),
+    [](const auto& test) { return fs::path(test.param.name).extension().string().substr(1); });
+
+TEST_P(FuzzImages, AreReadOrRefused) {
+    const TemporaryFolder folder;
+    const char* name = GetParam().name;
+    std::vector<std::string> originals;
+    for (const auto& [depth, channels] : GetParam().kinds)
+        originals.push_back(sample(folder, name, depth, channels));
+    fuzz(name, originals, iterations(), [&](const std::string& bytes) {
+        put(folder / name, bytes);
+        expectReadOrRefused([&] { readImageInfo(folder / name); });
+        readImage(folder / name, kLargestPixels);
+    });
+}
+
+TEST(Fuzz, PositionMapsAreReadOrRefused) {
+    for (const char* name : {"map.exr", "map.png"}) {
+        const TemporaryFolder folder;
+        writePositionMap(folder / name, PositionMap::identity({40, 31}));
+        const std::string original = get(folder / name);
+        fuzz(name, {original}, iterations() / 2, [&](const std::string& bytes) {
+            put(folder / name, bytes);
+            readImage(folder / name, kLargestPixels); // refuses what would take much memory
+            const PositionMap map = readPositionMap(folder / name, {{40, 31}});
+            for (int y = 0; y < map.height(); ++y)
+                for (int x = 0; x < map.width(); ++x)
+                    if (const Source source = map.at(x, y); source.valid()) {
+                        ASSERT_LT(source.exemplar, map.exemplarSizes().size());
+                        ASSERT_LT(source.x, map.exemplarSizes()[source.exemplar].width);
+                        ASSERT_LT(source.y, map.exemplarSizes()[source.exemplar].height);
+                    }
+        });
+    }
+}
+
+TEST(Fuzz, RecipesAreReadOrRefused) {
+    Recipe recipe;
+    recipe.method = "quilting";
+    recipe.parameters = {{"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
+    recipe.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, RecipeFile{"/a/mask.png", "raw", ""}, {}}};
+    recipe.size = {512, 256};
+    recipe.seed = 18446744073709551615ULL;
+    const std::vector<std::string> originals = {
+        recipe.toJson("/a"), R"({"texloom":1,"size":[1,2],"seed":1e9,"parameters":{"a":-1.5e+308}})",
+        R"([[[{"a":[1e400,"\ud800",null]}]]])"};
+    fuzz("recipe", originals, 20 * iterations(),
+         [&](const std::string& text) { Recipe::fromJson(text, "/a"); });
+}
+
+TEST(Fuzz, RecipesInFilesAreReadOrRefused) {
+    const TemporaryFolder folder;
+    const std::string original = sample(folder, "a.png", Depth::Bits8, 3);
+    fuzz("embedded", {original}, iterations() / 2, [&](const std::string& bytes) {
+        put(folder / "a.png", bytes);
+        readRecipe(folder / "a.png");
+    });
+}
+
+} // namespace texloom::test
