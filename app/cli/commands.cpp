@@ -3,6 +3,7 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/color/color_pipeline.h"
 #include "core/io/map_file.h"
 #include "core/session/export.h"
 #include "core/session/run.h"
@@ -97,6 +98,13 @@ Size parseSize(const std::string& text) {
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
+std::uint64_t parseSeed(const std::string& text) {
+    std::uint64_t seed = 0;
+    if (!parseUnsigned(text, seed))
+        failUsage("--seed {}: it is a whole number from 0 to 18446744073709551615.", text);
+    return seed;
+}
+
 Wrap parseWrap(const std::string& axes) {
     if (!axes.empty() && axes != "x" && axes != "y" && axes != "xy")
         failUsage("--wrap {}: it is one of x, y and xy.", axes);
@@ -137,7 +145,7 @@ RunInput inputFor(const SynthOptions& options) {
     input.method = options.method;
     input.settings = parseSettings(method, options.settings);
     input.wrap = parseWrap(options.wrap);
-    input.seed = options.seed;
+    input.seed = parseSeed(options.seed);
     if (!options.size.empty())
         input.size = parseSize(options.size);
     for (const fs::path& path : options.exemplars)
@@ -162,20 +170,36 @@ Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs
     failUsage("--depth {}: it is one of 8, 16, half and float.", text);
 }
 
-void checkOutputs(const RunPlan& plan, const OutputOptions& out) {
-    checkWritable(out.output, plan.request.channels());
+bool sameFile(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+/// Refuses before the work what would fail after it, or write over what it was made from.
+void checkOutputs(const RunPlan& plan, const OutputOptions& out, Depth depth) {
+    checkWritable(out.output, plan.request.channels(), depth);
+    for (const RecipeExemplar& exemplar : plan.recipe.exemplars)
+        if (sameFile(exemplar.image.path, out.output))
+            failUsage("-o {}: it is the exemplar, which would be lost; name another file.",
+                      out.output.string());
+    if (!out.space.empty())
+        color::findSpace(out.space);
     for (const fs::path& map : out.maps) {
         mapConvention(map);
-        checkWritable(map, 3);
+        if (sameFile(map, out.output))
+            failUsage("--map {}: it is the output; name another file.", map.string());
+        checkWritable(map, 3, depthsFor(map).back());
     }
+    if (!out.report.empty())
+        checkFolder(out.report);
 }
 
 /// Runs a planned synthesis to the end and writes what was asked for.
 void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& out) {
-    checkOutputs(plan, out);
     ExportOptions options;
     options.image = out.output;
     options.depth = parseDepth(out.depth, exemplar, out.output);
+    checkOutputs(plan, out, options.depth);
     options.space = out.space;
     options.maps = out.maps;
     options.sidecar = !out.noSidecar;
@@ -221,7 +245,7 @@ void synth(const SynthOptions& options) {
 
 void runRecipe(const RunOptions& options) {
     RunInput input = loadRecipe(readRecipe(options.recipe), [](const fs::path& file) {
-        fmt::print(stderr,
+        fmt::print(messages(),
                    "texloom-cli: {} is not the file that the recipe was made with; the result will differ.\n",
                    file.string());
     });
@@ -247,7 +271,7 @@ void applyMap(const ApplyOptions& options) {
         images.push_back(*files.back().image);
         sizes.push_back(files.back().image->size());
     }
-    checkWritable(options.output, images.front().channels);
+    checkWritable(options.output, images.front().channels, depthLike(files.front(), options.output));
     const PositionMap map = readPositionMap(options.map, sizes);
     checkInterrupt();
     WriteOptions write;

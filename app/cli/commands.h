@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,7 +24,7 @@ struct SynthOptions {
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;
     std::string size; ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
-    std::uint64_t seed = 0;
+    std::string seed = "0";
     std::vector<std::string> settings; ///< "name=value"
     std::string wrap;
     std::vector<std::filesystem::path> companions;

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -20,6 +21,8 @@ namespace {
 constexpr std::chrono::milliseconds kPoll{20};
 constexpr int kBarWidth = 30;
 
+std::FILE* ownMessages = stderr;
+
 void onSignal(int) {
     interrupted = true;
 }
@@ -36,6 +39,22 @@ std::string barText(JobMonitor& monitor) {
 
 } // namespace
 
+void silenceLibraries() {
+    const int own = ::dup(STDERR_FILENO);
+    std::FILE* stream = own >= 0 ? ::fdopen(own, "w") : nullptr;
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (!stream || nowhere < 0)
+        return;
+    std::setvbuf(stream, nullptr, _IONBF, 0);
+    ownMessages = stream;
+    ::dup2(nowhere, STDERR_FILENO);
+    ::close(nowhere);
+}
+
+std::FILE* messages() {
+    return ownMessages;
+}
+
 void watchInterrupts() {
     struct sigaction action {};
     action.sa_handler = onSignal;
@@ -49,16 +68,16 @@ void checkInterrupt() {
 }
 
 void follow(JobRunner& job, bool quiet) {
-    const bool bar = !quiet && ::isatty(STDERR_FILENO) != 0;
+    const bool bar = !quiet && ::isatty(::fileno(messages())) != 0;
     while (!job.finished()) {
         if (interrupted)
             job.cancel();
         if (bar)
-            fmt::print(stderr, "{}", barText(job.monitor()));
+            fmt::print(messages(), "{}", barText(job.monitor()));
         std::this_thread::sleep_for(kPoll);
     }
     if (bar)
-        fmt::print(stderr, "\r\x1b[K");
+        fmt::print(messages(), "\r\x1b[K");
 }
 
 } // namespace texloom::cli

@@ -3,8 +3,16 @@
 #include "core/job/job.h"
 
 #include <atomic>
+#include <cstdio>
 
 namespace texloom::cli {
+
+/// Sends what libraries write to stderr nowhere: libpng, for one, prints a line of its own before the error
+/// is ours to word.
+void silenceLibraries();
+
+/// Where our own messages go: the program's stderr.
+std::FILE* messages();
 
 /// Set by Ctrl+C and by a request to terminate.
 extern std::atomic<bool> interrupted;

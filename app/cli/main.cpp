@@ -90,21 +90,24 @@ void addApply(CLI::App& app) {
 }
 
 int complain(const std::string& sentence, Exit code) {
-    fmt::print(stderr, "texloom-cli: {}\n", sentence);
+    fmt::print(cli::messages(), "texloom-cli: {}\n", sentence);
     return code;
 }
 
 int run(int argc, char** argv) {
     CLI::App app("Texloom makes more of a texture.", "texloom-cli");
     app.set_version_flag("--version", std::string("texloom-cli ") + kVersion);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     addMethods(app);
     addSynth(app);
     addRun(app);
     addApply(app);
+    cli::silenceLibraries();
     cli::watchInterrupts();
     try {
         app.parse(argc, argv);
+        if (app.get_subcommands().empty())
+            return complain("Name a command: methods, synth, run or apply. See texloom-cli --help.", Usage);
         return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)

@@ -80,6 +80,10 @@ bool parseInteger(std::string_view text, long long& number) {
     return parseWhole(text, number);
 }
 
+bool parseUnsigned(std::string_view text, std::uint64_t& number) {
+    return parseWhole(text, number);
+}
+
 std::string listText(const std::vector<std::string>& words) {
     std::string list;
     for (std::size_t i = 0; i < words.size(); ++i) {

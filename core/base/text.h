@@ -27,6 +27,7 @@ std::string numberText(double number);
 /// @return false if anything but a finite number is in it; `number` is then untouched.
 bool parseNumber(std::string_view text, double& number);
 bool parseInteger(std::string_view text, long long& number);
+bool parseUnsigned(std::string_view text, std::uint64_t& number);
 
 /// "a, b and c".
 std::string listText(const std::vector<std::string>& words);

@@ -68,10 +68,13 @@ void writeImage(const std::filesystem::path& path, const ImageView& image, const
 void writeImage(const std::filesystem::path& path, Size size, int channels, const RowSource& rows,
                 const WriteOptions& options);
 
+/// Checks that the folder of `path` is there and can be written to. @throws Error
+void checkFolder(const std::filesystem::path& path);
+
 /// Checks that `path` can be written before a long run: known format, channels it can hold, folder there and
 /// writable.
 /// @throws Error or UsageError
-void checkWritable(const std::filesystem::path& path, int channels);
+void checkWritable(const std::filesystem::path& path, int channels, Depth depth);
 
 /// The depths that a file format holds, best for textures first. @param path only its extension counts.
 std::vector<Depth> depthsFor(const std::filesystem::path& path);

@@ -55,6 +55,28 @@ std::string formatOf(const fs::path& path) {
     fail("{} is not an image that Texloom reads (PNG, JPEG, TIFF, EXR or HDR).", path.string());
 }
 
+/// The decoder makes a table of all lines before anyone can ask for the size, so that a forged header of a
+/// few bytes would take gigabytes: the data window is read here first.
+void checkExrWindow(const fs::path& path) {
+    constexpr std::size_t kHead = 1 << 16;
+    constexpr std::int64_t kLongestSide = 1 << 17;
+    constexpr std::string_view kName("dataWindow\0box2i\0\x10\0\0\0", 21);
+    std::string head(kHead, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    for (std::size_t at = head.find(kName); at != std::string::npos; at = head.find(kName, at + 1)) {
+        std::array<std::int32_t, 4> box{};
+        if (at + kName.size() + sizeof(box) > head.size())
+            return;
+        std::memcpy(box.data(), head.data() + at + kName.size(), sizeof(box));
+        const std::int64_t width = std::int64_t{box[2]} - box[0] + 1,
+                           height = std::int64_t{box[3]} - box[1] + 1;
+        if (width > kLongestSide || height > kLongestSide)
+            fail("{} says it is {} × {} px; an EXR's sides can go up to {} px.", path.string(), width, height,
+                 grouped(kLongestSide));
+    }
+}
+
 /// The first line of what the library says, without a closing stop.
 std::string reason(std::string message) {
     message = message.substr(0, message.find('\n'));
@@ -64,6 +86,8 @@ std::string reason(std::string message) {
 }
 
 std::unique_ptr<OIIO::ImageInput> openInput(const fs::path& path, const std::string& format) {
+    if (format == "openexr")
+        checkExrWindow(path);
     auto input = OIIO::ImageInput::create(format);
     if (!input)
         fail("{} cannot be read: this build has no reader for {}.", path.string(), format);

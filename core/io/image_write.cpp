@@ -170,9 +170,7 @@ void writeImage(const fs::path& path, const ImageView& image, const WriteOptions
     writeImage(path, image.size(), image.channels, interleave, options);
 }
 
-void checkWritable(const fs::path& path, int channels) {
-    const Format& format = formatFor(path);
-    checkFormat(path, format, channels, format.depths.front());
+void checkFolder(const fs::path& path) {
     if (fs::is_directory(path))
         fail("{} cannot be written: it is a folder.", path.string());
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -180,6 +178,11 @@ void checkWritable(const fs::path& path, int channels) {
         fail("{} cannot be written: there is no folder {}.", path.string(), folder.string());
     if (::access(folder.c_str(), W_OK) != 0)
         fail("{} cannot be written: the folder {} is not writable.", path.string(), folder.string());
+}
+
+void checkWritable(const fs::path& path, int channels, Depth depth) {
+    checkFormat(path, formatFor(path), channels, depth);
+    checkFolder(path);
 }
 
 std::vector<Depth> depthsFor(const fs::path& path) {

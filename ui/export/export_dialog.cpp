@@ -198,7 +198,7 @@ QString ExportDialog::refusal() const {
     if (!QDir(folder()).exists())
         return tr("The folder %1 is not there.").arg(folder());
     try {
-        checkWritable(options().image, m_result->synthesis.image.channels());
+        checkWritable(options().image, m_result->synthesis.image.channels(), options().depth);
         exportEntries(*m_result, options());
     } catch (const std::exception& error) {
         return sentence(error);

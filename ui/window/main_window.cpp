@@ -89,6 +89,11 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+    // A field that loses the focus commits what was typed and tells the window: that must come while it is
+    // whole.
+    if (QWidget* focused = focusWidget())
+        focused->clearFocus();
+    hide();
     delete m_controller;
     workers().waitForDone();
 }

@@ -136,7 +136,7 @@ TEST_P(Kinds, AnUnwritableFolderIsNamed) {
     const fs::path inFile = m_folder / "file" / GetParam().name;
     EXPECT_THAT([&] { writeImage(inFile, m_image, as(GetParam().depth)); },
                 refusal("cannot be written", (m_folder / "file").string()));
-    EXPECT_THAT([&] { checkWritable(inFile, 3); }, refusal("cannot be written"));
+    EXPECT_THAT([&] { checkWritable(inFile, 3, Depth::Bits8); }, refusal("cannot be written"));
     EXPECT_EQ(m_folder.entries(), 1);
 }
 
@@ -218,14 +218,14 @@ TEST(WriteImage, NamesAnUnknownExtensionAndTheKnownOnes) {
             writeImage(folder / "a.xyz", noise({4, 4}, 3), {});
         },
         ThrowsMessage<UsageError>(AllOf(HasSubstr(".xyz"), HasSubstr(".png"), HasSubstr(".exr"))));
-    EXPECT_THROW(checkWritable(folder / "a", 3), UsageError);
+    EXPECT_THROW(checkWritable(folder / "a", 3, Depth::Bits8), UsageError);
     EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(WriteImage, NamesChannelsThatAFormatDoesNotHold) {
     const TemporaryFolder folder;
     for (const auto& [name, channels] : {std::pair{"a.png", 5}, {"a.jpg", 4}, {"a.jpg", 2}, {"a.hdr", 1}}) {
-        EXPECT_THAT([&] { checkWritable(folder / name, channels); },
+        EXPECT_THAT([&] { checkWritable(folder / name, channels, Depth::Bits8); },
                     refusal(std::to_string(channels) + " channels"));
         EXPECT_THROW(writeImage(folder / name, noise({4, 4}, channels), as(depthsFor(name).front())),
                      UsageError);
@@ -263,18 +263,18 @@ TEST(WriteImage, ClampsWhatIntegersDoNotHold) {
 TEST(CheckWritable, RefusesAFolder) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "a.png");
-    EXPECT_THAT([&] { checkWritable(folder / "a.png", 3); }, refusal("it is a folder"));
+    EXPECT_THAT([&] { checkWritable(folder / "a.png", 3, Depth::Bits8); }, refusal("it is a folder"));
 }
 
 TEST(CheckWritable, NamesAMissingFolder) {
     const TemporaryFolder folder;
-    EXPECT_THAT([&] { checkWritable(folder / "gone" / "a.png", 3); },
+    EXPECT_THAT([&] { checkWritable(folder / "gone" / "a.png", 3, Depth::Bits8); },
                 refusal("no folder", (folder / "gone").string()));
 }
 
 TEST(CheckWritable, LeavesNothing) {
     const TemporaryFolder folder;
-    checkWritable(folder / "a.png", 3);
+    checkWritable(folder / "a.png", 3, Depth::Bits8);
     EXPECT_EQ(folder.entries(), 0);
 }
 
