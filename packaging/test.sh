@@ -5,12 +5,15 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
 quick=false
+sanitizers=false
 for argument in "$@"; do
   case $argument in
     --quick) quick=true ;;
+    --sanitizers) sanitizers=true ;;
     -h | --help)
-      echo "Usage: packaging/test.sh [--quick]"
-      echo "  --quick  leave out clang-tidy and the builds with sanitizers"
+      echo "Usage: packaging/test.sh [--quick] [--sanitizers]"
+      echo "  --quick       leave out clang-tidy"
+      echo "  --sanitizers  also build and test the core with sanitizers"
       exit ;;
     *)
       echo "packaging/test.sh: unknown option $argument; see --help" >&2
@@ -47,6 +50,8 @@ if $quick; then
   attempt "style" packaging/check_style.sh --format-only
 else
   attempt "style" packaging/check_style.sh
+fi
+if $sanitizers; then
   attempt "address sanitizer" testPreset asan
   attempt "thread sanitizer" testPreset tsan "${fixedAddresses[@]}"
 fi
