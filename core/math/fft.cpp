@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <tuple>
+#include <type_traits>
 
 namespace texloom {
 
@@ -56,15 +58,20 @@ fftwf_plan makePlan(const Batch& b) {
                                b.kind == Kind::Forward ? FFTW_FORWARD : FFTW_BACKWARD, FFTW_ESTIMATE);
 }
 
+struct DestroyPlan {
+    void operator()(fftwf_plan plan) const { fftwf_destroy_plan(plan); }
+};
+using Plan = std::unique_ptr<std::remove_pointer_t<fftwf_plan>, DestroyPlan>;
+
 /// The only place where plans are made; FFTW's planner is not safe to be called from several threads.
 fftwf_plan planFor(const Batch& batch) {
     static std::mutex mutex;
-    static std::map<Batch, fftwf_plan> plans;
+    static std::map<Batch, Plan> plans;
     const std::lock_guard lock(mutex);
-    const auto [it, missing] = plans.try_emplace(batch);
-    if (missing)
-        it->second = makePlan(batch);
-    return it->second;
+    Plan& plan = plans[batch];
+    if (!plan)
+        plan.reset(makePlan(batch));
+    return plan.get();
 }
 
 /// A multiple of 8 complex samples (64 bytes), and never of 4 KiB, which would put a row's samples in one
