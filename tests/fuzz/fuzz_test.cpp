@@ -26,7 +26,7 @@ constexpr std::int64_t kLargestPixels = 1 << 20;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr std::chrono::seconds kLongest{20};
 #else
-constexpr std::chrono::seconds kLongest{10};
+constexpr std::chrono::seconds kLongest{5};
 #endif
 
 int iterations() {
