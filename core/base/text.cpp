@@ -26,7 +26,7 @@ std::string byteText(std::uint64_t bytes) {
 }
 
 std::string durationText(double seconds) {
-    if (seconds < 10)
+    if (seconds < 9.95)
         return fmt::format("{:.1f} s", seconds);
     const auto whole = static_cast<long long>(std::llround(seconds));
     if (whole < 60)

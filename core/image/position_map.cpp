@@ -38,6 +38,8 @@ void checkImages(std::span<const ImageView> exemplars, const std::vector<Size>& 
 } // namespace
 
 Image PositionMap::apply(std::span<const ImageView> exemplars) const {
+    if (exemplars.empty())
+        fail("The map needs the images that it was made from, but none was given.");
     checkImages(exemplars, m_exemplarSizes);
     Image result(m_size, exemplars[0].channels);
     for (int y = 0; y < m_size.height; ++y) {

@@ -29,6 +29,8 @@ void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)
             failed({"There is not enough memory for this; try a smaller output.", false});
         } catch (const std::exception& error) {
             failed({error.what(), false});
+        } catch (...) {
+            failed({"The work ended for a reason that it does not say.", false});
         }
         m_finished = true;
         if (onFinished)

@@ -22,7 +22,7 @@ struct Cancelled {};
 struct Preview {
     Image image;
     PositionMap map; ///< empty if the method gave none; pixels without a source are not made yet
-    Size fullSize;   ///< of the work that it was taken from
+    Size fullSize;   ///< of the work that it was taken from, which may be larger than the output
     int step = 1;
 };
 

@@ -46,7 +46,8 @@ struct RunPlan {
     int threads = 0;
 };
 
-/// Checks everything before anything starts. @throws Error or UsageError, also where the memory that the run
+/// Checks everything before anything starts; a method whose check needs a close look at the exemplar may take
+/// a moment. @throws Error or UsageError, also where the memory that the run
 /// would need is more than `memoryLimit` bytes (0: what this machine has free).
 RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0);
 

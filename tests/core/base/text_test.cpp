@@ -73,6 +73,7 @@ TEST(ByteText, CountsInBinaryUnits) {
 
 TEST(DurationText, FitsTheLength) {
     EXPECT_EQ(durationText(0.44), "0.4 s");
+    EXPECT_EQ(durationText(9.96), "10 s");
     EXPECT_EQ(durationText(12.4), "12 s");
     EXPECT_EQ(durationText(59.7), "1 min 0 s");
     EXPECT_EQ(durationText(200), "3 min 20 s");

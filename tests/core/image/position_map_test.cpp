@@ -93,6 +93,11 @@ TEST(PositionMap, RefusesAnotherNumberOfImages) {
         ThrowsMessage<Error>(AllOf(HasSubstr("2 exemplar"), HasSubstr("1 image"))));
 }
 
+TEST(PositionMap, RefusesToWorkWithoutImages) {
+    EXPECT_THAT([] { PositionMap{}.apply(std::span<const ImageView>()); },
+                ThrowsMessage<Error>(HasSubstr("none was given")));
+}
+
 TEST(PositionMap, RefusesImagesWithUnequalChannels) {
     const PositionMap map({4, 4}, {{8, 8}, {8, 8}});
     const Image one({8, 8}, 1), three({8, 8}, 3);

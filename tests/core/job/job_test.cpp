@@ -204,6 +204,13 @@ TEST(Job, MissingMemoryBecomesAFailureThatAdvises) {
     EXPECT_THAT(failure.message, ::testing::HasSubstr("smaller"));
 }
 
+TEST(Job, AnythingElseThrownBecomesAFailure) {
+    const Failure failure =
+        failureOf([](JobContext&) -> int { throw 7; }); // NOLINT(hicpp-exception-baseclass)
+    EXPECT_FALSE(failure.message.empty());
+    EXPECT_FALSE(failure.usage);
+}
+
 TEST(Job, AnErrorInParallelWorkBecomesAFailure) {
     const Failure failure = failureOf([](JobContext& context) {
         context.parallel(0, 100, [](int i) {
