@@ -4,18 +4,19 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/color_pipeline.h"
+#include "core/io/json_field.h"
 #include "core/io/map_file.h"
 #include "core/session/export.h"
+#include "core/session/preset.h"
 #include "core/session/run.h"
 
-#include <nlohmann/json.hpp>
-
+#include <algorithm>
 #include <iostream>
 
 namespace texloom::cli {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = JsonField::Json;
 
 namespace {
 
@@ -33,15 +34,11 @@ const char* typeName(Param::Type type) {
     return "choice";
 }
 
-Json toJson(const Value& value) {
-    return std::visit([](const auto& held) { return Json(held); }, value);
-}
-
 Json toJson(const Param& param) {
     Json json = {{"name", param.name()},
                  {"title", param.title()},
                  {"type", typeName(param.type())},
-                 {"default", toJson(param.defaultFor(0))}};
+                 {"default", texloom::toJson(param.defaultFor(0))}};
     if (param.scale())
         json["defaultShareOfShorterSide"] = *param.scale();
     if (param.hasRange())
@@ -49,7 +46,7 @@ Json toJson(const Param& param) {
     for (const Choice& choice : param.choices())
         json["choices"].push_back({{"id", choice.id}, {"title", choice.title}});
     if (const auto& condition = param.condition())
-        json["onlyWhen"] = {{condition->name, toJson(condition->value)}};
+        json["onlyWhen"] = {{condition->name, texloom::toJson(condition->value)}};
     json["unit"] = param.unit();
     json["symbol"] = param.symbol();
     json["help"] = param.help();
@@ -58,10 +55,15 @@ Json toJson(const Param& param) {
 
 Json toJson(const Method& method) {
     const MethodInfo& info = method.info();
-    Json json = {{"id", method.id()},          {"title", info.title},
-                 {"summary", info.summary},    {"citation", info.citation},
-                 {"wraps", info.wraps},        {"startsFromImage", info.startsFromImage},
-                 {"usesMask", info.usesMask},  {"severalExemplars", info.severalExemplars},
+    Json json = {{"id", method.id()},
+                 {"title", info.title},
+                 {"summary", info.summary},
+                 {"citation", info.citation},
+                 {"wraps", info.wraps},
+                 {"startsFromImage", info.startsFromImage},
+                 {"usesMask", info.usesMask},
+                 {"severalExemplars", info.severalExemplars},
+                 {"copiesPixels", info.copiesPixels},
                  {"parameters", Json::array()}};
     for (const Param& param : method.params())
         json["parameters"].push_back(toJson(param));
@@ -84,6 +86,13 @@ void printMethod(const Method& method) {
         if (const auto& condition = param.condition())
             fmt::print("      Matters only with {}={}.\n", condition->name, toText(condition->value));
     }
+}
+
+void printPreset(const Preset& preset) {
+    std::string methods = preset.steps.front().method;
+    for (std::size_t i = 1; i < preset.steps.size(); ++i)
+        methods += ", then " + preset.steps[i].method;
+    fmt::print("{}: {}\n  {}\n  Runs {}.\n", preset.id, preset.title, preset.summary, methods);
 }
 
 Size parseSize(const std::string& text) {
@@ -111,16 +120,38 @@ Wrap parseWrap(const std::string& axes) {
     return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
 }
 
-Values parseSettings(const Method& method, const std::vector<std::string>& settings) {
-    Values values;
-    for (const std::string& setting : settings) {
+/// The step that a setting is for: the one that it names as METHOD.name, or the first.
+RecipeStep& stepFor(std::string& name, std::vector<RecipeStep>& steps) {
+    const std::size_t stop = name.find('.');
+    if (stop == std::string::npos)
+        return steps.front();
+    const std::string method = name.substr(0, stop);
+    const auto found = std::find_if(steps.begin(), steps.end(),
+                                    [&](const RecipeStep& step) { return step.method == method; });
+    if (found == steps.end())
+        failUsage("--set {}: {} is not one of the methods of this run.", name, method);
+    name = name.substr(stop + 1);
+    return *found;
+}
+
+/// The methods of a run in order, from the command's METHOD or preset, --then and --set.
+std::vector<RecipeStep> stepsOf(const SynthOptions& options) {
+    std::vector<RecipeStep> steps;
+    if (const Preset* preset = findPreset(options.method))
+        steps = preset->steps;
+    else
+        steps.push_back({findMethod(options.method).id(), {}});
+    for (const std::string& method : options.then)
+        steps.push_back({findMethod(method).id(), {}});
+    for (const std::string& setting : options.settings) {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos)
             failUsage("--set {}: write it as name=value.", setting);
-        const std::string name = setting.substr(0, equals);
-        values[name] = method.param(name).parse(setting.substr(equals + 1));
+        std::string name = setting.substr(0, equals);
+        RecipeStep& step = stepFor(name, steps);
+        step.parameters[name] = findMethod(step.method).param(name).parse(setting.substr(equals + 1));
     }
-    return values;
+    return steps;
 }
 
 /// Shares files that belong to the exemplars out to them, in order.
@@ -140,10 +171,11 @@ void attach(RunInput& input, const SynthOptions& options) {
 }
 
 RunInput inputFor(const SynthOptions& options) {
-    const Method& method = findMethod(options.method);
+    const std::vector<RecipeStep> steps = stepsOf(options);
     RunInput input;
-    input.method = options.method;
-    input.settings = parseSettings(method, options.settings);
+    input.method = steps.front().method;
+    input.settings = steps.front().parameters;
+    input.then.assign(steps.begin() + 1, steps.end());
     input.wrap = parseWrap(options.wrap);
     input.seed = parseSeed(options.seed);
     if (!options.size.empty())
@@ -225,16 +257,23 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
 
 void listMethods(const std::string& id, bool json) {
     Json all = Json::array();
+    if (!id.empty() && !findPreset(id))
+        findMethod(id);
     for (const Method& method : methods()) {
-        if (!id.empty() && method.id() != findMethod(id).id())
+        if (!id.empty() && method.id() != id)
             continue;
         if (json)
             all.push_back(toJson(method));
         else
             printMethod(method);
     }
-    if (json)
+    if (json) {
         fmt::print("{}\n", all.dump(2));
+        return;
+    }
+    for (const Preset& preset : presets())
+        if (id.empty() || preset.id == id)
+            printPreset(preset);
 }
 
 void synth(const SynthOptions& options) {

@@ -20,12 +20,13 @@ struct OutputOptions {
 };
 
 struct SynthOptions {
-    std::string method;
+    std::string method;            ///< or a preset
+    std::vector<std::string> then; ///< methods that follow
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;
     std::string size; ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
     std::string seed = "0";
-    std::vector<std::string> settings; ///< "name=value"
+    std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
     std::string wrap;
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;

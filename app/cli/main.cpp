@@ -43,12 +43,20 @@ void addMethods(CLI::App& app) {
 void addSynth(CLI::App& app) {
     static cli::SynthOptions options;
     CLI::App* command = app.add_subcommand("synth", "Make a texture from one or more exemplars");
-    command->add_option("method", options.method, "Id of the method; see `methods`")->required();
+    command->add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
     command->add_option("exemplar", options.exemplars, "Images to learn from")->required();
     command->add_option("--size", options.size,
                         "Size of the output, as 512x256 or 512; twice the exemplar if not given");
     command->add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
-    command->add_option("--set", options.settings, "Parameter of the method, as name=value; may be repeated")
+    command
+        ->add_option("--then", options.then,
+                     "Method that follows, starting from the image made so far; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
+    command
+        ->add_option("--set", options.settings,
+                     "Parameter of the method, as name=value, or METHOD.name=value for one that follows; may "
+                     "be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command->add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");

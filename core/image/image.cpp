@@ -76,6 +76,19 @@ ValueRange valueRange(const ImageView& image) {
     return range;
 }
 
+Image stacked(std::span<const ImageView> images) {
+    int channels = 0;
+    for (const ImageView& image : images)
+        channels += image.channels;
+    Image stack(images.front().size(), channels);
+    int to = 0;
+    for (const ImageView& image : images)
+        for (int c = 0; c < image.channels; ++c, ++to)
+            for (int y = 0; y < stack.height(); ++y)
+                std::copy_n(image.plane(c).row(y), stack.width(), stack.plane(to).row(y));
+    return stack;
+}
+
 std::vector<double> channelMeans(const ImageView& image) {
     std::vector<double> means(static_cast<std::size_t>(image.channels));
     for (int c = 0; c < image.channels; ++c) {

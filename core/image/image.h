@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace texloom {
@@ -44,6 +45,10 @@ struct ImageView {
     PlaneView plane(int channel) const { return {data + channel * planeStride, width, height, rowStride}; }
     float operator()(int x, int y, int channel) const {
         return data[channel * planeStride + y * rowStride + x];
+    }
+    /// `count` channels from `first` on.
+    ImageView channelRange(int first, int count) const {
+        return {data + first * planeStride, width, height, count, rowStride, planeStride};
     }
     /// The rectangle of `extent` pixels whose top left is (x, y); it must lie within the view.
     ImageView crop(int x, int y, Size extent) const {
@@ -105,6 +110,9 @@ private:
     std::ptrdiff_t m_planeStride = 0;
     std::unique_ptr<float[], AlignedDelete> m_data;
 };
+
+/// The channels of all images, which have one size, in one image.
+Image stacked(std::span<const ImageView> images);
 
 /// Smallest and largest sample over all channels. The view must not be empty.
 struct ValueRange {

@@ -12,6 +12,8 @@
 
 namespace texloom {
 
+class JsonField;
+
 /// A file that a recipe uses.
 struct RecipeFile {
     std::filesystem::path
@@ -26,6 +28,15 @@ struct RecipeExemplar {
     std::vector<RecipeFile> companions;
 };
 
+/// A method that takes up what the one before it made.
+struct RecipeStep {
+    std::string method;
+    Values parameters;
+};
+
+/// Steps from a list in JSON. @throws UsageError that names the wrong field.
+std::vector<RecipeStep> stepsFrom(const JsonField& field);
+
 /// All that a result depends on: what it takes to make the same bits again with the same build.
 struct Recipe {
     /// Version of the format that this build writes and the newest it reads.
@@ -34,6 +45,7 @@ struct Recipe {
     std::string version; ///< of the Texloom that wrote it
     std::string method;
     Values parameters; ///< complete when written by Texloom; missing ones get the method's defaults
+    std::vector<RecipeStep> then; ///< further methods, each starting from the image of the one before
     std::vector<RecipeExemplar> exemplars;
     std::optional<RecipeFile> initial;
     Size size;

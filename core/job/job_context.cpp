@@ -88,8 +88,9 @@ private:
 };
 
 JobContext::JobContext(const JobOptions& options, std::function<bool()> stopped, JobMonitor& monitor)
-    : m_random(options.seed), m_threads(threadCount(options.threads)), m_previews(options.previews),
-      m_stopped(std::move(stopped)), m_monitor(monitor), m_arena(std::make_unique<Arena>(m_threads)) {}
+    : m_seed(options.seed), m_random(options.seed), m_threads(threadCount(options.threads)),
+      m_previews(options.previews), m_stopped(std::move(stopped)), m_monitor(monitor),
+      m_arena(std::make_unique<Arena>(m_threads)) {}
 
 JobContext::~JobContext() = default;
 
@@ -98,10 +99,19 @@ void JobContext::check() const {
         throw Cancelled{};
 }
 
+void JobContext::step(std::uint32_t number, double share) {
+    if (number > 0)
+        m_stepBegin += m_share;
+    m_share = share;
+    m_stageBegin = m_stepBegin;
+    m_stageWeight = 0;
+    m_random = Random(m_seed, number);
+}
+
 void JobContext::stage(double weight, std::string name) {
     check();
     m_stageBegin += m_stageWeight;
-    m_stageWeight = weight;
+    m_stageWeight = weight * m_share;
     const std::lock_guard lock(m_monitor.m_mutex);
     if (!m_monitor.m_stages.empty())
         m_monitor.m_stages.back().seconds = secondsSince(m_monitor.m_stageStart);

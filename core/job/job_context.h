@@ -75,6 +75,10 @@ public:
 
     /// Ends the job if that was asked for. Call it at least every 50 ms. @throws Cancelled
     void check() const;
+    /// Begins one of several runs that follow each other in one job: it makes up `share` of the whole (all
+    /// shares add to 1), its stages make up the whole of it, and its random numbers are a stream of their
+    /// own.
+    void step(std::uint32_t number, double share);
     /// Begins a part of the work that makes up `weight` of the whole run (all weights add to 1).
     void stage(double weight, std::string name);
     /// How much of the stage is done, 0 to 1.
@@ -101,12 +105,15 @@ private:
     class Arena;
     using Clock = std::chrono::steady_clock;
 
+    std::uint64_t m_seed;
     Random m_random;
     int m_threads;
     bool m_previews;
     std::function<bool()> m_stopped;
     JobMonitor& m_monitor;
     std::unique_ptr<Arena> m_arena;
+    double m_stepBegin = 0;
+    double m_share = 1;
     double m_stageBegin = 0;
     double m_stageWeight = 0;
     Clock::time_point m_nextPreview = Clock::time_point::min();

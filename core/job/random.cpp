@@ -7,7 +7,7 @@ namespace texloom {
 std::uint32_t Random::bits(int x, int y, std::uint32_t n) const {
     using Generator = r123::Philox4x32;
     const Generator::ctr_type counter = {
-        {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), n / 4, 0}};
+        {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), n / 4, m_stream}};
     const Generator::key_type key = {
         {static_cast<std::uint32_t>(m_seed), static_cast<std::uint32_t>(m_seed >> 32)}};
     return Generator{}(counter, key)[n % 4];

@@ -4,12 +4,13 @@
 
 namespace texloom {
 
-/// Random numbers by coordinate: a pure function of (seed, x, y, n), so that a draw depends on the place it
-/// is made for and never on which thread makes it or when. Philox 4x32-10 of Salmon et al., "Parallel random
-/// numbers: as easy as 1, 2, 3" (SC 2011), through Random123.
+/// Random numbers by coordinate: a pure function of (seed, stream, x, y, n), so that a draw depends on the
+/// place it is made for and never on which thread makes it or when. Philox 4x32-10 of Salmon et al.,
+/// "Parallel random numbers: as easy as 1, 2, 3" (SC 2011), through Random123.
 class Random {
 public:
-    explicit Random(std::uint64_t seed) : m_seed(seed) {}
+    /// @param stream numbers of one seed in different streams are independent.
+    explicit Random(std::uint64_t seed, std::uint32_t stream = 0) : m_seed(seed), m_stream(stream) {}
 
     /// 32 independent bits for draw `n` at place (x, y).
     std::uint32_t bits(int x, int y, std::uint32_t n = 0) const;
@@ -20,6 +21,7 @@ public:
 
 private:
     std::uint64_t m_seed;
+    std::uint32_t m_stream;
 };
 
 } // namespace texloom

@@ -21,6 +21,7 @@ struct Exemplar {
 /// All that a method is given: an immutable copy of the input.
 struct Request {
     std::vector<Exemplar> exemplars;      ///< at least one; all with the same number of channels
+    int companionChannels = 0;            ///< how many of these, the last ones, are of companion maps
     std::shared_ptr<const Image> initial; ///< an image of the output's size to start from, or none
     Size size;                            ///< of the output
     Wrap wrap;

@@ -81,14 +81,11 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
 
 void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
                     const fs::path& path) {
-    std::vector<ImageView> images;
-    for (const auto& companions : result.plan.companions)
-        images.push_back(*companions[index].image);
     WriteOptions write;
     write.check = options.check;
     write.depth = depthLike(result.plan.companions.front()[index], path);
     write.space = "raw";
-    writeImage(path, result.synthesis.map.apply(images), write);
+    writeImage(path, result.companion(index), write);
 }
 
 /// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
@@ -101,19 +98,20 @@ std::string companionSuffix(const std::string& exemplar, const std::string& comp
     return rest.front() == '_' ? rest : "_" + rest;
 }
 
+/// A companion's own format, but never one that loses.
+std::string extensionFor(const ExemplarFile& companion) {
+    const std::string& format = companion.info.format;
+    return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
+}
+
 std::vector<Step> companionSteps(const Result& result, const ExportOptions& options) {
     std::vector<Step> steps;
     if (!options.companions || result.plan.companions.empty() || result.plan.companions.front().empty())
         return steps;
-    if (!hasMap(result))
-        failUsage("{} copies no pixels, so that it gives companion maps no layout.",
-                  result.plan.method->info().title);
     const std::vector<ExemplarFile>& companions = result.plan.companions.front();
     std::set<fs::path> taken = {options.image};
     for (std::size_t i = 0; i < companions.size(); ++i) {
-        std::string extension = companions[i].path.extension().string();
-        if (extension == ".jpg" || extension == ".jpeg")
-            extension = ".png";
+        const std::string extension = extensionFor(companions[i]);
         const std::string suffix =
             companionSuffix(result.plan.request.exemplars.front().name, companions[i].name());
         fs::path path = beside(options.image, suffix, extension);
@@ -131,7 +129,7 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
     for (const fs::path& map : options.maps) {
         if (!hasMap(result))
             failUsage("{} copies no pixels, so that it has no position map.",
-                      result.plan.method->info().title);
+                      result.plan.lastMethod().info().title);
         steps.push_back(
             {{map, map.extension() == ".exr" ? "position map (STMap)" : "position map (16-bit)", false},
              [&result, &options, map] {

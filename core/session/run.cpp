@@ -6,6 +6,8 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
@@ -19,8 +21,12 @@ RecipeFile recipeFile(const ExemplarFile& file) {
     return {file.path, file.space, file.hash};
 }
 
-Recipe recipeFor(const RunInput& input, const Values& settings) {
-    Recipe recipe{kVersion, input.method, settings, {}, {}, input.size, input.wrap, input.seed};
+Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
+    Recipe recipe{
+        kVersion,  steps.front().method->id(), steps.front().settings, {}, {}, {}, input.size, input.wrap,
+        input.seed};
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        recipe.then.push_back({steps[i].method->id(), steps[i].settings});
     for (const RunExemplar& exemplar : input.exemplars) {
         RecipeExemplar& entry = recipe.exemplars.emplace_back();
         entry.image = recipeFile(exemplar.image);
@@ -34,12 +40,40 @@ Recipe recipeFor(const RunInput& input, const Values& settings) {
     return recipe;
 }
 
-Request requestFor(const RunInput& input) {
+/// The exemplar with its companions as further channels.
+std::shared_ptr<const Image> withCompanions(const RunExemplar& exemplar) {
+    std::vector<ImageView> images = {*exemplar.image.image};
+    for (const ExemplarFile& companion : exemplar.companions)
+        images.push_back(*companion.image);
+    return std::make_shared<const Image>(stacked(images));
+}
+
+/// An initial image says nothing of companion maps: they start from the means of the first exemplar's.
+std::shared_ptr<const Image> withMeans(const Image& initial, const Image& exemplar) {
+    if (initial.channels() >= exemplar.channels())
+        return std::make_shared<const Image>(initial);
+    Image missing(initial.size(), exemplar.channels() - initial.channels());
+    const std::vector<double> means = channelMeans(exemplar);
+    for (int c = 0; c < missing.channels(); ++c)
+        for (int y = 0; y < missing.height(); ++y)
+            std::fill_n(missing.plane(c).row(y), missing.width(),
+                        static_cast<float>(means[static_cast<std::size_t>(initial.channels() + c)]));
+    const std::array<ImageView, 2> parts = {initial, missing};
+    return std::make_shared<const Image>(stacked(parts));
+}
+
+Request requestFor(const RunInput& input, bool stacks) {
     Request request;
-    for (const RunExemplar& exemplar : input.exemplars)
-        request.exemplars.push_back(
-            {exemplar.image.name(), exemplar.image.image, exemplar.mask ? exemplar.mask->image : nullptr});
-    request.initial = input.initial ? input.initial->image : nullptr;
+    for (const RunExemplar& exemplar : input.exemplars) {
+        request.exemplars.push_back({exemplar.image.name(),
+                                     stacks ? withCompanions(exemplar) : exemplar.image.image,
+                                     exemplar.mask ? exemplar.mask->image : nullptr});
+    }
+    if (stacks)
+        request.companionChannels = request.channels() - input.exemplars.front().image.image->channels();
+    if (input.initial)
+        request.initial = stacks ? withMeans(*input.initial->image, *request.exemplars.front().image)
+                                 : input.initial->image;
     request.size = input.size;
     request.wrap = input.wrap;
     request.seed = input.seed;
@@ -89,9 +123,30 @@ std::vector<Figure> measure(const Synthesis& synthesis, JobContext& context) {
     return figures;
 }
 
+/// Splits the companions' channels off the image.
+void unstack(Result& result, const RunPlan& plan) {
+    if (plan.request.companionChannels == 0)
+        return;
+    const Image made = std::move(result.synthesis.image);
+    int first = made.channels() - plan.request.companionChannels;
+    result.synthesis.image = Image(made.view().channelRange(0, first));
+    for (const ExemplarFile& companion : plan.companions.front()) {
+        result.companions.emplace_back(made.view().channelRange(first, companion.image->channels()));
+        first += companion.image->channels();
+    }
+}
+
 Result runPlan(const RunPlan& plan, JobContext& context) {
     Result result;
-    result.synthesis = plan.method->run(plan.request, plan.settings, context);
+    Request request = plan.request;
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const RunStep& step = plan.steps[i];
+        context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
+        if (i > 0)
+            request.initial = std::make_shared<const Image>(std::move(result.synthesis.image));
+        result.synthesis = step.method->run(request, step.settings, context);
+    }
+    unstack(result, plan);
     context.stage(0, TR("Measuring the result"));
     result.figures = measure(result.synthesis, context);
     result.plan = plan;
@@ -99,6 +154,35 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     for (const StageTime& stage : result.stages)
         result.seconds += stage.seconds;
     return result;
+}
+
+/// Every method of the input, in order, with what was set.
+std::vector<RecipeStep> stepsOf(const RunInput& input) {
+    std::vector<RecipeStep> steps = {{input.method, input.settings}};
+    steps.insert(steps.end(), input.then.begin(), input.then.end());
+    return steps;
+}
+
+/// Checks each step and adds it with its estimate. A later step finds the image of the one before it in
+/// memory, too.
+void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
+    const Size exemplar = plan.request.exemplars.front().image->size();
+    const std::uint64_t between = Image::bytesFor(plan.request.size, plan.request.channels());
+    Request request = plan.request;
+    for (const RecipeStep& step : steps) {
+        RunStep planned{&findMethod(step.method), {}, {}};
+        if (!plan.steps.empty() && !planned.method->info().startsFromImage)
+            failUsage("{} cannot start from an image, so that it cannot follow {}.",
+                      planned.method->info().title, plan.lastMethod().info().title);
+        planned.settings = planned.method->resolved(step.parameters, exemplar);
+        planned.method->check(request, planned.settings);
+        planned.estimate = planned.method->estimate(request, planned.settings, plan.threads);
+        plan.estimate.bytes =
+            std::max(plan.estimate.bytes, planned.estimate.bytes + (plan.steps.empty() ? 0 : between));
+        plan.estimate.seconds += planned.estimate.seconds;
+        plan.steps.push_back(std::move(planned));
+        request.initial = nullptr; // what the first step starts from is not there for the next
+    }
 }
 
 ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
@@ -112,28 +196,30 @@ ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
 
 RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit) {
     RunPlan plan;
-    plan.method = &findMethod(input.method);
     if (input.exemplars.empty())
         failUsage("There is no exemplar to learn from.");
+    checkCompanions(input);
     plan.threads = threadCount(input.threads);
     plan.memoryBefore = residentMemory();
-    plan.request = requestFor(input);
-    plan.settings = plan.method->resolved(input.settings, plan.request.exemplars.front().image->size());
-    plan.method->check(plan.request, plan.settings);
-    checkCompanions(input);
-    plan.estimate = plan.method->estimate(plan.request, plan.settings, plan.threads);
+    const std::vector<RecipeStep> steps = stepsOf(input);
+    const bool stacks =
+        !input.exemplars.front().companions.empty() && !findMethod(steps.back().method).info().copiesPixels;
+    plan.request = requestFor(input, stacks);
+    planSteps(plan, steps);
     checkMemory(plan.estimate, plan.request, memoryLimit > 0 ? memoryLimit : availableMemory());
-    plan.recipe = recipeFor(input, plan.settings);
+    plan.recipe = recipeFor(input, plan.steps);
     for (const RunExemplar& exemplar : input.exemplars)
         plan.companions.push_back(exemplar.companions);
     return plan;
 }
 
 RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::filesystem::path&)>& changed) {
-    findMethod(recipe.method).resolved(recipe.parameters, {});
     RunInput input;
     input.method = recipe.method;
     input.settings = recipe.parameters;
+    input.then = recipe.then;
+    for (const RecipeStep& step : stepsOf(input))
+        findMethod(step.method).resolved(step.parameters, {});
     input.size = recipe.size;
     input.wrap = recipe.wrap;
     input.seed = recipe.seed;
@@ -151,8 +237,24 @@ RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::fi
     return input;
 }
 
+std::string RunPlan::methodIds(const std::string& separator) const {
+    std::string ids = steps.front().method->id();
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        ids += separator + steps[i].method->id();
+    return ids;
+}
+
+Image Result::companion(std::size_t index) const {
+    if (!companions.empty())
+        return companions[index];
+    std::vector<ImageView> images;
+    for (const std::vector<ExemplarFile>& files : plan.companions)
+        images.push_back(*files[index].image);
+    return synthesis.map.apply(images);
+}
+
 std::string Result::label() const {
-    return fmt::format("{} · seed {} · {} × {}", plan.method->id(), plan.request.seed,
+    return fmt::format("{} · seed {} · {} × {}", plan.methodIds(" + "), plan.request.seed,
                        plan.request.size.width, plan.request.size.height);
 }
 
@@ -160,7 +262,7 @@ std::string Result::fileName() const {
     const Size size = plan.request.size;
     const std::string extent = size.width == size.height ? std::to_string(size.width)
                                                          : fmt::format("{}x{}", size.width, size.height);
-    return fmt::format("{}_{}_s{}_{}", plan.request.exemplars.front().name, plan.method->id(),
+    return fmt::format("{}_{}_s{}_{}", plan.request.exemplars.front().name, plan.methodIds("_"),
                        plan.request.seed, extent);
 }
 

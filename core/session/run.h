@@ -23,7 +23,8 @@ struct RunExemplar {
 /// What someone asked for.
 struct RunInput {
     std::string method;
-    Values settings; ///< what was set; the rest gets defaults
+    Values settings;              ///< what was set; the rest gets defaults
+    std::vector<RecipeStep> then; ///< methods that follow, each starting from the image of the one before
     std::vector<RunExemplar> exemplars;
     std::optional<ExemplarFile> initial;
     Size size;
@@ -32,18 +33,28 @@ struct RunInput {
     int threads = 0; ///< 0: one per core; changes the time and memory it takes, never the result
 };
 
-/// A run that was checked and can start: the method, complete settings, an immutable copy of the input, the
-/// recipe that makes it again, and what it will need.
-struct RunPlan {
+/// One method of a run, with complete settings.
+struct RunStep {
     const Method* method = nullptr;
     Values settings;
-    Request request;
+    Estimate estimate;
+};
+
+/// A run that was checked and can start: the methods in order, an immutable copy of the input, the recipe
+/// that makes it again, and what it will need.
+struct RunPlan {
+    std::vector<RunStep> steps; ///< at least one
+    Request request; ///< the first step's; companions are channels of it if the last step copies no pixels
     std::vector<std::vector<ExemplarFile>> companions; ///< for each exemplar
     Recipe recipe;
-    Estimate estimate;
+    Estimate estimate; ///< of all steps together
     std::uint64_t memoryBefore =
         0; ///< resident bytes of this process when the run was planned; the estimate comes on top
     int threads = 0;
+
+    const Method& lastMethod() const { return *steps.back().method; }
+    /// The methods' ids with `separator` between them.
+    std::string methodIds(const std::string& separator) const;
 };
 
 /// Checks everything before anything starts; a method whose check needs a close look at the exemplar may take
@@ -60,11 +71,15 @@ RunInput loadRecipe(const Recipe& recipe,
 /// A finished run: everything that an export, a report or a history needs.
 struct Result {
     RunPlan plan;
-    Synthesis synthesis;
-    std::vector<Figure> figures; ///< the method's, and the quality figures that every result gets
+    Synthesis synthesis;           ///< its image without the companions' channels
+    std::vector<Image> companions; ///< as they were made, where they do not follow from the map
+    std::vector<Figure> figures;   ///< the method's, and the quality figures that every result gets
     std::vector<StageTime> stages;
     double seconds = 0; ///< of work, on plan.threads threads
 
+    /// Companion map `index` of the plan's exemplars in the result's layout. There must be one, and either a
+    /// map of the result or companions made with it.
+    Image companion(std::size_t index) const;
     /// "quilting · seed 1 · 512 × 512"
     std::string label() const;
     /// "bark_quilting_s1_512x512": the name of an exported file, without its extension.

@@ -160,7 +160,7 @@ private Q_SLOTS:
         options.image = toPath(m_folder.filePath(QStringLiteral("made.png")));
         exportResult(*m_window->result(), options);
         const RunPlan& plan = m_window->result()->plan;
-        const Values settings = plan.settings;
+        const Values settings = plan.steps.front().settings;
         const std::uint64_t seed = plan.request.seed;
         const Size size = plan.request.size;
 

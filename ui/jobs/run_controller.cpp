@@ -23,7 +23,7 @@ std::optional<double> secondsLeft(double fraction, double seconds) {
 
 QString labelOf(const RunPlan& plan) {
     return RunController::tr("%1 · seed %2 · %3")
-        .arg(translated(plan.method->info().title))
+        .arg(titleOf(plan))
         .arg(plan.request.seed)
         .arg(sizeText(plan.request.size));
 }

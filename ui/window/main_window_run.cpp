@@ -211,7 +211,7 @@ void MainWindow::showResult() {
     m_results->setBadge(m_resultQuick ? tr("Quick preview") : QString());
     const Size size = m_result->plan.request.size;
     const QString label = tr("%1 · seed %2 · %3 · %4")
-                              .arg(translated(m_result->plan.method->info().title))
+                              .arg(titleOf(m_result->plan))
                               .arg(m_result->plan.request.seed)
                               .arg(sizeText(size), QString::fromStdString(durationText(m_result->seconds)));
     m_results->setTitle(m_resultQuick ? tr("Quick preview: %1").arg(label) : label);

@@ -19,6 +19,13 @@ std::filesystem::path toPath(const QString& path) {
     return QFile::encodeName(path).toStdString();
 }
 
+QString titleOf(const RunPlan& plan) {
+    QStringList titles;
+    for (const RunStep& step : plan.steps)
+        titles += translated(step.method->info().title);
+    return titles.join(QStringLiteral(" + "));
+}
+
 QString sizeText(Size size) {
     return QCoreApplication::translate("text", "%1 × %2").arg(size.width).arg(size.height);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/size.h"
+#include "core/session/run.h"
 
 #include <QString>
 
@@ -15,6 +15,9 @@ QString translated(const std::string& text);
 /// A path as Qt writes it, and back.
 QString toQString(const std::filesystem::path& path);
 std::filesystem::path toPath(const QString& path);
+
+/// "Image quilting", or "Locally Gaussian + Image quilting" where one method follows another.
+QString titleOf(const RunPlan& plan);
 
 /// "512 × 512".
 QString sizeText(Size size);

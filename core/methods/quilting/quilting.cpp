@@ -80,7 +80,8 @@ const Method self = method<Settings>(
      .wraps = true,
      .startsFromImage = true,
      .usesMask = true,
-     .severalExemplars = true},
+     .severalExemplars = true,
+     .copiesPixels = true},
     {field(&Settings::patch, "patch", TR("Patch size"))
          .range(4, 512)
          .unit("px")

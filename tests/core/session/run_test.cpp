@@ -18,9 +18,10 @@ using ::testing::ThrowsMessage;
 TEST(PlanRun, CompletesTheSettings) {
     const SampleRun sample;
     const RunPlan plan = planRun(sample.input);
-    EXPECT_EQ(plan.settings.size(), plan.method->params().size());
-    EXPECT_EQ(plan.settings.at("patch"), Value(12));
-    EXPECT_EQ(plan.recipe.parameters, plan.settings);
+    const RunStep& step = plan.steps.front();
+    EXPECT_EQ(step.settings.size(), step.method->params().size());
+    EXPECT_EQ(step.settings.at("patch"), Value(12));
+    EXPECT_EQ(plan.recipe.parameters, step.settings);
 }
 
 TEST(PlanRun, RefusesMoreMemoryThanThereIsWithBothFigures) {

@@ -1,0 +1,116 @@
+#include "core/io/json_field.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <climits>
+#include <cstdint>
+
+namespace texloom {
+
+using Json = JsonField::Json;
+
+namespace {
+
+constexpr int kDeepest = 16;
+
+} // namespace
+
+JsonField JsonField::at(const std::string& key) const {
+    const std::string full = m_name.empty() ? key : m_name + "." + key;
+    if (!m_json.contains(key))
+        failUsage("The {} has no {}.", m_document, full);
+    return {m_document, m_json.at(key), full};
+}
+
+JsonField JsonField::at(std::size_t index) const {
+    return {m_document, m_json.at(index), m_name + "[" + std::to_string(index) + "]"};
+}
+
+void JsonField::wrong(std::string_view expected) const {
+    std::string text = m_json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (text.size() > 60)
+        text = text.substr(0, 57) + "…";
+    failUsage("The {}'s {} is {}; it must be {}.", m_document, m_name, text, expected);
+}
+
+void JsonField::only(const std::vector<std::string>& known) const {
+    for (const auto& [key, value] : m_json.items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            failUsage("The {} has a field {} that is not known here; there is {}.", m_document,
+                      m_name.empty() ? key : m_name + "." + key, listText(known));
+}
+
+void JsonField::needObject() const {
+    if (!m_json.is_object())
+        wrong("an object");
+}
+
+void JsonField::needArray(std::size_t least, std::size_t most) const {
+    if (!m_json.is_array() || m_json.size() < least || m_json.size() > most)
+        wrong(fmt::format("a list of {} to {}", least, most));
+}
+
+std::string JsonField::text() const {
+    if (!m_json.is_string())
+        wrong("text");
+    return m_json.get<std::string>();
+}
+
+int JsonField::whole() const {
+    // A number above the signed range is stored unsigned and would read as a negative one.
+    const bool fits = m_json.is_number_unsigned()
+                          ? m_json.get<std::uint64_t>() <= INT_MAX
+                          : m_json.is_number_integer() && m_json.get<std::int64_t>() >= INT_MIN;
+    if (!fits)
+        wrong("a whole number that is not too large");
+    return m_json.get<int>();
+}
+
+Value JsonField::value() const {
+    if (m_json.is_boolean())
+        return m_json.get<bool>();
+    if (m_json.is_number_integer())
+        return whole();
+    if (m_json.is_number())
+        return m_json.get<double>();
+    if (m_json.is_string())
+        return text();
+    wrong("a number, text, true or false");
+}
+
+Values JsonField::values() const {
+    needObject();
+    Values values;
+    for (const auto& [name, value] : m_json.items())
+        values[name] = at(name).value();
+    return values;
+}
+
+Json parseJson(const std::string& document, std::string_view text) {
+    try {
+        return Json::parse(text, [&document](int depth, Json::parse_event_t, Json&) {
+            if (depth > kDeepest)
+                failUsage("The {} is nested more than {} levels deep.", document, kDeepest);
+            return true;
+        });
+    } catch (const Json::parse_error& error) {
+        failUsage("The {} is not JSON: it breaks off or goes wrong at byte {}.", document, error.byte);
+    } catch (const Json::exception&) {
+        failUsage("The {} holds a number that is too large.", document);
+    }
+}
+
+Json toJson(const Value& value) {
+    return std::visit([](const auto& held) { return Json(held); }, value);
+}
+
+Json toJson(const Values& values) {
+    Json json = Json::object();
+    for (const auto& [name, value] : values)
+        json[name] = toJson(value);
+    return json;
+}
+
+} // namespace texloom
