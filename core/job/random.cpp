@@ -2,6 +2,9 @@
 
 #include <Random123/philox.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace texloom {
 
 std::uint32_t Random::bits(int x, int y, std::uint32_t n) const {
@@ -15,6 +18,11 @@ std::uint32_t Random::bits(int x, int y, std::uint32_t n) const {
 
 double Random::uniform(int x, int y, std::uint32_t n) const {
     return bits(x, y, n) * 0x1p-32;
+}
+
+double Random::normal(int x, int y, std::uint32_t n) const {
+    const double radius = std::sqrt(-2 * std::log((bits(x, y, 2 * n) + 0.5) * 0x1p-32));
+    return radius * std::cos(2 * std::numbers::pi * uniform(x, y, 2 * n + 1));
 }
 
 std::uint32_t Random::below(std::uint32_t count, int x, int y, std::uint32_t n) const {

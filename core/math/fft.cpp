@@ -15,7 +15,7 @@ namespace texloom {
 
 namespace {
 
-enum class Kind { RealForward, RealBackward, Forward, Backward };
+enum class Kind { RealForward, RealBackward, Forward, Backward, BackwardApart };
 
 /// A batch of one-dimensional transforms: length, how many, and where they lie.
 struct Batch {
@@ -49,6 +49,10 @@ fftwf_plan makePlan(const Batch& b) {
         return fftwf_plan_many_dft_c2r(1, &b.length, b.count, raw(out.data()), nullptr, b.inStride,
                                        b.inDistance, reals, nullptr, b.outStride, b.outDistance,
                                        FFTW_ESTIMATE);
+    case Kind::BackwardApart:
+        return fftwf_plan_many_dft(1, &b.length, b.count, raw(in.data()), nullptr, b.inStride, b.inDistance,
+                                   raw(out.data()), nullptr, b.outStride, b.outDistance, FFTW_BACKWARD,
+                                   FFTW_ESTIMATE);
     case Kind::Forward:
     case Kind::Backward:
         break;
@@ -117,9 +121,14 @@ void RealFft2d::forwardRows(const float* image, int rows, Complex* spectrum,
                   spectrum + column * m_columnStride + m_size.height, Complex(0, 0));
     for (int row = 0; row < rows; row += kBlock) {
         check();
-        const int count = std::min(kBlock, rows - row);
-        const auto plan = planFor({Kind::RealForward, m_size.width, count, 1, static_cast<int>(m_rowStride),
-                                   static_cast<int>(m_columnStride), 1});
+        forwardRows(image, row, std::min(row + kBlock, rows), spectrum);
+    }
+}
+
+void RealFft2d::forwardRows(const float* image, int first, int last, Complex* spectrum) const {
+    for (int row = first; row < last; row += kBlock) {
+        const auto plan = planFor({Kind::RealForward, m_size.width, std::min(kBlock, last - row), 1,
+                                   static_cast<int>(m_rowStride), static_cast<int>(m_columnStride), 1});
         // FFTW's out-of-place real transform leaves its input alone, though its interface does not say const.
         fftwf_execute_dft_r2c(plan, const_cast<float*>(image) + row * m_rowStride, raw(spectrum + row));
     }
@@ -141,10 +150,57 @@ void RealFft2d::backwardRows(Complex* spectrum, int rows, float* image,
                              const std::function<void()>& check) const {
     for (int row = 0; row < rows; row += kBlock) {
         check();
-        const int count = std::min(kBlock, rows - row);
-        const auto plan = planFor({Kind::RealBackward, m_size.width, count, static_cast<int>(m_columnStride),
-                                   1, 1, static_cast<int>(m_rowStride)});
+        backwardRows(spectrum, row, std::min(row + kBlock, rows), image);
+    }
+}
+
+void RealFft2d::backwardRows(Complex* spectrum, int first, int last, float* image) const {
+    for (int row = first; row < last; row += kBlock) {
+        const auto plan = planFor({Kind::RealBackward, m_size.width, std::min(kBlock, last - row),
+                                   static_cast<int>(m_columnStride), 1, 1, static_cast<int>(m_rowStride)});
         fftwf_execute_dft_c2r(plan, raw(spectrum + row), image + row * m_rowStride);
+    }
+}
+
+void RealFft2d::forward(const float* image, Complex* spectrum, const std::function<void()>& check) const {
+    forwardRows(image, m_size.height, spectrum, check);
+    for (int column = 0; column < columns(); column += kBlock) {
+        check();
+        forwardColumns(spectrum, column, std::min(column + kBlock, columns()));
+    }
+}
+
+void RealFft2d::backward(Complex* spectrum, float* image, const std::function<void()>& check) const {
+    for (int column = 0; column < columns(); column += kBlock) {
+        check();
+        backwardColumns(spectrum, column, std::min(column + kBlock, columns()));
+    }
+    backwardRows(spectrum, m_size.height, image, check);
+}
+
+ComplexFft2d::ComplexFft2d(Size size)
+    : m_size(size), m_columnStride(paddedStride(size.height)), m_rowStride((size.width + 7) / 8 * 8) {}
+
+void ComplexFft2d::backward(Complex* spectrum, const std::vector<bool>& filled, Complex* image,
+                            const std::function<void()>& check) const {
+    constexpr int kBlock = RealFft2d::kBlock;
+    const int columnStride = static_cast<int>(m_columnStride);
+    for (int column = 0; column < m_size.width; column += kBlock) {
+        check();
+        const int count = std::min(kBlock, m_size.width - column);
+        const auto begin = filled.begin() + column;
+        if (std::find(begin, begin + count, true) == begin + count)
+            continue;
+        Complex* const block = spectrum + column * m_columnStride;
+        const auto plan = planFor({Kind::Backward, m_size.height, count, 1, columnStride, 1, columnStride});
+        fftwf_execute_dft(plan, raw(block), raw(block));
+    }
+    for (int row = 0; row < m_size.height; row += kBlock) {
+        check();
+        const int count = std::min(kBlock, m_size.height - row);
+        const auto plan = planFor(
+            {Kind::BackwardApart, m_size.width, count, columnStride, 1, 1, static_cast<int>(m_rowStride)});
+        fftwf_execute_dft(plan, raw(spectrum + row), raw(image + row * m_rowStride));
     }
 }
 

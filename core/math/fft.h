@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace texloom {
 
@@ -46,7 +47,8 @@ public:
     Size size() const { return m_size; }
     int columns() const { return m_size.width / 2 + 1; }
     std::ptrdiff_t columnStride() const { return m_columnStride; }
-    /// Floats from one row of a real image to the next.
+    /// Floats from one row of a real image to the next: as in an Image of this size, whose planes can be
+    /// given.
     std::ptrdiff_t rowStride() const { return m_rowStride; }
     std::size_t spectrumSize() const {
         return static_cast<std::size_t>(m_columnStride) * static_cast<std::size_t>(columns());
@@ -59,14 +61,55 @@ public:
     /// `check` is called between blocks and may throw.
     void forwardRows(const float* image, int rows, Complex* spectrum,
                      const std::function<void()>& check) const;
+    /// Transforms the rows [first, last) alone and leaves the other rows of the spectrum as they are. Calls
+    /// for different rows may run at the same time. `first` is a multiple of kBlock.
+    void forwardRows(const float* image, int first, int last, Complex* spectrum) const;
     /// Transforms the columns [first, last) of a spectrum in place.
     void forwardColumns(Complex* spectrum, int first, int last) const;
     void backwardColumns(Complex* spectrum, int first, int last) const;
     /// Gives the first `rows` rows of the image; the spectrum is used up.
     void backwardRows(Complex* spectrum, int rows, float* image, const std::function<void()>& check) const;
+    /// Gives the rows [first, last) alone and uses up the same rows of the spectrum; as forwardRows()
+    /// otherwise.
+    void backwardRows(Complex* spectrum, int first, int last, float* image) const;
 
-    /// Columns are best worked on this many at a time.
+    /// Both passes over the whole image, one thread; `check` is called between blocks and may throw.
+    void forward(const float* image, Complex* spectrum, const std::function<void()>& check) const;
+    void backward(Complex* spectrum, float* image, const std::function<void()>& check) const;
+
+    /// Rows and columns are best worked on this many at a time.
     static constexpr int kBlock = 16;
+
+private:
+    Size m_size;
+    std::ptrdiff_t m_columnStride;
+    std::ptrdiff_t m_rowStride;
+};
+
+/// Two-dimensional backward transforms to complex images, unnormalised, for spectra that are zero in large
+/// parts, as those of analytic signals are: blocks of columns that are zero are not transformed. Plans and
+/// layout are as those of RealFft2d, but a spectrum has all `width` columns.
+class ComplexFft2d {
+public:
+    using Complex = std::complex<float>;
+
+    explicit ComplexFft2d(Size size);
+
+    Size size() const { return m_size; }
+    std::ptrdiff_t columnStride() const { return m_columnStride; }
+    /// Samples from one row of a complex image to the next.
+    std::ptrdiff_t rowStride() const { return m_rowStride; }
+    std::size_t spectrumSize() const {
+        return static_cast<std::size_t>(m_columnStride) * static_cast<std::size_t>(m_size.width);
+    }
+    std::size_t imageSize() const {
+        return static_cast<std::size_t>(m_rowStride) * static_cast<std::size_t>(m_size.height);
+    }
+
+    /// @param filled for each column whether anything in it is not zero. The spectrum is used up.
+    /// @param check called between blocks; may throw.
+    void backward(Complex* spectrum, const std::vector<bool>& filled, Complex* image,
+                  const std::function<void()>& check) const;
 
 private:
     Size m_size;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <thread>
@@ -139,6 +140,25 @@ TEST(Random, DoesNotDependOnTheThread) {
             there.insert(there.begin(), random.bits(x, 2, 1));
     }).join();
     EXPECT_EQ(here, there);
+}
+
+TEST(Random, NormalHasTheMomentsAndTailsOfTheNormalDistribution) {
+    const Random random(5);
+    constexpr int kSide = 400;
+    double sums[5] = {};
+    int beyondTwo = 0;
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const double value = random.normal(x, y, 3);
+            for (int power = 1; power <= 4; ++power)
+                sums[power] += std::pow(value, power) / (kSide * kSide);
+            beyondTwo += std::abs(value) > 2 ? 1 : 0;
+        }
+    EXPECT_NEAR(sums[1], 0, 0.01);
+    EXPECT_NEAR(sums[2], 1, 0.015);
+    EXPECT_NEAR(sums[3], 0, 0.04);
+    EXPECT_NEAR(sums[4], 3, 0.1);
+    EXPECT_NEAR(beyondTwo / static_cast<double>(kSide * kSide), 0.0455, 0.002);
 }
 
 } // namespace texloom::test

@@ -80,7 +80,7 @@ class FftSizes : public ::testing::TestWithParam<Extent> {};
 
 INSTANTIATE_TEST_SUITE_P(RealFft2d, FftSizes,
                          ::testing::Values(Extent{{8, 8}}, Extent{{15, 12}}, Extent{{30, 14}}, Extent{{1, 7}},
-                                           Extent{{7, 1}}, Extent{{36, 35}}),
+                                           Extent{{7, 1}}, Extent{{36, 35}}, Extent{{20, 41}}),
                          [](const auto& test) {
                              return std::to_string(test.param.size.width) + "x" +
                                     std::to_string(test.param.size.height);
@@ -125,6 +125,50 @@ TEST_P(FftSizes, FirstRowsComeAsOfTheWhole) {
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < size.width; ++x)
             ASSERT_NEAR(part.at(part.back, x, y), whole.at(whole.back, x, y), 1e-4);
+}
+
+TEST_P(FftSizes, RowsMayBeDoneInBlocks) {
+    const Size size = GetParam().size;
+    const Transform whole(size), parts(size);
+    whole.forward(size.height);
+    for (int row = 0; row < size.height; row += RealFft2d::kBlock)
+        parts.fft.forwardRows(parts.image.data(), row, std::min(size.height, row + RealFft2d::kBlock),
+                              parts.spectrum.data());
+    for (int k = 0; k < parts.fft.columns(); ++k)
+        parts.fft.forwardColumns(parts.spectrum.data(), k, k + 1);
+    for (int u = 0; u < whole.fft.columns(); ++u)
+        for (int v = 0; v < size.height; ++v)
+            ASSERT_LT(std::abs(whole.bin(u, v) - parts.bin(u, v)), 1e-4);
+}
+
+TEST_P(FftSizes, ComplexBackwardIsTheDefinition) {
+    const Size size = GetParam().size;
+    const ComplexFft2d fft(size);
+    FftBuffer<std::complex<float>> spectrum(fft.spectrumSize()), image(fft.imageSize());
+    const Random random(3);
+    std::fill_n(spectrum.data(), spectrum.size(), std::complex<float>(0));
+    std::vector<bool> filled(static_cast<std::size_t>(size.width), false);
+    std::vector<Wide> bins(static_cast<std::size_t>(size.area()));
+    for (int u = 0; u < (size.width + 2) / 3; ++u) {
+        filled[static_cast<std::size_t>(u)] = true;
+        for (int v = 0; v < size.height; ++v) {
+            const Wide bin(random.uniform(u, v, 0) - 0.5, random.uniform(u, v, 1) - 0.5);
+            spectrum.data()[u * fft.columnStride() + v] = std::complex<float>(bin);
+            bins[static_cast<std::size_t>(u * size.height + v)] = bin;
+        }
+    }
+    fft.backward(spectrum.data(), filled, image.data(), [] {});
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            Wide sum = 0;
+            for (int u = 0; u < size.width; ++u)
+                for (int v = 0; v < size.height; ++v)
+                    sum += bins[static_cast<std::size_t>(u * size.height + v)] *
+                           std::polar(1.0, 2 * std::numbers::pi *
+                                               (static_cast<double>(u) * x / size.width +
+                                                static_cast<double>(v) * y / size.height));
+            ASSERT_LT(std::abs(Wide(image.data()[y * fft.rowStride() + x]) - sum), 1e-4) << x << ' ' << y;
+        }
 }
 
 TEST(RealFft2d, GivesTheSameBitsOnEveryThread) {
