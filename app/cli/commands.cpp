@@ -209,7 +209,7 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 
 /// Refuses before the work what would fail after it, or write over what it was made from.
 void checkOutputs(const RunPlan& plan, const OutputOptions& out, Depth depth) {
-    checkWritable(out.output, plan.request.channels(), depth);
+    checkWritable(out.output, plan.request.resultChannels(), depth);
     for (const RecipeExemplar& exemplar : plan.recipe.exemplars)
         if (sameFile(exemplar.image.path, out.output))
             failUsage("-o {}: it is the exemplar, which would be lost; name another file.",

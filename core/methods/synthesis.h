@@ -29,6 +29,8 @@ struct Request {
 
     std::vector<Size> exemplarSizes() const;
     int channels() const { return exemplars.front().image->channels(); }
+    /// Channels of the result without those of companion maps.
+    int resultChannels() const { return channels() - companionChannels; }
 };
 
 /// A named series of numbers, such as the energy of each iteration.

@@ -128,7 +128,7 @@ void unstack(Result& result, const RunPlan& plan) {
     if (plan.request.companionChannels == 0)
         return;
     const Image made = std::move(result.synthesis.image);
-    int first = made.channels() - plan.request.companionChannels;
+    int first = plan.request.resultChannels();
     result.synthesis.image = Image(made.view().channelRange(0, first));
     for (const ExemplarFile& companion : plan.companions.front()) {
         result.companions.emplace_back(made.view().channelRange(first, companion.image->channels()));

@@ -257,6 +257,24 @@ TEST_F(Cli, ApplyLaysOutACompanionAsTheSynthDid) {
     EXPECT_TRUE(samePixels(image("applied.png"), image("out_normal.png")));
 }
 
+TEST_F(Cli, MethodsFollowEachOther) {
+    const Ended ended = runCli({"synth", "random-phase", "bark.png", "--then", "quilting", "--set",
+                                "quilting.patch=14", "--set", "model=spot-noise", "-o", "both.png"},
+                               m_folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Json recipe = json("both.json");
+    EXPECT_EQ(recipe.at("parameters").at("model"), "spot-noise");
+    EXPECT_EQ(recipe.at("then").at(0).at("method"), "quilting");
+    EXPECT_EQ(recipe.at("then").at(0).at("parameters").at("patch"), 14);
+    run({"run", "both.png", "-o", "again.png"});
+    EXPECT_TRUE(samePixels(image("again.png"), image("both.png")));
+}
+
+TEST_F(Cli, CompanionsAreMadeWithTheResult) {
+    run({"synth", "random-phase", "bark.png", "--companion", "bark_normal.png", "-o", "field.png"});
+    EXPECT_EQ(image("field_normal.png").size(), image("field.png").size());
+}
+
 TEST_F(Cli, ReportsRecipeStagesTimesMemoryAndFigures) {
     synth({"--report", "report.json", "--threads", "1"});
     const Json report = json("report.json");

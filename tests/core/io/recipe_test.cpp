@@ -23,6 +23,7 @@ Recipe fullRecipe() {
     recipe.version = "1.2.3";
     recipe.method = "quilting";
     recipe.parameters = {{"patch", 40}, {"overlap", 0.1}, {"mirror", true}, {"stitch", std::string("cut")}};
+    recipe.then = {{"random-phase", {{"model", std::string("spot-noise")}}}, {"quilting", {}}};
     RecipeExemplar bark;
     bark.image = {"/project/images/bark ü.png", "srgb", "A0B1"};
     bark.mask = RecipeFile{"/project/recipes/mask.png", "raw", "C2"};
@@ -48,6 +49,11 @@ void expectSame(const Recipe& a, const Recipe& b) {
     EXPECT_EQ(a.version, b.version);
     EXPECT_EQ(a.method, b.method);
     EXPECT_EQ(a.parameters, b.parameters);
+    ASSERT_EQ(a.then.size(), b.then.size());
+    for (std::size_t i = 0; i < a.then.size(); ++i) {
+        EXPECT_EQ(a.then[i].method, b.then[i].method);
+        EXPECT_EQ(a.then[i].parameters, b.then[i].parameters);
+    }
     EXPECT_EQ(a.size, b.size);
     EXPECT_EQ(a.wrap, b.wrap);
     EXPECT_EQ(a.seed, b.seed);

@@ -1,0 +1,175 @@
+// Methods that follow each other in one run, and companion maps that are made together with the result.
+
+#include "core/session/preset.h"
+#include "tests/core/refusal.h"
+#include "tests/core/session/sample_run.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+namespace texloom::test {
+
+namespace {
+
+/// Random phase, then quilting on what it made.
+struct PipelineRun : SampleRun {
+    PipelineRun() {
+        input.method = "random-phase";
+        input.settings = {};
+        input.then = {{"quilting", {{"patch", 12}}}};
+    }
+};
+
+/// A step's image by the method alone, with the numbers of the step's stream.
+Image alone(const SampleRun& sample, std::size_t step, std::shared_ptr<const Image> initial) {
+    const RunPlan plan = planRun(sample.input);
+    Request request = plan.request;
+    request.initial = std::move(initial);
+    Job<Image> job({plan.request.seed, 1, false}, [&](JobContext& context) {
+        context.step(static_cast<std::uint32_t>(step), 1);
+        return plan.steps[step].method->run(request, plan.steps[step].settings, context).image;
+    });
+    return std::get<Image>(job.take());
+}
+
+} // namespace
+
+TEST(Pipeline, EachStepStartsFromTheImageOfTheOneBefore) {
+    const PipelineRun sample;
+    const auto first = std::make_shared<const Image>(alone(sample, 0, nullptr));
+    const Image second = alone(sample, 1, first);
+    EXPECT_TRUE(samePixels(sample.run().synthesis.image, second));
+    EXPECT_FALSE(samePixels(alone(sample, 1, nullptr), second)) << "the first step must matter";
+}
+
+TEST(Pipeline, GivesTheSameBitsOnAnyNumberOfThreads) {
+    PipelineRun sample;
+    sample.input.threads = 1;
+    const Image one = sample.run().synthesis.image;
+    sample.input.threads = 5;
+    EXPECT_TRUE(samePixels(sample.run().synthesis.image, one));
+}
+
+TEST(Pipeline, RunsAgainFromItsRecipe) {
+    const PipelineRun sample;
+    const Result first = sample.run();
+    const Recipe recipe =
+        Recipe::fromJson(first.plan.recipe.toJson(sample.folder.path()), sample.folder.path());
+    ASSERT_EQ(recipe.then.size(), 1U);
+    EXPECT_EQ(recipe.then[0].method, "quilting");
+    EXPECT_EQ(recipe.then[0].parameters, first.plan.steps[1].settings);
+    SampleRun again;
+    again.input = loadRecipe(recipe);
+    EXPECT_TRUE(samePixels(again.run().synthesis.image, first.synthesis.image));
+}
+
+TEST(Pipeline, NeedsTheMemoryOfItsLargestStepAndTheImageBetween) {
+    const RunPlan plan = planRun(PipelineRun().input);
+    ASSERT_EQ(plan.steps.size(), 2U);
+    const std::uint64_t between = Image::bytesFor(plan.request.size, plan.request.channels());
+    EXPECT_EQ(plan.estimate.bytes,
+              std::max(plan.steps[0].estimate.bytes, plan.steps[1].estimate.bytes + between));
+    EXPECT_DOUBLE_EQ(plan.estimate.seconds, plan.steps[0].estimate.seconds + plan.steps[1].estimate.seconds);
+}
+
+TEST(Pipeline, IsNamedAfterAllItsMethods) {
+    const Result result = PipelineRun().run();
+    EXPECT_EQ(result.label(), "random-phase + quilting · seed 3 · 64 × 60");
+    EXPECT_EQ(result.fileName(), "bark_random-phase_quilting_s3_64x60");
+}
+
+TEST(Pipeline, RefusesAMethodThatCannotStartFromAnImage) {
+    SampleRun sample;
+    sample.input.then = {{"random-phase", {}}};
+    EXPECT_THAT([&] { planRun(sample.input); },
+                usageRefusal("Random phase", "start from an image", "Image quilting"));
+}
+
+TEST(Pipeline, RefusesAWrongSettingOfALaterStep) {
+    PipelineRun sample;
+    sample.input.then[0].parameters["patch"] = 1;
+    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("patch", "1", "4"));
+    sample.input.then[0] = {"quiting", {}};
+    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("Did you mean quilting?"));
+}
+
+TEST(Pipeline, ProgressCoversAllSteps) {
+    JobMonitor monitor;
+    JobContext context(
+        {1, 1, false}, [] { return false; }, monitor);
+    context.step(0, 0.25);
+    context.stage(1, "first");
+    context.progress(1);
+    EXPECT_DOUBLE_EQ(monitor.progress(), 0.25);
+    const std::uint32_t first = context.random().bits(3, 4);
+    context.step(1, 0.75);
+    context.stage(0.5, "second");
+    context.progress(1);
+    EXPECT_DOUBLE_EQ(monitor.progress(), 0.625);
+    context.stage(0.5, "third");
+    context.progress(1);
+    EXPECT_DOUBLE_EQ(monitor.progress(), 1);
+    EXPECT_NE(context.random().bits(3, 4), first);
+}
+
+TEST(Companions, AreMadeWithTheResultWhereNoPixelsAreCopied) {
+    PipelineRun sample;
+    sample.input.then.clear();
+    sample.addCompanion("bark_normal", {48, 44});
+    const Result result = sample.run();
+    EXPECT_EQ(result.synthesis.image.channels(), 3);
+    ASSERT_EQ(result.companions.size(), 1U);
+    EXPECT_EQ(result.companions[0].size(), result.synthesis.image.size());
+
+    const RunExemplar& exemplar = sample.input.exemplars[0];
+    const std::array<ImageView, 2> channels = {*exemplar.image.image, *exemplar.companions[0].image};
+    sample.input.exemplars[0].image.image = std::make_shared<const Image>(stacked(channels));
+    sample.input.exemplars[0].companions.clear();
+    const Image all = sample.run().synthesis.image;
+    EXPECT_TRUE(samePixels(result.synthesis.image, all.view().channelRange(0, 3)));
+    EXPECT_TRUE(samePixels(result.companion(0), all.view().channelRange(3, 3)));
+}
+
+TEST(Companions, FollowTheMapOfALastStepThatCopies) {
+    PipelineRun sample;
+    sample.addCompanion("bark_normal", {48, 44});
+    const Result result = sample.run();
+    EXPECT_TRUE(result.companions.empty());
+    EXPECT_TRUE(samePixels(result.companion(0),
+                           result.synthesis.map.apply(*sample.input.exemplars[0].companions[0].image)));
+}
+
+TEST(Preset, IsReadWithItsSteps) {
+    const Preset preset = Preset::fromJson("a-b", R"({"title": "A", "summary": "B.", "steps": [
+        {"method": "random-phase"}, {"method": "quilting", "parameters": {"patch": 20}}]})");
+    EXPECT_EQ(preset.id, "a-b");
+    ASSERT_EQ(preset.steps.size(), 2U);
+    EXPECT_EQ(preset.steps[1].parameters, (Values{{"patch", 20}}));
+}
+
+TEST(Preset, NamesTheWrongField) {
+    const auto read = [](const char* steps) {
+        return [text = std::string(R"({"title": "A", "summary": "B.", "steps": )") + steps + "}"] {
+            Preset::fromJson("a", text);
+        };
+    };
+    EXPECT_THAT(read("[]"), usageRefusal("preset's steps", "at least one method"));
+    EXPECT_THAT(read(R"([{"method": 3}])"), usageRefusal("preset's steps[0].method", "3", "text"));
+    EXPECT_THAT(read(R"([{"method": "quilting", "parameters": {"pach": 3}}])"),
+                usageRefusal("pach", "patch"));
+}
+
+TEST(Preset, EveryShippedOneCanBeUsed) {
+    for (const Preset& preset : presets()) {
+        SampleRun sample;
+        sample.input.method = preset.steps.front().method;
+        sample.input.settings = {};
+        sample.input.then.assign(preset.steps.begin() + 1, preset.steps.end());
+        sample.input.exemplars.front() = {loadExemplar(sample.write("sand", {96, 96}, 3)), {}, {}};
+        EXPECT_NO_THROW(planRun(sample.input)) << preset.id;
+        EXPECT_EQ(findPreset(preset.id), &preset);
+    }
+}
+
+} // namespace texloom::test
