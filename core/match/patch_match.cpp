@@ -1,0 +1,257 @@
+#include "core/match/patch_match.h"
+
+#include "core/job/pool.h"
+#include "core/match/interleaved.h"
+#include "core/match/patch_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace texloom {
+
+namespace {
+
+/// Side of the tiles that one thread scans at a time.
+constexpr int kTile = 64;
+/// Leaves of the tree that a start looks into, unless an equal patch is met.
+constexpr int kLeaves = 3;
+
+/// One image to find patches in.
+class Target {
+public:
+    Target(const PatchSource& source, int patch)
+        : m_pixels(source.image.size(), source.image.channels), m_positions{source.image.width - patch + 1,
+                                                                            source.image.height - patch + 1} {
+        m_pixels.load(source.image, 0, 0, source.image.size());
+        if (source.mask.data)
+            allow(source.mask, patch);
+    }
+
+    const Interleaved& pixels() const { return m_pixels; }
+    int longerSide() const { return m_positions.longerSide(); }
+    std::int64_t count() const {
+        return m_allowed.empty() ? m_positions.area() : static_cast<std::int64_t>(m_list.size());
+    }
+    bool has(int x, int y) const {
+        return x >= 0 && y >= 0 && x < m_positions.width && y < m_positions.height &&
+               (m_allowed.empty() || m_allowed[index(x, y)] != 0);
+    }
+    /// The nth patch that may be found, row by row.
+    Source nth(std::int64_t n, std::uint16_t exemplar) const {
+        const std::int64_t at = m_allowed.empty() ? n : m_list[static_cast<std::size_t>(n)];
+        return {static_cast<std::uint16_t>(at % m_positions.width),
+                static_cast<std::uint16_t>(at / m_positions.width), exemplar};
+    }
+
+private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    void allow(const PlaneView& mask, int patch) {
+        m_allowed.assign(static_cast<std::size_t>(m_positions.area()), 1);
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x) {
+                if (mask(x, y) != 0)
+                    continue;
+                for (int py = std::max(0, y - patch + 1); py <= std::min(y, m_positions.height - 1); ++py)
+                    for (int px = std::max(0, x - patch + 1); px <= std::min(x, m_positions.width - 1); ++px)
+                        m_allowed[index(px, py)] = 0;
+            }
+        for (std::size_t i = 0; i < m_allowed.size(); ++i)
+            if (m_allowed[i] != 0)
+                m_list.push_back(static_cast<std::int32_t>(i));
+    }
+
+    Interleaved m_pixels;
+    Size m_positions;
+    std::vector<std::uint8_t> m_allowed; ///< empty: all
+    std::vector<std::int32_t> m_list;    ///< the allowed ones
+};
+
+/// A few numbers from one draw by place (Marsaglia's xorshift), since a draw costs as much as a distance.
+class Stretched {
+public:
+    explicit Stretched(std::uint32_t bits) : m_state(bits | 1U) {}
+    /// In [-radius, radius].
+    int within(int radius) {
+        m_state ^= m_state << 13U;
+        m_state ^= m_state >> 17U;
+        m_state ^= m_state << 5U;
+        const auto range = static_cast<std::uint64_t>(2 * radius + 1);
+        return static_cast<int>((m_state * range) >> 32U) - radius;
+    }
+
+private:
+    std::uint32_t m_state;
+};
+
+class Matcher {
+public:
+    Matcher(const ImageView& query, std::span<const PatchSource> sources, const PatchMatchOptions& options,
+            JobContext& context)
+        : m_query(query), m_patch(options.patch), m_iterations(options.iterations), m_context(context),
+          m_field({options.wrap.x ? query.width : query.width - options.patch + 1,
+                   options.wrap.y ? query.height : query.height - options.patch + 1}),
+          m_tiles{(m_field.size().width + kTile - 1) / kTile, (m_field.size().height + kTile - 1) / kTile} {
+        for (const PatchSource& source : sources) {
+            m_targets.emplace_back(source, options.patch);
+            m_count += m_targets.back().count();
+            context.check();
+        }
+        std::vector<const Interleaved*> images;
+        for (const Target& target : m_targets)
+            images.push_back(&target.pixels());
+        m_tree.emplace(
+            images, query.channels, m_patch,
+            [this](const Source& source) { return m_targets[source.exemplar].has(source.x, source.y); },
+            [&context] { context.check(); });
+    }
+
+    PatchField run() {
+        const int tiles = static_cast<int>(m_tiles.area());
+        m_context.parallel(0, tiles, [this](int tile) { start(tile); });
+        for (int iteration = 0; iteration < m_iterations; ++iteration)
+            for (int color = 0; color < 2; ++color) {
+                m_context.parallel(0, tiles, [&](int tile) {
+                    if ((tile % m_tiles.width + tile / m_tiles.width) % 2 == color)
+                        improve(tile, iteration);
+                });
+                m_context.progress((iteration + 0.5 * (color + 1)) / m_iterations);
+            }
+        return std::move(m_field);
+    }
+
+private:
+    /// A tile with the part of the query that its patches cover.
+    struct Tile {
+        int left, top, right, bottom; ///< of the field; right and bottom excluded
+    };
+
+    Tile tile(int number) const {
+        const int left = number % m_tiles.width * kTile, top = number / m_tiles.width * kTile;
+        return {left, top, std::min(left + kTile, m_field.size().width),
+                std::min(top + kTile, m_field.size().height)};
+    }
+
+    Pool<Interleaved>::Loan pixelsOf(const Tile& tile) {
+        const int margin = m_patch - 1;
+        auto pixels = m_pool.borrow([&] {
+            return Interleaved({kTile + margin, kTile + margin}, m_query.channels);
+        });
+        pixels->load(m_query, tile.left, tile.top,
+                     {tile.right - tile.left + margin, tile.bottom - tile.top + margin});
+        return pixels;
+    }
+
+    float distance(const float* patch, std::ptrdiff_t stride, const Source& source, float limit) const {
+        const Interleaved& pixels = m_targets[source.exemplar].pixels();
+        return squaredDistance(patch, stride, pixels.at(source.x, source.y), pixels.stride(), m_patch,
+                               m_patch * pixels.pixel, limit);
+    }
+
+    Source anySource(int x, int y) const {
+        auto n =
+            static_cast<std::int64_t>(m_context.random().uniform(x, y, 0) * static_cast<double>(m_count));
+        std::uint16_t exemplar = 0;
+        for (; n >= m_targets[exemplar].count(); ++exemplar)
+            n -= m_targets[exemplar].count();
+        return m_targets[exemplar].nth(n, exemplar);
+    }
+
+    void start(int number) {
+        const Tile area = tile(number);
+        const auto pixels = pixelsOf(area);
+        for (int y = area.top; y < area.bottom; ++y)
+            for (int x = area.left; x < area.right; ++x) {
+                const float* patch = pixels->at(x - area.left, y - area.top);
+                PatchMatch best{anySource(x, y), HUGE_VALF};
+                PatchTree::Lookup lookup(*m_tree, patch, pixels->stride());
+                for (int leaf = 0; leaf < kLeaves && best.distance > 0; ++leaf)
+                    for (const Source& source : lookup.next()) {
+                        const float found = distance(patch, pixels->stride(), source, best.distance);
+                        if (found < best.distance)
+                            best = {source, found};
+                    }
+                if (best.distance == HUGE_VALF)
+                    best.distance = distance(patch, pixels->stride(), best.source, HUGE_VALF);
+                m_field.at(x, y) = best;
+            }
+    }
+
+    /// The scan goes right and down in even iterations, left and up in odd ones.
+    void improve(int number, int iteration) {
+        const Tile area = tile(number);
+        const auto pixels = pixelsOf(area);
+        const int step = iteration % 2 == 0 ? 1 : -1;
+        const int columns = area.right - area.left, rows = area.bottom - area.top;
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i) {
+                const int x = step > 0 ? area.left + i : area.right - 1 - i;
+                const int y = step > 0 ? area.top + j : area.bottom - 1 - j;
+                improvePatch(x, y, pixels->at(x - area.left, y - area.top), pixels->stride(), step,
+                             iteration);
+            }
+    }
+
+    void improvePatch(int x, int y, const float* patch, std::ptrdiff_t stride, int step, int iteration) {
+        PatchMatch best = m_field.at(x, y);
+        if (best.distance <= 0)
+            return;
+        const auto attempt = [&](std::uint16_t exemplar, int toX, int toY) {
+            if (!m_targets[exemplar].has(toX, toY))
+                return;
+            const Source source{static_cast<std::uint16_t>(toX), static_cast<std::uint16_t>(toY), exemplar};
+            if (source == best.source)
+                return;
+            const float found = distance(patch, stride, source, best.distance);
+            if (found < best.distance)
+                best = {source, found};
+        };
+        for (const int ahead : {step, -step}) {
+            if (const int beside = x - ahead; beside >= 0 && beside < m_field.size().width) {
+                const Source& near = m_field.at(beside, y).source;
+                attempt(near.exemplar, near.x + ahead, near.y);
+            }
+            if (const int beside = y - ahead; beside >= 0 && beside < m_field.size().height) {
+                const Source& near = m_field.at(x, beside).source;
+                attempt(near.exemplar, near.x, near.y + ahead);
+            }
+        }
+        Stretched random(m_context.random().bits(x, y, static_cast<std::uint32_t>(iteration) + 1));
+        for (int radius = m_targets[best.source.exemplar].longerSide(); radius >= 1; radius /= 2) {
+            const int toX = best.source.x + random.within(radius);
+            attempt(best.source.exemplar, toX, best.source.y + random.within(radius));
+        }
+        m_field.at(x, y) = best;
+    }
+
+    ImageView m_query;
+    int m_patch;
+    int m_iterations;
+    JobContext& m_context;
+    std::vector<Target> m_targets;
+    std::int64_t m_count = 0; ///< patches in all targets
+    std::optional<PatchTree> m_tree;
+    PatchField m_field;
+    Size m_tiles;
+    Pool<Interleaved> m_pool;
+};
+
+} // namespace
+
+double PatchField::meanDistance() const {
+    double sum = 0;
+    for (const PatchMatch& match : m_matches)
+        sum += static_cast<double>(match.distance);
+    return sum / static_cast<double>(m_matches.size());
+}
+
+PatchField matchPatches(const ImageView& query, std::span<const PatchSource> sources,
+                        const PatchMatchOptions& options, JobContext& context) {
+    return Matcher(query, sources, options, context).run();
+}
+
+} // namespace texloom

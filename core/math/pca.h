@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace texloom {
+
+/// The directions in which vectors vary most: eigenvectors of their covariance, by falling variance. Each
+/// direction's largest component is positive, so that it does not depend on the solver's whim.
+struct PrincipalAxes {
+    int dimension = 0;
+    std::vector<double> mean;      ///< dimension
+    std::vector<double> axes;      ///< count × dimension, one direction a row, orthonormal
+    std::vector<double> variances; ///< count
+
+    int count() const { return static_cast<int>(variances.size()); }
+    std::span<const double> axis(int index) const {
+        const auto length = static_cast<std::size_t>(dimension);
+        return {axes.data() + static_cast<std::size_t>(index) * length, length};
+    }
+};
+
+/// @param vectors one after another, each of `dimension` values; at least one. @param count of directions
+/// wanted, at most `dimension`.
+PrincipalAxes principalAxes(std::span<const double> vectors, int dimension, int count);
+
+} // namespace texloom
