@@ -1,15 +1,12 @@
 #pragma once
 
 #include "core/job/job_context.h"
-#include "core/match/boundary_cut.h"
-#include "core/match/patch_distances.h"
-#include "core/methods/quilting/grid.h"
+#include "core/job/pool.h"
+#include "core/match/patch_canvas.h"
+#include "core/match/patch_search.h"
 #include "core/methods/quilting/settings.h"
 #include "core/methods/synthesis.h"
 
-#include <cstdint>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 namespace texloom::quilting {
@@ -20,9 +17,6 @@ namespace texloom::quilting {
 class Quilter {
 public:
     Quilter(const Request& request, const Settings& settings, JobContext& context);
-    ~Quilter();
-    Quilter(const Quilter&) = delete;
-    Quilter& operator=(const Quilter&) = delete;
 
     /// Runs to the end, as a wavefront over the context's threads or one patch after another in raster order:
     /// both give the same bits.
@@ -30,38 +24,28 @@ public:
     Synthesis run(Order order = Order::Wavefront);
 
 private:
-    struct Workspace;
-    struct Candidate {
-        int exemplar = 0, x = 0, y = 0;
+    /// What one thread needs to place a patch.
+    struct Workspace {
+        Image known;  ///< the patch as it is on the canvas
+        Image error;  ///< squared differences to the chosen patch, where they overlap
+        Image weight; ///< share of the old pixel, 0 to 1
+        PatchSearch::Scratch scratch;
     };
 
     void prepareExemplars();
-    void startFromInitial();
     void place(int index);
-    Footprint compared(const Cell& cell) const;
-    void readPatch(const Cell& cell, Image& patch) const;
-    Candidate choose(const Cell& cell, Workspace& work) const;
-    Candidate firstPatch(const Cell& cell) const;
-    Candidate drawn(const Cell& cell, const Workspace& work) const;
-    void measureError(const Cell& cell, const Candidate& source, Workspace& work) const;
-    void weigh(const Cell& cell, const BoundaryCut& cut, Workspace& work) const;
-    void stitch(const Cell& cell, const Candidate& source, const Workspace& work);
-
-    std::unique_ptr<Workspace> borrow();
-    void giveBack(std::unique_ptr<Workspace> work);
+    Footprint compared(const PatchCell& cell) const;
+    PatchPosition choose(const PatchCell& cell, Workspace& work) const;
+    void trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight);
 
     const Request& m_request;
     const Settings& m_settings;
     JobContext& m_context;
-    Axis m_horizontal, m_vertical;
-    Grid m_grid;
-    float m_smallest; ///< distances below it count as it
-    std::vector<PatchDistances> m_distances;
-    Image m_canvas;
+    PatchSearch m_search;
+    PatchCanvas m_canvas;
     PositionMap m_map;
     std::vector<double> m_cutCosts; ///< by cell, so that sums do not depend on the order
-    std::mutex m_mutex;
-    std::vector<std::unique_ptr<Workspace>> m_idle;
+    Pool<Workspace> m_pool;
 };
 
 } // namespace texloom::quilting

@@ -1,4 +1,4 @@
-#include "core/methods/quilting/grid.h"
+#include "core/match/patch_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,8 @@
 namespace texloom::test {
 namespace {
 
-using quilting::Axis;
-using quilting::Cell;
-using quilting::Grid;
-
 /// Number of steps that a wavefront with as many threads as it likes needs.
-int longestChain(const Grid& grid) {
+int longestChain(const PatchGrid& grid) {
     std::vector<int> depth(static_cast<std::size_t>(grid.count()), 1);
     for (int i = 0; i < grid.count(); ++i)
         for (const int earlier : grid.before(i))
@@ -23,7 +19,7 @@ int longestChain(const Grid& grid) {
 }
 
 /// Whether two cells share a pixel on a canvas of this size.
-bool touch(const Cell& a, const Cell& b, int patch, Size canvas) {
+bool touch(const PatchCell& a, const PatchCell& b, int patch, Size canvas) {
     const auto meet = [patch](int p, int q, int length) {
         const int distance = std::abs(p - q);
         return std::min(distance, length - distance) < patch;
@@ -32,7 +28,7 @@ bool touch(const Cell& a, const Cell& b, int patch, Size canvas) {
 }
 
 /// Everything that must be done before a cell, directly or not.
-std::vector<std::set<int>> ancestors(const Grid& grid) {
+std::vector<std::set<int>> ancestors(const PatchGrid& grid) {
     std::vector<std::set<int>> all(static_cast<std::size_t>(grid.count()));
     for (int i = 0; i < grid.count(); ++i)
         for (const int earlier : grid.before(i)) {
@@ -43,11 +39,11 @@ std::vector<std::set<int>> ancestors(const Grid& grid) {
     return all;
 }
 
-TEST(QuiltingGrid, wavefrontTakesTheSourcesNumberOfSteps) {
+TEST(PatchGrid, wavefrontTakesTheSourcesNumberOfSteps) {
     for (const Size patches : {Size{1, 1}, Size{5, 1}, Size{1, 5}, Size{7, 4}, Size{3, 9}}) {
-        const Axis horizontal(10 + 7 * (patches.width - 1), 10, 3, false);
-        const Axis vertical(10 + 7 * (patches.height - 1), 10, 3, false);
-        const Grid grid(horizontal, vertical);
+        const PatchAxis horizontal(10 + 7 * (patches.width - 1), 10, 3, false);
+        const PatchAxis vertical(10 + 7 * (patches.height - 1), 10, 3, false);
+        const PatchGrid grid(horizontal, vertical);
         ASSERT_EQ(grid.count(), patches.area());
         if (patches.width > 1) {
             EXPECT_EQ(longestChain(grid), 2 * (patches.height - 1) + patches.width);
@@ -55,13 +51,14 @@ TEST(QuiltingGrid, wavefrontTakesTheSourcesNumberOfSteps) {
     }
 }
 
-TEST(QuiltingGrid, cellsThatTouchAreAlwaysOrdered) {
+TEST(PatchGrid, cellsThatTouchAreAlwaysOrdered) {
     for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
         for (const int overlap : {1, 3, 5})
             for (const int width : {10, 14, 21, 37, 58})
                 for (const int height : {10, 19, 44}) {
-                    const Axis horizontal(width, 10, overlap, wrap.x), vertical(height, 10, overlap, wrap.y);
-                    const Grid grid(horizontal, vertical);
+                    const PatchAxis horizontal(width, 10, overlap, wrap.x),
+                        vertical(height, 10, overlap, wrap.y);
+                    const PatchGrid grid(horizontal, vertical);
                     const Size canvas{wrap.x ? width : 100000, wrap.y ? height : 100000};
                     const auto before = ancestors(grid);
                     for (int i = 0; i < grid.count(); ++i)
@@ -74,11 +71,11 @@ TEST(QuiltingGrid, cellsThatTouchAreAlwaysOrdered) {
                 }
 }
 
-TEST(QuiltingGrid, patchesCoverTheOutputAndOverlapByAtMostHalf) {
+TEST(PatchGrid, patchesCoverTheOutputAndOverlapByAtMostHalf) {
     for (const bool wraps : {false, true})
         for (int length = 10; length < 90; ++length)
             for (const int overlap : {1, 2, 5}) {
-                const Axis axis(length, 10, overlap, wraps);
+                const PatchAxis axis(length, 10, overlap, wraps);
                 for (int i = wraps ? 0 : 1; i < axis.count(); ++i) {
                     EXPECT_GE(axis.overlapBefore(i), 0) << length;
                     EXPECT_LE(axis.overlapBefore(i), 5) << length;
@@ -88,12 +85,12 @@ TEST(QuiltingGrid, patchesCoverTheOutputAndOverlapByAtMostHalf) {
             }
 }
 
-TEST(QuiltingGrid, overlapsNameExactlyTheKnownPixels) {
+TEST(PatchGrid, overlapsNameExactlyTheKnownPixels) {
     const Size canvas{37, 29};
     const int patch = 10;
-    const Grid grid(Axis(canvas.width, patch, 3, true), Axis(canvas.height, patch, 3, true));
+    const PatchGrid grid(PatchAxis(canvas.width, patch, 3, true), PatchAxis(canvas.height, patch, 3, true));
     std::vector<bool> known(static_cast<std::size_t>(canvas.area()), false);
-    for (const Cell& cell : grid.cells()) {
+    for (const PatchCell& cell : grid.cells()) {
         for (int y = 0; y < patch; ++y)
             for (int x = 0; x < patch; ++x) {
                 const int at = (cell.y + y) % canvas.height * canvas.width + (cell.x + x) % canvas.width;

@@ -1,9 +1,9 @@
-#include "core/methods/quilting/grid.h"
+#include "core/match/patch_grid.h"
 
 #include <algorithm>
 #include <cstdint>
 
-namespace texloom::quilting {
+namespace texloom {
 
 namespace {
 
@@ -13,7 +13,7 @@ int dividedUp(int a, int b) {
 
 } // namespace
 
-Axis::Axis(int length, int patch, int overlap, bool wraps) : m_patch(patch), m_wraps(wraps) {
+PatchAxis::PatchAxis(int length, int patch, int overlap, bool wraps) : m_patch(patch), m_wraps(wraps) {
     const int step = patch - overlap;
     if (!wraps) {
         const int count = length <= patch ? 1 : 1 + dividedUp(length - patch, step);
@@ -29,12 +29,12 @@ Axis::Axis(int length, int patch, int overlap, bool wraps) : m_patch(patch), m_w
     m_canvas = length;
 }
 
-int Axis::overlapBefore(int index) const {
+int PatchAxis::overlapBefore(int index) const {
     const int previous = index > 0 ? start(index - 1) : m_starts.back() - m_canvas;
     return m_patch - (start(index) - previous);
 }
 
-Grid::Grid(const Axis& horizontal, const Axis& vertical)
+PatchGrid::PatchGrid(const PatchAxis& horizontal, const PatchAxis& vertical)
     : m_columns(horizontal.count()), m_lag(horizontal.wraps() ? 2 : 1) {
     for (int row = 0; row < vertical.count(); ++row)
         for (int nth = 0; nth < m_columns; ++nth) {
@@ -52,7 +52,7 @@ Grid::Grid(const Axis& horizontal, const Axis& vertical)
         }
 }
 
-std::vector<int> Grid::before(int index) const {
+std::vector<int> PatchGrid::before(int index) const {
     const int row = index / m_columns;
     const int nth = index % m_columns;
     std::vector<int> needed;
@@ -63,4 +63,4 @@ std::vector<int> Grid::before(int index) const {
     return needed;
 }
 
-} // namespace texloom::quilting
+} // namespace texloom

@@ -5,15 +5,15 @@
 
 #include <vector>
 
-namespace texloom::quilting {
+namespace texloom {
 
 /// Where patches lie along one axis of the output.
-class Axis {
+class PatchAxis {
 public:
     /// @param length of the output, in pixels; @param overlap wanted, at most half the patch. On an axis that
     /// does not wrap the last patch may reach beyond the output. On one that wraps the patches divide the
     /// length evenly, so that overlaps differ by a pixel and may be a little wider.
-    Axis(int length, int patch, int overlap, bool wraps);
+    PatchAxis(int length, int patch, int overlap, bool wraps);
 
     int count() const { return static_cast<int>(m_starts.size()); }
     int start(int index) const { return m_starts[static_cast<std::size_t>(index)]; }
@@ -33,7 +33,7 @@ private:
 };
 
 /// One patch of the output: its place in the grid and on the canvas, and where it meets earlier ones.
-struct Cell {
+struct PatchCell {
     int column = 0, row = 0;
     int x = 0, y = 0;
     Overlap overlap;
@@ -42,12 +42,12 @@ struct Cell {
 /// The patches of an output in the order of synthesis, row by row. Where the x axis wraps, each row begins
 /// one patch further right than the row above, so that rows can still follow each other in a wavefront
 /// although every row closes on itself.
-class Grid {
+class PatchGrid {
 public:
-    Grid(const Axis& horizontal, const Axis& vertical);
+    PatchGrid(const PatchAxis& horizontal, const PatchAxis& vertical);
 
-    const std::vector<Cell>& cells() const { return m_cells; }
-    const Cell& cell(int index) const { return m_cells[static_cast<std::size_t>(index)]; }
+    const std::vector<PatchCell>& cells() const { return m_cells; }
+    const PatchCell& cell(int index) const { return m_cells[static_cast<std::size_t>(index)]; }
     int count() const { return static_cast<int>(m_cells.size()); }
     /// The cells that must be done before cell `index`, of those that come earlier: its predecessor in the
     /// row, and the last one of the row above that it touches (Raad & Galerne, IPOL 2017, section 3.2).
@@ -56,7 +56,7 @@ public:
 private:
     int m_columns;
     int m_lag; ///< how many patches the row above must be ahead
-    std::vector<Cell> m_cells;
+    std::vector<PatchCell> m_cells;
 };
 
-} // namespace texloom::quilting
+} // namespace texloom

@@ -1,0 +1,140 @@
+#include "core/match/patch_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom {
+
+namespace {
+
+/// The source clamps distances below 1 on a scale of 0 to 255 (Raad & Galerne, IPOL 2017, section 3.1); here
+/// on the exemplars' own range.
+float smallestDistance(std::span<const PatchSource> exemplars) {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    for (const PatchSource& exemplar : exemplars) {
+        const ValueRange range = valueRange(exemplar.image);
+        low = std::min(low, static_cast<double>(range.smallest));
+        high = std::max(high, static_cast<double>(range.largest));
+    }
+    const double step = (high - low) / 255;
+    return static_cast<float>(step * step);
+}
+
+/// Each channel's mean over all exemplars, which distances are taken relative to.
+std::vector<double> commonMeans(std::span<const PatchSource> exemplars) {
+    std::vector<double> means(static_cast<std::size_t>(exemplars.front().image.channels), 0.0);
+    for (const PatchSource& exemplar : exemplars) {
+        const std::vector<double> own = channelMeans(exemplar.image);
+        for (std::size_t c = 0; c < means.size(); ++c)
+            means[c] += own[c] / static_cast<double>(exemplars.size());
+    }
+    return means;
+}
+
+struct Ranked {
+    float distance;
+    PatchPosition position;
+    friend bool operator<(const Ranked& a, const Ranked& b) { return a.distance < b.distance; }
+};
+
+} // namespace
+
+PatchSearch::PatchSearch(std::vector<PatchSource> exemplars, int patch, const std::function<void()>& check)
+    : m_exemplars(std::move(exemplars)), m_patch(patch), m_smallest(smallestDistance(m_exemplars)) {
+    const std::vector<double> means = commonMeans(m_exemplars);
+    for (const PatchSource& exemplar : m_exemplars) {
+        m_distances.emplace_back(exemplar.image, exemplar.mask, means, patch);
+        check();
+    }
+}
+
+std::int64_t PatchSearch::allowed() const {
+    std::int64_t allowed = 0;
+    for (const PatchDistances& distances : m_distances)
+        allowed += distances.allowed();
+    return allowed;
+}
+
+PatchPosition PatchSearch::nth(std::int64_t n) const {
+    for (std::size_t e = 0; e < m_distances.size(); ++e) {
+        const Size positions = m_distances[e].positions();
+        for (int y = 0; y < positions.height; ++y)
+            for (int x = 0; x < positions.width; ++x)
+                if (m_distances[e].allows(x, y) && n-- == 0)
+                    return {static_cast<int>(e), x, y};
+    }
+    return {};
+}
+
+void PatchSearch::prepare(const Footprint& shape) {
+    for (PatchDistances& distances : m_distances)
+        distances.prepare(shape);
+}
+
+PatchSearch::Scratch PatchSearch::scratch() const {
+    Scratch scratch;
+    for (const PatchDistances& distances : m_distances)
+        scratch.push_back(distances.scratch());
+    return scratch;
+}
+
+void PatchSearch::compute(const ImageView& known, const Footprint& shape, Scratch& scratch,
+                          const std::function<void()>& check) const {
+    for (std::size_t e = 0; e < m_distances.size(); ++e)
+        m_distances[e].compute(known, shape, m_smallest, scratch[e], check);
+}
+
+std::vector<PatchPosition> PatchSearch::within(double tolerance, const Scratch& scratch) const {
+    float nearest = HUGE_VALF;
+    for (const PatchDistances::Scratch& one : scratch)
+        nearest = std::min(nearest, *std::min_element(one.rowMinima.begin(), one.rowMinima.end()));
+    const float limit = nearest * static_cast<float>(1 + tolerance);
+    std::vector<PatchPosition> candidates;
+    for (std::size_t e = 0; e < m_distances.size(); ++e) {
+        const Size positions = m_distances[e].positions();
+        for (int y = 0; y < positions.height; ++y) {
+            if (scratch[e].rowMinima[static_cast<std::size_t>(y)] > limit)
+                continue;
+            const float* row = m_distances[e].distanceRow(scratch[e], y);
+            for (int x = 0; x < positions.width; ++x)
+                if (row[x] <= limit)
+                    candidates.push_back({static_cast<int>(e), x, y});
+        }
+    }
+    return candidates;
+}
+
+std::vector<PatchPosition> PatchSearch::nearest(int count, const Scratch& scratch) const {
+    // A heap of the nearest so far with the farthest of them on top; of equal ones the first stays.
+    std::vector<Ranked> heap;
+    const auto wanted = static_cast<std::size_t>(count);
+    for (std::size_t e = 0; e < m_distances.size(); ++e) {
+        const Size positions = m_distances[e].positions();
+        for (int y = 0; y < positions.height; ++y) {
+            float limit = heap.size() < wanted ? HUGE_VALF : heap.front().distance;
+            if (scratch[e].rowMinima[static_cast<std::size_t>(y)] >= limit)
+                continue;
+            const float* row = m_distances[e].distanceRow(scratch[e], y);
+            for (int x = 0; x < positions.width; ++x) {
+                if (row[x] >= limit)
+                    continue;
+                if (heap.size() == wanted) {
+                    std::pop_heap(heap.begin(), heap.end());
+                    heap.pop_back();
+                }
+                heap.push_back({row[x], {static_cast<int>(e), x, y}});
+                std::push_heap(heap.begin(), heap.end());
+                if (heap.size() == wanted)
+                    limit = heap.front().distance;
+            }
+        }
+    }
+    std::sort_heap(heap.begin(), heap.end());
+    std::vector<PatchPosition> found;
+    for (const Ranked& ranked : heap)
+        found.push_back(ranked.position);
+    return found;
+}
+
+} // namespace texloom

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/match/patch_distances.h"
+#include "core/match/patch_match.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace texloom {
+
+/// A patch of one of the exemplars, named by its top left pixel.
+struct PatchPosition {
+    int exemplar = 0, x = 0, y = 0;
+};
+
+/// Finds patches in several exemplars that fit a partly known patch: PatchDistances to each of them, and ways
+/// to choose. One object serves any number of threads, each with its own Scratch.
+class PatchSearch {
+public:
+    /// Working memory of one thread; after compute() it holds the distances.
+    using Scratch = std::vector<PatchDistances::Scratch>;
+
+    /// @param exemplars must outlive the search. @param patch side in pixels. @param check called now and
+    /// then and may throw.
+    PatchSearch(std::vector<PatchSource> exemplars, int patch, const std::function<void()>& check);
+
+    int patch() const { return m_patch; }
+    /// Patches that the masks allow, in all exemplars.
+    std::int64_t allowed() const;
+    /// The nth patch that the masks allow: exemplar by exemplar, row by row.
+    PatchPosition nth(std::int64_t n) const;
+    ImageView pixels(const PatchPosition& position) const {
+        return m_exemplars[static_cast<std::size_t>(position.exemplar)].image.crop(position.x, position.y,
+                                                                                   {m_patch, m_patch});
+    }
+
+    /// See PatchDistances.
+    void prepare(const Footprint& shape);
+    Scratch scratch() const;
+    void compute(const ImageView& known, const Footprint& shape, Scratch& scratch,
+                 const std::function<void()>& check) const;
+
+    /// All patches at most (1 + tolerance) times as far as the nearest (Efros & Freeman 2001). Never empty.
+    std::vector<PatchPosition> within(double tolerance, const Scratch& scratch) const;
+    /// The `count` nearest patches, or all if there are fewer, by rising distance.
+    std::vector<PatchPosition> nearest(int count, const Scratch& scratch) const;
+
+private:
+    std::vector<PatchSource> m_exemplars;
+    int m_patch;
+    float m_smallest; ///< distances below it count as it
+    std::vector<PatchDistances> m_distances;
+};
+
+} // namespace texloom

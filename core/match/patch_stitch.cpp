@@ -1,0 +1,79 @@
+#include "core/match/patch_stitch.h"
+
+#include "core/match/boundary_cut.h"
+
+#include <algorithm>
+
+namespace texloom {
+
+namespace {
+
+void measureError(const ImageView& old, const ImageView& fresh, const Overlap& overlap, PlaneSpan error) {
+    const int patch = fresh.width;
+    for (int y = 0; y < patch; ++y) {
+        float* row = error.row(y);
+        for (int x = 0; x < patch; ++x) {
+            row[x] = 0;
+            if (!overlap.contains(x, y, patch))
+                continue;
+            for (int c = 0; c < fresh.channels; ++c) {
+                const float difference = old(x, y, c) - fresh(x, y, c);
+                row[x] += difference * difference;
+            }
+        }
+    }
+}
+
+/// The mean over a square, by rows and then by columns.
+void soften(const BoundaryCut& cut, const Overlap& overlap, int reach, PlaneSpan rowSums, PlaneSpan weight) {
+    const int patch = cut.patch;
+    for (int y = 0; y < patch; ++y)
+        for (int x = 0; x < patch; ++x) {
+            rowSums(x, y) = 0;
+            for (int dx = -reach; dx <= reach; ++dx)
+                rowSums(x, y) += cut.keeps(std::clamp(x + dx, 0, patch - 1), y) ? 1.0F : 0.0F;
+        }
+    const auto area = static_cast<float>((2 * reach + 1) * (2 * reach + 1));
+    for (int y = 0; y < patch; ++y)
+        for (int x = 0; x < patch; ++x) {
+            float kept = 0;
+            for (int dy = -reach; dy <= reach; ++dy)
+                kept += rowSums(x, std::clamp(y + dy, 0, patch - 1));
+            weight(x, y) = overlap.contains(x, y, patch) ? kept / area : 0.0F;
+        }
+}
+
+/// The old pixel's share at distance `at` from a border that overlaps by `width`.
+float rampAt(int at, int width) {
+    if (at >= width)
+        return 0;
+    return width > 1 ? 1 - static_cast<float>(at) / static_cast<float>(width - 1) : 0.5F;
+}
+
+} // namespace
+
+double cutWeights(const ImageView& old, const ImageView& fresh, const Overlap& overlap, int softness,
+                  PlaneSpan error, PlaneSpan weight) {
+    measureError(old, fresh, overlap, error);
+    const BoundaryCut cut = minimumErrorCut(error, overlap);
+    // The error is not needed any more and lends its room.
+    soften(cut, overlap, softness, error, weight);
+    return cut.cost;
+}
+
+void averageWeights(const Overlap& overlap, PlaneSpan weight) {
+    for (int y = 0; y < weight.height; ++y)
+        for (int x = 0; x < weight.width; ++x)
+            weight(x, y) = overlap.contains(x, y, weight.width) ? 0.5F : 0.0F;
+}
+
+void rampWeights(const Overlap& overlap, PlaneSpan weight) {
+    const int last = weight.width - 1;
+    for (int y = 0; y < weight.height; ++y)
+        for (int x = 0; x < weight.width; ++x)
+            weight(x, y) = 1 - (1 - rampAt(x, overlap.left)) * (1 - rampAt(y, overlap.top)) *
+                                   (1 - rampAt(last - x, overlap.right)) *
+                                   (1 - rampAt(last - y, overlap.bottom));
+}
+
+} // namespace texloom

@@ -1,0 +1,76 @@
+#include "core/methods/patch_request.h"
+
+#include "core/base/error.h"
+#include "core/match/patch_distances.h"
+
+#include <cmath>
+
+namespace texloom {
+
+namespace {
+
+void checkExemplar(const Exemplar& exemplar, int patch) {
+    const Size size = exemplar.image->size();
+    if (size.shorterSide() < patch)
+        failUsage("{} is {} × {} px, smaller than the patch of {} px; choose a patch of at most {} px.",
+                  exemplar.name, size.width, size.height, patch, size.shorterSide());
+}
+
+bool leavesPatch(const Image& mask, int patch) {
+    const PatchDistances distances(mask.view(), mask.view().plane(0), {0.0}, patch);
+    return distances.allowed() > 0;
+}
+
+void checkWrap(bool wraps, int length, const char* side, int patch) {
+    if (wraps && length < patch)
+        failUsage("To wrap, the output's {} of {} px must be at least the patch, {} px.", side, length,
+                  patch);
+}
+
+} // namespace
+
+std::vector<PatchSource> patchSources(const Request& request) {
+    std::vector<PatchSource> sources;
+    for (const Exemplar& exemplar : request.exemplars)
+        sources.push_back(
+            {exemplar.image->view(), exemplar.mask ? exemplar.mask->view().plane(0) : PlaneView{}});
+    return sources;
+}
+
+void checkPatchRequest(const Request& request, int patch) {
+    bool anyPatch = false;
+    for (const Exemplar& exemplar : request.exemplars) {
+        checkExemplar(exemplar, patch);
+        anyPatch = anyPatch || !exemplar.mask || leavesPatch(*exemplar.mask, patch);
+    }
+    if (!anyPatch)
+        failUsage("The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.",
+                  patch);
+    checkWrap(request.wrap.x, request.size.width, "width", patch);
+    checkWrap(request.wrap.y, request.size.height, "height", patch);
+}
+
+std::uint64_t patchSearchBytes(const Request& request, int patch, int threads) {
+    // On an axis that wraps overlaps differ by a pixel: at most seven kinds along a row, for five kinds of
+    // row.
+    constexpr int kShapes = 35;
+    std::uint64_t bytes = 0;
+    for (const Exemplar& exemplar : request.exemplars) {
+        const Size size = exemplar.image->size();
+        bytes +=
+            PatchDistances::bytesFor(size, request.channels(), patch, kShapes) +
+            static_cast<std::uint64_t>(threads) * PatchDistances::scratchBytesFor(size, request.channels());
+    }
+    return bytes;
+}
+
+double patchSearchSeconds(const Request& request) {
+    double seconds = 0;
+    for (const Exemplar& exemplar : request.exemplars) {
+        const auto pixels = static_cast<double>(exemplar.image->size().area());
+        seconds += pixels * (3e-9 + 7e-11 * std::log2(pixels) * (request.channels() + 1));
+    }
+    return seconds;
+}
+
+} // namespace texloom

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/match/patch_match.h"
+#include "core/methods/synthesis.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace texloom {
+
+/// What methods that compare square patches share in reading a request.
+
+/// The exemplars with their masks; views of the request.
+std::vector<PatchSource> patchSources(const Request& request);
+
+/// Checks that every exemplar holds a patch of this size, that the masks leave one, and that the output is
+/// large enough to wrap. @throws UsageError
+void checkPatchRequest(const Request& request, int patch);
+
+/// Bytes of a PatchSearch over the request's exemplars with one Scratch a thread, for the shapes that a
+/// growing output compares.
+std::uint64_t patchSearchBytes(const Request& request, int patch, int threads);
+
+/// Rough time on one thread of comparing one patch with all others, in seconds.
+double patchSearchSeconds(const Request& request);
+
+} // namespace texloom
