@@ -269,7 +269,7 @@ private Q_SLOTS:
         window.inspector()->output()->setWrap({true, true});
         QTRY_VERIFY(!child<QAction>(window, "quick")->isEnabled());
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
-        QVERIFY(child<QAction>(window, "quick")->toolTip().contains(QStringLiteral("400 px")));
+        QTRY_VERIFY(child<QAction>(window, "quick")->toolTip().contains(QStringLiteral("400 px")));
     }
 
     void unlockedSeedChangesWithEachRun() {
