@@ -73,6 +73,29 @@ private Q_SLOTS:
         }
     }
 
+    void methodsFollowEachOther() {
+        Inspector inspector;
+        inspector.setMethod(findMethod("random-phase"));
+        QVERIFY(inspector.then().empty());
+        auto* chooser = child<QComboBox>(inspector, "then1");
+        QCOMPARE(chooser->findData(QStringLiteral("random-phase")), -1);
+        QSignalSpy edited(&inspector, &Inspector::edited);
+        chooser->setCurrentIndex(chooser->findData(QStringLiteral("quilting")));
+        QVERIFY(!edited.isEmpty());
+        QCOMPARE(inspector.then().size(), 1U);
+        QVERIFY(inspector.then()[0].parameters == findMethod("quilting").defaults());
+        QVERIFY(!inspector.allMethods(&MethodInfo::severalExemplars));
+
+        inspector.setThen({{"quilting", {{"patch", 20}}}, {"quilting", {{"patch", 10}}}});
+        QCOMPARE(inspector.then().size(), 2U);
+        QVERIFY(inspector.then()[0].parameters.at("patch") == Value(20));
+        QVERIFY(inspector.then()[1].parameters.at("patch") == Value(10));
+        inspector.resetAll();
+        QVERIFY(inspector.then()[1].parameters == findMethod("quilting").defaults());
+        chooser->setCurrentIndex(0);
+        QVERIFY(inspector.then().empty());
+    }
+
     void changedValuesAreBoldAndResetTakesThemBack_data() { everyMethodHasARowForEachParameter_data(); }
 
     void changedValuesAreBoldAndResetTakesThemBack() {

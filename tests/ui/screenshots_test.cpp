@@ -12,6 +12,7 @@
 #include "ui/window/message_bar.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
@@ -55,6 +56,7 @@ private Q_SLOTS:
         showResult(window);
         showError(window);
         showExport(window);
+        showPipeline(window);
     }
 
     void twiceAsManyPixels() {
@@ -123,6 +125,18 @@ private:
         shoot(window, "error");
         window.messages()->dismiss();
         window.inspector()->resetAll();
+    }
+
+    static void showPipeline(MainWindow& window) {
+        auto* method = child<QComboBox>(window, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
+        window.inspector()->setThen({{"quilting", {}}});
+        QSignalSpy finished(window.controller(), &RunController::finished);
+        window.startRun(false);
+        QVERIFY(finished.wait(60'000));
+        QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
+        child<QComboBox>(window, "then1")->setFocus();
+        shoot(window, "pipeline");
     }
 
     static void showExport(MainWindow& window) {

@@ -162,11 +162,12 @@ void ExemplarPanel::chooseMask() {
         m_store->setMask(entry->id, path);
 }
 
-void ExemplarPanel::setMethod(const MethodInfo& info) {
-    m_several = info.severalExemplars;
-    m_maskRow->setEnabled(info.usesMask);
-    m_maskRow->setToolTip(info.usesMask ? QString()
-                                        : tr("%1 does not use a mask.").arg(translated(info.title)));
+void ExemplarPanel::setAbilities(bool several, bool masks) {
+    m_maskRow->setEnabled(masks);
+    m_maskRow->setToolTip(masks ? QString() : tr("The method does not use a mask."));
+    if (m_several == several)
+        return;
+    m_several = several;
     fillList();
 }
 

@@ -26,9 +26,8 @@ public:
     /// The actions become the buttons under the list.
     ExemplarPanel(ExemplarStore* store, const QList<QAction*>& actions, QWidget* parent = nullptr);
 
-    /// Shows what this method can use: check boxes if it learns from several exemplars, masks if it heeds
-    /// them.
-    void setMethod(const MethodInfo& info);
+    /// Shows what a run can use: check boxes if it learns from several exemplars, masks if it heeds them.
+    void setAbilities(bool several, bool masks);
     /// Marks the pixel that the result's pixel under the cursor came from, in the exemplar it belongs to.
     void showSource(const ExemplarEntry& entry, QPoint pixel);
     void hideSource();

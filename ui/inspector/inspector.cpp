@@ -1,15 +1,14 @@
 #include "ui/inspector/inspector.h"
 
+#include "ui/inspector/method_form.h"
 #include "ui/inspector/mnemonics.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
+#include "ui/inspector/step_chain.h"
 #include "ui/inspector/value_editor.h"
 #include "ui/window/text.h"
 
-#include <QGridLayout>
-#include <QGroupBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -22,15 +21,10 @@ namespace {
 /// Lines kept free for the help text, so that the form does not jump while it is read.
 constexpr int kHelpLines = 5;
 
-QString conditionText(const Method& method, const Param::Condition& condition) {
-    return Inspector::tr("Only used while “%1” is %2.")
-        .arg(translated(method.param(condition.name).title()),
-             QString::fromStdString(toText(condition.value)));
-}
-
 } // namespace
 
-Inspector::Inspector(QWidget* parent) : QWidget(parent), m_output(new OutputGroup), m_help(new QLabel) {
+Inspector::Inspector(QWidget* parent)
+    : QWidget(parent), m_output(new OutputGroup), m_then(new StepChain), m_help(new QLabel) {
     setObjectName(QStringLiteral("inspector"));
     m_help->setObjectName(QStringLiteral("parameterHelp"));
     m_help->setWordWrap(true);
@@ -42,6 +36,7 @@ Inspector::Inspector(QWidget* parent) : QWidget(parent), m_output(new OutputGrou
     m_column = new QVBoxLayout(content);
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->addWidget(m_output);
+    m_column->addWidget(m_then);
     m_column->addStretch();
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
@@ -57,126 +52,78 @@ Inspector::Inspector(QWidget* parent) : QWidget(parent), m_output(new OutputGrou
     column->addWidget(m_help);
     connect(m_output, &OutputGroup::edited, this, &Inspector::edited);
     connect(m_output, &OutputGroup::helpWanted, this, &Inspector::showHelp);
+    connect(m_then, &StepChain::edited, this, &Inspector::edited);
+    connect(m_then, &StepChain::helpWanted, this, &Inspector::showHelp);
 }
 
 void Inspector::setMethod(const Method& method) {
-    Values kept;
-    for (const ParamRow* row : m_rows)
-        if (row->changed())
-            kept[row->param().name()] = row->value();
-    m_method = &method;
+    const Values kept = m_form ? m_form->changedValues() : Values{};
+    delete m_form;
     m_output->setMethod(method.info());
-    makeRows();
-    for (ParamRow* row : m_rows)
-        if (const auto it = kept.find(row->param().name()); it != kept.end()) {
-            try {
-                row->setValue(it->second);
-            } catch (const std::exception&) {
-                row->reset();
-            }
-        }
-    updateConditions();
+    Mnemonics mnemonics(tr("fexsvhidtc"));
+    m_form = new MethodForm(method, mnemonics);
+    m_form->setExemplarSide(m_exemplar.shorterSide());
+    m_form->adopt(kept);
+    m_column->insertWidget(1, m_form);
+    QWidget* last = m_output;
+    for (const ParamRow* row : rows()) {
+        setTabOrder(last, row->editor());
+        last = row->editor();
+    }
+    setTabOrder(last, m_then);
+    connect(m_form, &MethodForm::edited, this, &Inspector::edited);
+    connect(m_form, &MethodForm::helpWanted, this, &Inspector::showHelp);
     showHelp(translated(method.info().summary).toHtmlEscaped());
     Q_EMIT edited();
 }
 
-void Inspector::makeRows() {
-    delete m_form;
-    m_rows.clear();
-    m_form = new QWidget;
-    auto* column = new QVBoxLayout(m_form);
-    column->setContentsMargins(0, 0, 0, 0);
-    Mnemonics mnemonics(tr("fexsvhidtc"));
-    std::vector<std::string> groups;
-    for (const Param& param : m_method->params())
-        if (std::find(groups.begin(), groups.end(), param.group()) == groups.end())
-            groups.push_back(param.group());
-    for (const std::string& group : groups)
-        column->addWidget(makeGroup(group, mnemonics));
-    m_column->insertWidget(1, m_form);
-    alignLabels();
-    QWidget* last = m_output;
-    for (ParamRow* row : m_rows) {
-        row->setExemplarSide(m_exemplar.shorterSide());
-        setTabOrder(last, row->editor());
-        last = row->editor();
-    }
-    for (QLineEdit* edit : findChildren<QLineEdit*>())
-        edit->setAcceptDrops(false);
+const Method* Inspector::method() const {
+    return m_form ? &m_form->method() : nullptr;
 }
 
-void Inspector::alignLabels() {
-    int width = 0;
-    for (const ParamRow* row : m_rows) {
-        QFont bold = row->label()->font();
-        bold.setBold(true);
-        width = std::max(width, QFontMetrics(bold).horizontalAdvance(translated(row->param().title())));
-    }
-    for (ParamRow* row : m_rows)
-        row->label()->setMinimumWidth(width);
-}
-
-QWidget* Inspector::makeGroup(const std::string& name, Mnemonics& mnemonics) {
-    auto* group = new QGroupBox(translated(name));
-    auto* grid = new QGridLayout(group);
-    grid->setColumnStretch(1, 1);
-    for (const Param& param : m_method->params()) {
-        if (param.group() != name)
-            continue;
-        auto* row = new ParamRow(param, grid, group, mnemonics);
-        m_rows.push_back(row);
-        connect(row, &ParamRow::edited, this, [this] {
-            updateConditions();
-            Q_EMIT edited();
-        });
-        connect(row, &ParamRow::approached, this, [this, row] { showHelp(row->helpText()); });
-    }
-    return group;
+const std::vector<ParamRow*>& Inspector::rows() const {
+    return m_form->rows();
 }
 
 void Inspector::setExemplarSize(Size size) {
     m_exemplar = size;
     m_output->setExemplarSize(size);
-    for (ParamRow* row : m_rows)
-        row->setExemplarSide(size.shorterSide());
-    updateConditions();
+    if (m_form)
+        m_form->setExemplarSide(size.shorterSide());
+    m_then->setExemplarSide(size.shorterSide());
     Q_EMIT edited();
 }
 
 Values Inspector::values() const {
-    Values values;
-    for (const ParamRow* row : m_rows)
-        values[row->param().name()] = row->value();
-    return values;
+    return m_form->values();
 }
 
 void Inspector::setValues(const Values& values) {
-    for (ParamRow* row : m_rows) {
-        const auto it = values.find(row->param().name());
-        if (it == values.end())
-            row->reset();
-        else
-            row->setValue(it->second);
-    }
-    updateConditions();
-    Q_EMIT edited();
+    m_form->setValues(values);
+}
+
+std::vector<RecipeStep> Inspector::then() const {
+    return m_then->steps();
+}
+
+void Inspector::setThen(const std::vector<RecipeStep>& steps) {
+    m_then->setSteps(steps);
+}
+
+bool Inspector::allMethods(bool MethodInfo::*ability) const {
+    const std::vector<RecipeStep> steps = then();
+    return method()->info().*ability &&
+           std::all_of(steps.begin(), steps.end(),
+                       [ability](const RecipeStep& step) { return findMethod(step.method).info().*ability; });
 }
 
 void Inspector::resetAll() {
-    setValues({});
+    m_form->setValues({});
+    m_then->resetAll();
 }
 
 QString Inspector::help() const {
     return m_help->text();
-}
-
-void Inspector::updateConditions() {
-    const Values current = values();
-    for (ParamRow* row : m_rows) {
-        const auto& condition = row->param().condition();
-        row->setApplies(row->param().applies(current),
-                        condition ? conditionText(*m_method, *condition) : QString());
-    }
 }
 
 void Inspector::showHelp(const QString& html) {

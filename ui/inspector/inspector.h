@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/recipe.h"
 #include "core/methods/method.h"
 
 #include <QWidget>
@@ -11,12 +12,13 @@ class QVBoxLayout;
 
 namespace texloom::ui {
 
-class Mnemonics;
+class MethodForm;
 class OutputGroup;
 class ParamRow;
+class StepChain;
 
-/// The right dock's form: the output's settings and, made from the method's declaration, a row for each of
-/// its parameters in their groups. Below it, in words, what the control in use does.
+/// The right dock's form: the output's settings, the method's parameters, and the methods that follow it with
+/// theirs. Below it, in words, what the control in use does.
 class Inspector : public QWidget {
     Q_OBJECT
 
@@ -25,18 +27,24 @@ public:
 
     /// Makes the form of another method; parameters of the same name and type keep what the user set.
     void setMethod(const Method& method);
-    const Method* method() const { return m_method; }
+    const Method* method() const;
     /// The exemplar that defaults scale with; empty if there is none.
     void setExemplarSize(Size size);
     /// All parameters' values as the form shows them.
     Values values() const;
     /// Sets these parameters and brings all others back to their defaults.
     void setValues(const Values& values);
+    /// The methods that follow, with all their parameters.
+    std::vector<RecipeStep> then() const;
+    void setThen(const std::vector<RecipeStep>& steps);
+    /// Whether the method and all that follow it say this of themselves.
+    bool allMethods(bool MethodInfo::*ability) const;
     /// Brings every parameter back to its default.
     void resetAll();
 
     OutputGroup* output() const { return m_output; }
-    const std::vector<ParamRow*>& rows() const { return m_rows; }
+    /// The first method's rows.
+    const std::vector<ParamRow*>& rows() const;
     /// The text under the form.
     QString help() const;
 
@@ -45,18 +53,13 @@ Q_SIGNALS:
     void edited();
 
 private:
-    void makeRows();
-    void alignLabels();
-    QWidget* makeGroup(const std::string& name, Mnemonics& mnemonics);
-    void updateConditions();
     void showHelp(const QString& html);
 
-    const Method* m_method = nullptr;
     OutputGroup* m_output;
-    QWidget* m_form = nullptr;
+    MethodForm* m_form = nullptr;
+    StepChain* m_then;
     QVBoxLayout* m_column;
     QLabel* m_help;
-    std::vector<ParamRow*> m_rows;
     Size m_exemplar;
 };
 

@@ -4,8 +4,6 @@
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/inspector/param_row.h"
-#include "ui/inspector/value_editor.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/viewers/result_view.h"
@@ -145,12 +143,26 @@ void MainWindow::makeMenus() {
     menuBar()
         ->addMenu(tr("E&xemplar"))
         ->addActions({m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
-    menuBar()
-        ->addMenu(tr("&Synthesis"))
-        ->addActions({m_actions.run, m_actions.quick, m_actions.stop, m_actions.newSeedRun,
-                      m_actions.resetParameters});
+    QMenu* const synthesis = menuBar()->addMenu(tr("&Synthesis"));
+    synthesis->addActions({m_actions.run, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
+    synthesis->addSeparator();
+    synthesis->addMenu(makePresetMenu());
+    synthesis->addAction(m_actions.resetParameters);
     menuBar()->addMenu(makeViewMenu());
     menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
+}
+
+QMenu* MainWindow::makePresetMenu() {
+    auto* menu = new QMenu(tr("Pre&sets"), this);
+    menu->setToolTipsVisible(true);
+    for (const Preset& preset : presets()) {
+        QAction* const action =
+            menu->addAction(translated(preset.title), this, [this, &preset] { usePreset(preset); });
+        action->setObjectName(QString::fromStdString("preset-" + preset.id));
+        action->setToolTip(translated(preset.summary));
+    }
+    menu->setEnabled(!menu->isEmpty());
+    return menu;
 }
 
 QMenu* MainWindow::makeViewMenu() {
@@ -206,11 +218,8 @@ void MainWindow::setTabOrderThrough() {
     QWidget* const exemplars = m_exemplars->findChild<QWidget*>(QStringLiteral("exemplarList"));
     setTabOrder(exemplars, m_method);
     setTabOrder(m_method, m_inspector->findChild<QWidget*>(QStringLiteral("outputWidth")));
-    QWidget* const last = m_inspector->rows().empty()
-                              ? m_inspector
-                              : static_cast<QWidget*>(m_inspector->rows().back()->editor());
-    QWidget* const run = m_runPanel->findChild<QWidget*>(QStringLiteral("runButton"));
-    setTabOrder(last, run);
+    setTabOrder(m_inspector->findChild<QWidget*>(QStringLiteral("then1")),
+                m_runPanel->findChild<QWidget*>(QStringLiteral("runButton")));
     setTabOrder(m_runPanel->findChild<QWidget*>(QStringLiteral("stopButton")),
                 m_results->viewer(ResultView::ResultTab));
 }
@@ -295,7 +304,7 @@ void MainWindow::connectStore() {
     connect(m_store, &ExemplarStore::opened, this, &MainWindow::exemplarOpened);
     connect(m_store, &ExemplarStore::failed, this, &MainWindow::fail);
     connect(m_store, &ExemplarStore::loadingChanged, this, &MainWindow::planSoon);
-    connect(m_inspector, &Inspector::edited, this, &MainWindow::planSoon);
+    connect(m_inspector, &Inspector::edited, this, &MainWindow::settingsEdited);
     connect(m_inspector->output(), &OutputGroup::failed, this, &MainWindow::fail);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/preset.h"
 #include "core/session/run.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/jobs/run_controller.h"
@@ -65,6 +66,7 @@ private:
     void makeCentre();
     void makeDocks();
     void makeMenus();
+    QMenu* makePresetMenu();
     QMenu* makeViewMenu();
     QMenu* makeAppearanceMenu();
     void makeToolBar();
@@ -88,6 +90,8 @@ private:
     void copyResult();
 
     void methodChosen();
+    void settingsEdited();
+    void usePreset(const Preset& preset);
     void exemplarsChanged();
     void planSoon();
     void plan();

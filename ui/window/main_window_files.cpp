@@ -176,6 +176,7 @@ void MainWindow::restore(const RunInput& input) {
             output->setSeed(input.seed);
             output->setInitial(input.initial);
             m_inspector->setValues(input.settings);
+            m_inspector->setThen(input.then);
             plan();
         },
         Qt::SingleShotConnection);

@@ -66,11 +66,12 @@ ExemplarFile croppedTo(const ExemplarFile& file, Size size) {
 
 std::vector<RunExemplar> MainWindow::usedExemplars() const {
     std::vector<RunExemplar> used;
-    const MethodInfo& info = m_inspector->method()->info();
+    const bool several = m_inspector->allMethods(&MethodInfo::severalExemplars);
+    const bool masks = m_inspector->allMethods(&MethodInfo::usesMask);
     for (const ExemplarEntry& entry : m_store->entries())
-        if (info.severalExemplars ? entry.checked : &entry == m_store->current()) {
+        if (several ? entry.checked : &entry == m_store->current()) {
             used.push_back(entry.exemplar);
-            if (!info.usesMask)
+            if (!masks)
                 used.back().mask.reset();
         }
     return used;
@@ -81,6 +82,7 @@ RunInput MainWindow::input(bool quick) const {
     RunInput input;
     input.method = m_inspector->method()->id();
     input.settings = m_inspector->values();
+    input.then = m_inspector->then();
     input.exemplars = usedExemplars();
     input.size = quick ? quickSize(output->outputSize()) : output->outputSize();
     input.wrap = output->wrap();
@@ -94,8 +96,20 @@ RunInput MainWindow::input(bool quick) const {
 void MainWindow::methodChosen() {
     m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString()));
     m_method->setToolTip(m_method->currentData(Qt::ToolTipRole).toString());
-    m_exemplars->setMethod(m_inspector->method()->info());
+    settingsEdited();
+}
+
+void MainWindow::settingsEdited() {
+    m_exemplars->setAbilities(m_inspector->allMethods(&MethodInfo::severalExemplars),
+                              m_inspector->allMethods(&MethodInfo::usesMask));
     planSoon();
+}
+
+void MainWindow::usePreset(const Preset& preset) {
+    const RecipeStep& first = preset.steps.front();
+    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(first.method)));
+    m_inspector->setValues(first.parameters);
+    m_inspector->setThen({preset.steps.begin() + 1, preset.steps.end()});
 }
 
 void MainWindow::exemplarsChanged() {
@@ -153,7 +167,7 @@ void MainWindow::updateActions() {
     m_actions.exportResult->setEnabled(m_result && m_resultShown);
     m_actions.copyResult->setEnabled(m_result && m_resultShown);
     const ExemplarEntry* const current = m_store->current();
-    const bool masks = m_inspector->method()->info().usesMask;
+    const bool masks = m_inspector->allMethods(&MethodInfo::usesMask);
     m_actions.setMask->setEnabled(current != nullptr && masks);
     m_actions.clearMask->setEnabled(current != nullptr && current->exemplar.mask);
     m_actions.removeExemplar->setEnabled(current != nullptr);
