@@ -8,8 +8,10 @@
 #include "ui/inspector/value_editor.h"
 #include "ui/window/text.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,6 +22,31 @@ namespace {
 
 /// Lines kept free for the help text, so that the form does not jump while it is read.
 constexpr int kHelpLines = 5;
+
+/// Scrolls down only: it is always wide enough for its content, however that changes.
+class DownScroll : public QScrollArea {
+public:
+    explicit DownScroll(QWidget* content) {
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setFocusPolicy(Qt::NoFocus);
+        setWidget(content); // from here on, it filters the content's events
+        fit();
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest)
+            fit();
+        return QScrollArea::eventFilter(watched, event);
+    }
+
+private:
+    void fit() {
+        setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    }
+};
 
 } // namespace
 
@@ -38,17 +65,9 @@ Inspector::Inspector(QWidget* parent)
     m_column->addWidget(m_output);
     m_column->addWidget(m_then);
     m_column->addStretch();
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(content);
-    scroll->setMinimumWidth(content->minimumSizeHint().width());
-
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(scroll, 1);
+    column->addWidget(new DownScroll(content), 1);
     column->addWidget(m_help);
     connect(m_output, &OutputGroup::edited, this, &Inspector::edited);
     connect(m_output, &OutputGroup::helpWanted, this, &Inspector::showHelp);

@@ -65,7 +65,7 @@ void StepChain::methodChosen(const QComboBox* chooser) {
         removeLinksAfter(index);
     } else {
         const Method& method = findMethod(id);
-        Mnemonics none{QString()};
+        Mnemonics none(QStringLiteral("abcdefghijklmnopqrstuvwxyz")); // those of the first method stay valid
         auto* form = new MethodForm(method, none);
         form->setExemplarSide(m_side);
         connect(form, &MethodForm::edited, this, &StepChain::edited);
