@@ -24,25 +24,24 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Preview sample(const ImageView& image, const PositionMap* map) {
-    const Size full = image.size();
-    const int step = (full.longerSide() + kPreviewSide - 1) / kPreviewSide;
-    const Size size{(full.width + step - 1) / step, (full.height + step - 1) / step};
-    Preview preview{Image(size, image.channels), {}, full, step};
+Image sample(const ImageView& image, Size size, int step) {
+    Image sampled(size, image.channels);
     for (int c = 0; c < image.channels; ++c)
         for (int y = 0; y < size.height; ++y) {
             const float* from = image.plane(c).row(y * step);
-            float* to = preview.image.plane(c).row(y);
+            float* to = sampled.plane(c).row(y);
             for (int x = 0; x < size.width; ++x)
                 to[x] = from[x * step];
         }
-    if (map) {
-        preview.map = PositionMap(size, map->exemplarSizes());
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x)
-                preview.map.at(x, y) = map->at(x * step, y * step);
-    }
-    return preview;
+    return sampled;
+}
+
+PositionMap sample(const PositionMap& map, Size size, int step) {
+    PositionMap sampled(size, map.exemplarSizes());
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            sampled.at(x, y) = map.at(x * step, y * step);
+    return sampled;
 }
 
 } // namespace
@@ -128,10 +127,22 @@ void JobContext::progress(double fraction) {
 }
 
 void JobContext::preview(const ImageView& image, const PositionMap* map) {
+    makePreview(image.size(), [&](Size size, int step) {
+        return Preview{sample(image, size, step), map ? sample(*map, size, step) : PositionMap(),
+                       image.size(), step};
+    });
+}
+
+void JobContext::preview(Size full, const std::function<Image(Size size, int step)>& made) {
+    makePreview(full, [&](Size size, int step) { return Preview{made(size, step), {}, full, step}; });
+}
+
+void JobContext::makePreview(Size full, const std::function<Preview(Size size, int step)>& made) {
     const auto now = Clock::now();
     if (!m_previews || now < m_nextPreview)
         return;
-    m_monitor.m_preview.put(sample(image, map));
+    const int step = (full.longerSide() + kPreviewSide - 1) / kPreviewSide;
+    m_monitor.m_preview.put(made({(full.width + step - 1) / step, (full.height + step - 1) / step}, step));
     const auto done = Clock::now();
     m_nextPreview = done + std::max<Clock::duration>(kPreviewPause, (done - now) * kPreviewShare);
 }

@@ -86,6 +86,9 @@ public:
     /// Offers the work as it stands to be looked at. Cheap when nobody looks or the last one was just now:
     /// then nothing is copied. Pixels to which `map` gives no source count as not made yet.
     void preview(const ImageView& image, const PositionMap* map = nullptr);
+    /// The same for work that is not at hand as one image of its full size: `made` is called, only if a
+    /// preview is due, for an image of `size` that holds every `step`-th pixel of the work.
+    void preview(Size full, const std::function<Image(Size size, int step)>& made);
     /// Random numbers of this job; see Random.
     const Random& random() const { return m_random; }
     int threads() const { return m_threads; }
@@ -104,6 +107,8 @@ public:
 private:
     class Arena;
     using Clock = std::chrono::steady_clock;
+
+    void makePreview(Size full, const std::function<Preview(Size size, int step)>& made);
 
     std::uint64_t m_seed;
     Random m_random;

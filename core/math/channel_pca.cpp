@@ -1,0 +1,87 @@
+#include "core/math/channel_pca.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace texloom {
+
+namespace {
+
+/// Components with less than this share of the largest variance are rounding.
+constexpr double kLeastShare = 1e-9;
+
+/// to_i = offset_i + Σ_j matrix(i, j) (from_j − shift_j) along one row.
+void mixRow(const ImageView& from, std::span<const double> shifts, const Eigen::MatrixXd& matrix,
+            std::span<const double> offsets, int y, Image& to) {
+    for (int i = 0; i < to.channels(); ++i) {
+        double constant = offsets.empty() ? 0 : offsets[static_cast<std::size_t>(i)];
+        for (int j = 0; j < from.channels && !shifts.empty(); ++j)
+            constant -= matrix(i, j) * shifts[static_cast<std::size_t>(j)];
+        float* out = to.plane(i).row(y);
+        std::fill_n(out, from.width, static_cast<float>(constant));
+        for (int j = 0; j < from.channels; ++j) {
+            const auto weight = static_cast<float>(matrix(i, j));
+            const float* in = from.plane(j).row(y);
+            for (int x = 0; x < from.width; ++x)
+                out[x] += weight * in[x];
+        }
+    }
+}
+
+} // namespace
+
+Eigen::MatrixXd channelCovariance(const ImageView& image, const std::function<void()>& check) {
+    const std::vector<double> means = channelMeans(image);
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(image.channels, image.channels);
+    for (int y = 0; y < image.height; ++y) {
+        check();
+        for (int i = 0; i < image.channels; ++i)
+            for (int j = 0; j <= i; ++j) {
+                const float *a = image.plane(i).row(y), *b = image.plane(j).row(y);
+                const double meanA = means[static_cast<std::size_t>(i)];
+                const double meanB = means[static_cast<std::size_t>(j)];
+                double sum = 0;
+                for (int x = 0; x < image.width; ++x)
+                    sum += (static_cast<double>(a[x]) - meanA) * (static_cast<double>(b[x]) - meanB);
+                sums(i, j) += sum;
+            }
+    }
+    sums /= static_cast<double>(image.size().area());
+    return sums.selfadjointView<Eigen::Lower>();
+}
+
+ChannelPca::ChannelPca(const Eigen::MatrixXd& covariance) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+    const Eigen::Index channels = covariance.rows();
+    const double least = kLeastShare * solver.eigenvalues()(channels - 1);
+    Eigen::Index count = 0;
+    while (count < channels && solver.eigenvalues()(channels - 1 - count) > std::max(least, 0.0))
+        ++count;
+    m_toComponents.resize(count, channels);
+    m_toChannels.resize(channels, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        Eigen::VectorXd axis = solver.eigenvectors().col(channels - 1 - i);
+        Eigen::Index largest = 0;
+        axis.cwiseAbs().maxCoeff(&largest);
+        if (axis(largest) < 0)
+            axis = -axis;
+        const double deviation = std::sqrt(solver.eigenvalues()(channels - 1 - i));
+        m_toComponents.row(i) = axis.transpose() / deviation;
+        m_toChannels.col(i) = axis * deviation;
+    }
+}
+
+void ChannelPca::project(const ImageView& from, std::span<const double> means, int first, int last,
+                         Image& to) const {
+    for (int y = first; y < last; ++y)
+        mixRow(from, means, m_toComponents, {}, y, to);
+}
+
+void ChannelPca::unproject(const ImageView& from, std::span<const double> means, int first, int last,
+                           Image& to) const {
+    for (int y = first; y < last; ++y)
+        mixRow(from, {}, m_toChannels, means, y, to);
+}
+
+} // namespace texloom
