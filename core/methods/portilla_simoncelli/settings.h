@@ -1,0 +1,27 @@
+#pragma once
+
+namespace texloom::portilla_simoncelli {
+
+/// Parameters of Portilla & Simoncelli's method (IJCV 40, 2000; Vacher & Briand, IPOL 2021).
+struct Settings {
+    int scales = 4;
+    int orientations = 4;
+    int neighbourhood =
+        7; ///< side of the square of lags whose autocorrelation counts; even ones count as odd
+    int iterations = 50;
+    double weight = 0.5;  ///< share of the second exemplar where there are two
+    bool periodic = true; ///< measure on the exemplar's periodic component
+    bool crossChannel = true;
+    bool marginals = true;
+    bool autocorrelation = true;
+    bool magnitudeAutocorrelation = true;
+    bool magnitudeOrientations = true;
+    bool magnitudeScales = true;
+    bool bandOrientations = true;
+    bool phases = true;
+
+    /// Largest lag in samples along either axis.
+    int reach() const { return (neighbourhood - 1) / 2; }
+};
+
+} // namespace texloom::portilla_simoncelli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/job/job_context.h"
+#include "core/math/channel_pca.h"
+#include "core/methods/portilla_simoncelli/settings.h"
+#include "core/methods/portilla_simoncelli/statistics.h"
+#include "core/methods/portilla_simoncelli/sweep.h"
+#include "core/methods/synthesis.h"
+
+#include <vector>
+
+namespace texloom::portilla_simoncelli {
+
+/// Makes one texture (Portilla & Simoncelli 2000, section 3; Vacher & Briand, IPOL 2021, algorithm 5):
+/// measures one exemplar or two, and imposes their statistics on noise or an image again and again.
+class Synthesizer {
+public:
+    Synthesizer(const Request& request, const Settings& settings, JobContext& context);
+
+    Synthesis run();
+
+    /// Scales that the exemplars and the output leave of those asked for.
+    static int scalesFor(const Request& request, const Settings& settings);
+    /// Size at which the texture is made; the output is cut from it.
+    static Size canvasFor(const Request& request, const Settings& settings);
+
+private:
+    void measureExemplars();
+    Statistics measured(const Image& image, Sweep& sweep) const;
+    void start();
+    void iterate(Sweep& sweep, int iteration);
+    void shapeComponents(Image& components, Statistics& measured);
+    void shapeChannels(Statistics& measured);
+    void show(int iteration, double share, const std::vector<PlaneView>& components);
+    void addFigures(const Statistics& result, Synthesis& synthesis) const;
+    Synthesis constant() const;
+    Image projected(const Image& image) const;
+    void overRows(int height, const std::function<void(int first, int last)>& body) const;
+    std::vector<double> wantedMeans() const;
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    std::function<void()> m_check;
+    std::vector<double> m_shares; ///< of the exemplars
+    std::vector<Image> m_learned; ///< the exemplars as they are measured
+    ChannelPca m_pca;
+    std::vector<int> m_reaches;
+    Statistics m_wanted;
+    Image m_image; ///< channels of the canvas
+    std::vector<Curve> m_curves;
+};
+
+} // namespace texloom::portilla_simoncelli
