@@ -46,10 +46,18 @@ struct ApplyOptions {
     bool quiet = false;
 };
 
+struct LatticeOptions {
+    std::filesystem::path exemplar;
+    std::string exemplarSpace;
+    std::filesystem::path picture; ///< file for the autocorrelation, or empty
+    bool json = false;
+};
+
 /// Each does one command. @throws Error, UsageError, Cancelled
 void listMethods(const std::string& id, bool json);
 void synth(const SynthOptions& options);
 void runRecipe(const RunOptions& options);
 void applyMap(const ApplyOptions& options);
+void printLattice(const LatticeOptions& options);
 
 } // namespace texloom::cli

@@ -97,6 +97,22 @@ void addApply(CLI::App& app) {
     command->callback([] { cli::applyMap(options); });
 }
 
+void addAnalyze(CLI::App& app) {
+    static cli::LatticeOptions options;
+    CLI::App* command = app.add_subcommand("analyze", "Measure an image");
+    command->require_subcommand(1);
+    CLI::App* lattice =
+        command->add_subcommand("lattice", "Find the vectors by which a texture repeats itself");
+    lattice->add_option("exemplar", options.exemplar, "Image to look at")->required();
+    lattice->add_option("--space", options.exemplarSpace,
+                        "Colour space of the image; what the file says if not given");
+    lattice->add_option(
+        "--picture", options.picture,
+        "File for the autocorrelation, zero displacement in the middle; .exr keeps values below 0");
+    lattice->add_flag("--json", options.json, "As JSON");
+    lattice->callback([] { cli::printLattice(options); });
+}
+
 int complain(const std::string& sentence, Exit code) {
     fmt::print(cli::messages(), "texloom-cli: {}\n", sentence);
     return code;
@@ -110,12 +126,14 @@ int run(int argc, char** argv) {
     addSynth(app);
     addRun(app);
     addApply(app);
+    addAnalyze(app);
     cli::silenceLibraries();
     cli::watchInterrupts();
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return complain("Name a command: methods, synth, run or apply. See texloom-cli --help.", Usage);
+            return complain("Name a command: methods, synth, run, apply or analyze. See texloom-cli --help.",
+                            Usage);
         return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)

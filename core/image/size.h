@@ -25,4 +25,20 @@ struct Wrap {
     friend bool operator==(const Wrap&, const Wrap&) = default;
 };
 
+/// A rectangle of pixels: its top left and its size.
+struct Region {
+    int x = 0;
+    int y = 0;
+    Size size;
+
+    int right() const { return x + size.width; }
+    int bottom() const { return y + size.height; }
+    /// Whether it has pixels, all of them in an image of this size.
+    bool within(Size whole) const {
+        return !size.empty() && x >= 0 && y >= 0 && size.width <= whole.width - x &&
+               size.height <= whole.height - y;
+    }
+    friend bool operator==(const Region&, const Region&) = default;
+};
+
 } // namespace texloom

@@ -42,6 +42,12 @@ void checkOutput(const MethodInfo& info, const Request& request) {
                   grouped(kLargestSide));
     if ((request.wrap.x || request.wrap.y) && !info.wraps)
         failUsage("{} cannot make an output that wraps.", info.title);
+    if (request.region && !info.makesRegions)
+        failUsage("{} cannot make a part of an output alone; make all of it.", info.title);
+    if (request.region && !request.region->within(size))
+        failUsage("The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.",
+                  request.region->size.width, request.region->size.height, request.region->x,
+                  request.region->y, size.width, size.height);
     if (!request.initial)
         return;
     if (!info.startsFromImage)

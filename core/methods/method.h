@@ -24,6 +24,7 @@ struct MethodInfo {
     /// Its pixels come from the exemplar, and its map says from where: companion maps are laid out by the
     /// map. For other methods they are further channels of the exemplar, made together with the rest.
     bool copiesPixels = false;
+    bool makesRegions = false; ///< uses Request::region: any part of an output can be made alone
 };
 
 /// What a run will need, told before it starts.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,12 @@ struct Request {
     Size size;                            ///< of the output
     Wrap wrap;
     std::uint64_t seed = 0;
+    /// The part of the output to make, which equals that part of the whole; all of it if not given.
+    std::optional<Region> region;
 
     std::vector<Size> exemplarSizes() const;
+    /// The part of the output that is made; image and map of the result have its size.
+    Region part() const { return region.value_or(Region{0, 0, size}); }
     int channels() const { return exemplars.front().image->channels(); }
     /// Channels of the result without those of companion maps.
     int resultChannels() const { return channels() - companionChannels; }
@@ -67,6 +72,7 @@ struct Synthesis {
     std::vector<Curve> curves;
     std::vector<Picture> pictures;
     std::vector<Figure> figures;
+    std::vector<std::string> notes; ///< sentences for the user about what the method decided by itself
 };
 
 } // namespace texloom

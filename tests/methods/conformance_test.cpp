@@ -120,6 +120,7 @@ TEST_P(Conformance, previewsComeWhileItRuns) {
     Job<Synthesis> job({0, 0, true},
                        [&](JobContext& context) { return method().run(request, settings, context); });
     int previews = 0;
+    const auto start = Clock::now();
     while (previews < 3 && !job.finished()) {
         if (const auto preview = job.monitor().takePreview()) {
             ++previews;
@@ -127,9 +128,8 @@ TEST_P(Conformance, previewsComeWhileItRuns) {
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    if (job.monitor().seconds() < 1.5)
-        GTEST_SKIP() << "skipped: " << GetParam() << " was done before anyone could look";
-    EXPECT_EQ(previews, 3) << "before the job ended";
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    EXPECT_GE(previews, std::min(3, static_cast<int>(2 * seconds))) << "before the job ended";
 }
 
 TEST_P(Conformance, exactMapGivesTheResult) {

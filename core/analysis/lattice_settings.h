@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/analysis/lattice.h"
+#include "core/base/param.h"
+#include "core/base/text.h"
+#include "core/image/image.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace texloom {
+
+/// Where a method's lattice comes from.
+enum class LatticeSource { Automatic, Given, None };
+
+/// The parameters of a method that follows a lattice: what a user confirms in the window, or types.
+struct LatticeSettings {
+    LatticeSource lattice = LatticeSource::Automatic;
+    double v1x = 0, v1y = 0, v2x = 0, v2y = 0; ///< the given vectors, in pixels of the exemplar
+
+    Lattice given() const { return {{v1x, v1y}, {v2x, v2y}}; }
+};
+
+/// The parameters' declarations for a settings struct that is a LatticeSettings.
+template <class Settings> std::vector<Param> latticeFields() {
+    const auto given = std::string("given");
+    const auto vector = [&](double LatticeSettings::*member, const char* name, const char* title,
+                            const char* help) {
+        return field(static_cast<double Settings::*>(member), name, title)
+            .range(-65535, 65535)
+            .unit("px")
+            .when("lattice", given)
+            .group(TR("Lattice"))
+            .help(help);
+    };
+    std::vector<Param> fields;
+    fields.push_back(
+        field(static_cast<LatticeSource Settings::*>(&LatticeSettings::lattice), "lattice", TR("Lattice"))
+            .choices({{"automatic", TR("Found by itself")}, {given, TR("As given")}, {"none", TR("None")}})
+            .group(TR("Lattice"))
+            .help(TR(
+                "The two vectors by which the texture repeats itself: found in the exemplar, given, or none "
+                "for a texture that does not repeat.")));
+    fields.push_back(vector(&LatticeSettings::v1x, "v1-x", TR("First vector, right"),
+                            TR("How far to the right the texture repeats itself first.")));
+    fields.push_back(vector(&LatticeSettings::v1y, "v1-y", TR("First vector, down"),
+                            TR("How far down the texture repeats itself first.")));
+    fields.push_back(vector(&LatticeSettings::v2x, "v2-x", TR("Second vector, right"),
+                            TR("How far to the right the texture repeats itself in the other direction.")));
+    fields.push_back(vector(&LatticeSettings::v2y, "v2-y", TR("Second vector, down"),
+                            TR("How far down the texture repeats itself in the other direction.")));
+    return fields;
+}
+
+/// Checks the given vectors against an exemplar. @throws UsageError where they span no tile, or one that is
+/// larger than the exemplar.
+void checkLattice(const LatticeSettings& settings, const std::string& exemplar, Size size);
+
+/// The lattice that the settings ask for; free() if none is asked for, or none is found.
+/// @param notes gets a sentence where the lattice was looked for in vain.
+/// @param check called every few milliseconds; may throw.
+Lattice latticeFor(const LatticeSettings& settings, const std::string& exemplar, const ImageView& image,
+                   std::vector<std::string>& notes, const std::function<void()>& check);
+
+} // namespace texloom

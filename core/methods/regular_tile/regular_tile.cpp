@@ -1,0 +1,244 @@
+#include "core/analysis/correlation.h"
+#include "core/analysis/lattice_detector.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/methods/method.h"
+#include "core/methods/regular_tile/settings.h"
+#include "core/methods/regular_tile/tile_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::regular_tile {
+
+namespace {
+
+constexpr int kSmallest = 8; ///< shorter side of an exemplar that a tile is looked for in
+constexpr int kStrip = 32;   ///< rows of the output that one task makes
+
+/// The rectangle by which an exemplar without a lattice is most like itself, more than half as large as it.
+Lattice likestRectangle(const ImageView& exemplar, const std::function<void()>& check) {
+    const Correlation gamma = autocorrelation(exemplar, check);
+    const auto best = [](int length, auto value) {
+        int at = length / 2;
+        for (int side = length / 2; side <= 3 * length / 4; ++side)
+            if (value(side) > value(at))
+                at = side;
+        return at;
+    };
+    const int width = best(exemplar.width, [&](int side) { return gamma.at(side, 0); });
+    const int height = best(exemplar.height, [&](int side) { return gamma.at(0, side); });
+    return {{double(width), 0}, {0, double(height)}};
+}
+
+/// A lattice whose texture is free along a line repeats a stretch of it as long as the exemplar allows.
+Lattice withLength(const Lattice& lattice, Size exemplar) {
+    const auto stretched = [&](Vec2 step, Vec2 other) {
+        const double room =
+            std::min((exemplar.width - std::abs(other.x)) / std::max(1e-9, std::abs(step.x)),
+                     (exemplar.height - std::abs(other.y)) / std::max(1e-9, std::abs(step.y)));
+        return std::max(1.0, std::floor(0.75 * room)) * step;
+    };
+    constexpr double kFree = 1.5;
+    Lattice longer = lattice;
+    if (lattice.v1.length() < kFree)
+        longer.v1 = stretched(lattice.v1, lattice.v2);
+    if (lattice.v2.length() < kFree)
+        longer.v2 = stretched(lattice.v2, longer.v1);
+    return longer;
+}
+
+class Repeater {
+public:
+    Repeater(const Request& request, const Settings& settings, JobContext& context)
+        : m_request(request), m_settings(settings), m_context(context),
+          m_exemplar(*request.exemplars.front().image), m_part(request.part()) {}
+
+    Synthesis run() {
+        m_context.stage(0.3, TR("Looking for the lattice"));
+        findLattice();
+        m_context.stage(0.3, TR("Looking for the tile"));
+        findTile();
+        m_context.stage(0.4, TR("Repeating the tile"));
+        repeat();
+        m_result.mapKind = MapKind::Exact;
+        m_result.figures = {{TR("Tile, first vector right"), m_lattice.v1.x},
+                            {TR("Tile, first vector down"), m_lattice.v1.y},
+                            {TR("Tile, second vector right"), m_lattice.v2.x},
+                            {TR("Tile, second vector down"), m_lattice.v2.y},
+                            {TR("Mean squared difference where tiles join"), m_joint}};
+        return std::move(m_result);
+    }
+
+private:
+    void findLattice() {
+        const auto check = [this] { m_context.check(); };
+        m_lattice =
+            latticeFor(m_settings, m_request.exemplars.front().name, m_exemplar, m_result.notes, check);
+        if (m_settings.lattice == LatticeSource::Given)
+            m_lattice = m_settings.given(); // the very parallelogram that was asked for
+        if (m_lattice.free())
+            m_lattice = likestRectangle(m_exemplar, check);
+        m_lattice = withLength(m_lattice, m_exemplar.size());
+        if (!m_request.wrap.x && !m_request.wrap.y)
+            return;
+        const WrappedLattice closing = wrapped(m_lattice, m_request.size, m_request.wrap);
+        const Size size = m_request.size;
+        constexpr double kTooMuch = 0.6, kWorthSaying = 0.02;
+        if (closing.stretch > kTooMuch)
+            failUsage("An output of {} × {} px cannot wrap with a tile of {:.0f} × {:.0f} px; make it at "
+                      "least that large.",
+                      size.width, size.height, m_lattice.extent().x, m_lattice.extent().y);
+        if (closing.stretch > kWorthSaying) {
+            const Size whole = wrappingRectangle(m_lattice, std::max(4096, size.longerSide()));
+            m_result.notes.push_back(fmt::format("To wrap at {} × {} px the tile was changed by {:.1f} %; a "
+                                                 "multiple of {} × {} px needs no change.",
+                                                 size.width, size.height, 100 * closing.stretch, whole.width,
+                                                 whole.height));
+        }
+        m_lattice = closing.lattice;
+    }
+
+    void findTile() {
+        if (m_settings.tile == Choice::Given) {
+            m_tile = {static_cast<int>(std::lround(m_settings.tileX)),
+                      static_cast<int>(std::lround(m_settings.tileY)), 0};
+            return;
+        }
+        // A border that leaves no tile inside the exemplar gives way.
+        for (int border = m_settings.border;; border /= 2) {
+            const Image costs =
+                tileCosts(m_exemplar, m_lattice, std::max(1, border), [this] { m_context.check(); });
+            const ValueRange range = valueRange(costs);
+            if (std::isinf(range.smallest) && border > 1)
+                continue;
+            m_tile = drawTile(costs, m_settings.tolerance, m_context.random());
+            const double pixels = std::max(1, border) * (m_lattice.v1.length() + m_lattice.v2.length());
+            m_joint = static_cast<double>(m_tile.cost) / pixels / m_exemplar.channels;
+            return;
+        }
+    }
+
+    void repeat() {
+        m_result.image = Image(m_part.size, m_exemplar.channels);
+        m_result.map = PositionMap(m_part.size, m_request.exemplarSizes());
+        const int strips = (m_part.size.height + kStrip - 1) / kStrip;
+        m_context.parallelAfter(
+            strips, [](int) { return std::vector<int>{}; },
+            [this](int strip) {
+                for (int y = strip * kStrip; y < std::min((strip + 1) * kStrip, m_part.size.height); ++y)
+                    repeatRow(y);
+            },
+            [&](int done) {
+                m_context.progress(double(done) / strips);
+                m_context.preview(m_result.image, &m_result.map);
+            });
+    }
+
+    void repeatRow(int row) {
+        for (int x = 0; x < m_part.size.width; ++x) {
+            const Source source = sourceOf(m_part.x + x, m_part.y + row);
+            m_result.map.at(x, row) = source;
+            for (int c = 0; c < m_exemplar.channels; ++c)
+                m_result.image(x, row, c) = m_exemplar(source.x, source.y, c);
+        }
+    }
+
+    /// Each copy of the tile moves by a whole number of pixels, so that it stays a copy where the lattice's
+    /// vectors are no whole numbers.
+    Source sourceOf(int x, int y) const {
+        const Vec2 at = m_lattice.coordinates({x + 0.5, y + 0.5});
+        const Vec2 corner = m_lattice.at(std::floor(at.x), std::floor(at.y));
+        const int fromX = x - static_cast<int>(std::lround(corner.x)) + m_tile.x;
+        const int fromY = y - static_cast<int>(std::lround(corner.y)) + m_tile.y;
+        return {static_cast<std::uint16_t>(std::clamp(fromX, 0, m_exemplar.width - 1)),
+                static_cast<std::uint16_t>(std::clamp(fromY, 0, m_exemplar.height - 1)), 0};
+    }
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    ImageView m_exemplar;
+    Region m_part;
+    Lattice m_lattice;
+    Tile m_tile;
+    double m_joint = 0;
+    Synthesis m_result;
+};
+
+void check(const Request& request, const Settings& settings) {
+    const Exemplar& exemplar = request.exemplars.front();
+    const Size size = exemplar.image->size();
+    if (size.shorterSide() < kSmallest)
+        failUsage("{} is {} × {} px; a tile is looked for in exemplars of at least {} × {} px.",
+                  exemplar.name, size.width, size.height, kSmallest, kSmallest);
+    checkLattice(settings, exemplar.name, size);
+    if (settings.tile == Choice::Given && (settings.tileX >= size.width || settings.tileY >= size.height))
+        failUsage("The tile's corner ({}, {}) lies outside {} with {} × {} px.", numberText(settings.tileX),
+                  numberText(settings.tileY), exemplar.name, size.width, size.height);
+}
+
+Estimate estimate(const Request& request, const Settings&, int) {
+    const Size exemplar = request.exemplars.front().image->size(), output = request.part().size;
+    Estimate need;
+    need.bytes = Image::bytesFor(output, request.channels()) + PositionMap::bytesFor(output) +
+                 latticeBytesFor(exemplar, request.channels());
+    need.seconds =
+        latticeSecondsFor(exemplar) + 1e-8 * static_cast<double>(output.area()) * (1 + request.channels());
+    return need;
+}
+
+Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    return Repeater(request, settings, context).run();
+}
+
+std::vector<Param> params() {
+    std::vector<Param> all = latticeFields<Settings>();
+    all.push_back(
+        field(&Settings::tile, "tile", TR("Tile"))
+            .choices({{"best", TR("The one that joins itself best")}, {"given", TR("As given")}})
+            .help(TR("The tile that is repeated: the one whose opposite sides are most alike, or the one at "
+                     "a given place.")));
+    all.push_back(field(&Settings::tileX, "tile-x", TR("Tile's corner, right"))
+                      .range(0, 65535)
+                      .unit("px")
+                      .when("tile", std::string("given"))
+                      .help(TR("Column of the exemplar at which the tile begins.")));
+    all.push_back(field(&Settings::tileY, "tile-y", TR("Tile's corner, down"))
+                      .range(0, 65535)
+                      .unit("px")
+                      .when("tile", std::string("given"))
+                      .help(TR("Row of the exemplar at which the tile begins.")));
+    all.push_back(
+        field(&Settings::border, "border", TR("Compared border"))
+            .range(2, 128)
+            .unit("px")
+            .when("tile", std::string("best"))
+            .group(TR("Advanced"))
+            .help(TR("Width of the borders in which opposite sides of a tile are compared: wider looks for "
+                     "tiles that join in larger structures.")));
+    all.push_back(
+        field(&Settings::tolerance, "tolerance", TR("Tolerance"))
+            .range(0, 10)
+            .symbol("ε")
+            .when("tile", std::string("best"))
+            .group(TR("Advanced"))
+            .help(TR("How much worse than the best a tile may join itself and still be drawn: larger gives "
+                     "more different tiles for different seeds.")));
+    return all;
+}
+
+} // namespace
+
+extern const Method self;
+const Method self = method<Settings>(
+    {.title = TR("Regular tile"),
+     .summary = TR(
+         "Finds the lattice of a regular texture and repeats the one tile that joins itself best: strictly "
+         "regular, without the variety of near-regular synthesis."),
+     .citation = "López Recas, diploma thesis 2011, section 4.1",
+     .wraps = true,
+     .makesRegions = true},
+    params(), run, check, estimate);
+
+} // namespace texloom::regular_tile

@@ -1,0 +1,171 @@
+#include "core/analysis/lattice.h"
+#include "core/analysis/lattice_detector.h"
+#include "core/job/job_context.h"
+#include "tests/support/lattices.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <set>
+#include <utility>
+
+namespace texloom::test {
+namespace {
+
+TEST(Lattice, holdsTheSharesOfTheSourcesTile) {
+    const Lattice tile{{5, 3}, {-6, 4}};
+    EXPECT_EQ(tile.area(), 38);
+    EXPECT_DOUBLE_EQ(tileCoverage(tile, {3, 8}), 22.0 / 38);
+    EXPECT_DOUBLE_EQ(tileCoverage(tile, {5, 7}), 35.0 / 38);
+    EXPECT_EQ(tileCoverage(tile, {11, 7}), 1);
+    EXPECT_EQ(tileCoverage(tile, {0, 7}), 0);
+    EXPECT_EQ(tileCoverage({{4, 2}, {2, 1}}, {9, 9}), 0);
+}
+
+/// Eq. 3.29 pixel by pixel, in whole numbers: how many classes the rectangle's pixels fall into.
+double coverageByWrapping(const Lattice& tile, Size rectangle) {
+    const auto divided = [](long a, long b) { return a >= 0 ? a / b : -((-a + b - 1) / b); };
+    const long x1 = std::lround(tile.v1.x), y1 = std::lround(tile.v1.y), x2 = std::lround(tile.v2.x),
+               y2 = std::lround(tile.v2.y), area = x1 * y2 - y1 * x2, sign = area < 0 ? -1 : 1;
+    std::set<std::pair<long, long>> wrapped;
+    for (long y = 0; y < rectangle.height; ++y)
+        for (long x = 0; x < rectangle.width; ++x) {
+            const long a = divided(sign * (x * y2 - y * x2), sign * area);
+            const long b = divided(sign * (x1 * y - y1 * x), sign * area);
+            wrapped.emplace(x - a * x1 - b * x2, y - a * y1 - b * y2);
+        }
+    return double(wrapped.size()) / double(std::labs(area));
+}
+
+TEST(Lattice, coverageEqualsCountingWrappedPixels) {
+    for (const Lattice& tile : {Lattice{{5, 3}, {-6, 4}}, Lattice{{7, 0}, {0, 4}}, Lattice{{8, 0}, {4, 5}},
+                                Lattice{{3, -7}, {9, 2}}, Lattice{{1, 0}, {0, 12}}, Lattice{{6, 6}, {6, -6}}})
+        for (int width = 1; width < 16; ++width)
+            for (int height = 1; height < 16; ++height)
+                EXPECT_DOUBLE_EQ(tileCoverage(tile, {width, height}),
+                                 coverageByWrapping(tile, {width, height}))
+                    << tile.v1.x << ", " << tile.v1.y << ": " << width << " × " << height;
+}
+
+TEST(Lattice, isReducedToItsShortestVectors) {
+    const Lattice brick{{20, 0}, {10, 6}};
+    for (const Lattice& same : {brick, Lattice{{10, 6}, {30, 6}}, Lattice{{-20, 0}, {70, -6}}}) {
+        const Lattice reduced = same.reduced();
+        EXPECT_NEAR(reduced.area(), 120, 1e-9);
+        EXPECT_NEAR(reduced.v1.length(), std::hypot(10, 6), 1e-9);
+        EXPECT_NEAR(reduced.v2.length(), std::hypot(10, 6), 1e-9);
+        EXPECT_TRUE(reduced.like(brick, 1e-6));
+    }
+    EXPECT_FALSE((Lattice{{20, 0}, {0, 6}}.like(brick, 1)));
+    EXPECT_FALSE((Lattice{{40, 0}, {10, 6}}.like(brick, 1)));
+    EXPECT_TRUE(brick.includes({{40, 0}, {10, 6}}, 1e-6));
+    EXPECT_EQ((Lattice{{0, 9}, {12, 0}}.reduced()), (Lattice{{12, 0}, {0, 9}}));
+}
+
+TEST(Lattice, tellsCoordinates) {
+    const Lattice lattice{{5, 3}, {-6, 4}};
+    const Vec2 c = lattice.coordinates(lattice.at(2.25, -7));
+    EXPECT_NEAR(c.x, 2.25, 1e-12);
+    EXPECT_NEAR(c.y, -7, 1e-12);
+    EXPECT_NEAR((lattice.nearest({4, 3.5}) - lattice.v1).length(), 0, 1e-12);
+}
+
+/// What kind of case the search failed on, in the words of the source's fig. 5.1.
+std::string failure(const LatticeCase& made, const LatticeAnalysis& found) {
+    if (found.candidates.empty())
+        return "nothing found";
+    const double ratio = found.candidates.front().lattice.area() / made.lattice.area();
+    if (!found.found())
+        return "not trusted";
+    return ratio > 1.4 ? "a larger tile" : ratio < 0.7 ? "a smaller tile" : "another lattice";
+}
+
+/// Cases 0 to `count`, and the share found within half a pixel. Fails are listed.
+double shareFound(int count) {
+    int right = 0;
+    for (int i = 0; i < count; ++i) {
+        const LatticeCase made = latticeCase(i);
+        const LatticeAnalysis analysis = analyzeLattice(
+            regularTexture(made.size, 3, made.lattice, made.regularity, static_cast<std::uint64_t>(i)));
+        if (analysis.found() && analysis.candidates.front().lattice.like(made.lattice, 0.5)) {
+            ++right;
+            continue;
+        }
+        std::cout << "case " << i << ", " << made.kind << ", noise " << made.regularity.noise << ", change "
+                  << made.regularity.colourChange << ", ramp " << made.regularity.ramp << ": "
+                  << failure(made, analysis) << "\n";
+    }
+    return double(right) / count;
+}
+
+TEST(LatticeDetector, findsMadeUpLatticesWithinHalfAPixel) {
+    EXPECT_GE(shareFound(40), 0.95);
+}
+
+/// Half a minute; run with --gtest_also_run_disabled_tests.
+TEST(LatticeDetector, DISABLED_finds95OfAHundredInFiveHundred) {
+    EXPECT_GE(shareFound(500), 0.95);
+}
+
+TEST(LatticeDetector, findsFractionsOfAPixel) {
+    const Lattice truth{{23.37, 1.21}, {-0.64, 17.83}};
+    const LatticeAnalysis analysis = analyzeLattice(regularTexture({256, 240}, 3, truth, {}, 3));
+    ASSERT_TRUE(analysis.found());
+    const Lattice found = analysis.candidates.front().lattice;
+    EXPECT_NEAR((found.v1 - truth.v1).length(), 0, 0.06);
+    EXPECT_NEAR((found.v2 - truth.v2).length(), 0, 0.06);
+    EXPECT_GT(analysis.candidates.front().correlation, 0.7);
+    EXPECT_LE(analysis.candidates.size(), 4U);
+    for (std::size_t i = 1; i < analysis.candidates.size(); ++i)
+        EXPECT_LE(analysis.candidates[i].goodness, analysis.candidates[i - 1].goodness);
+}
+
+TEST(LatticeDetector, takesTheLargerTileWhereEveryOtherElementDiffers) {
+    // Squares of 16 px, each second one darker: the tile is two of them (the source's fig. 5.1 c).
+    Image board({160, 160}, 1);
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const bool joint = x % 16 < 2 || y % 16 < 2;
+            board(x, y, 0) = joint ? 0.0F : (x / 16 + y / 16) % 2 == 0 ? 0.9F : 0.5F;
+        }
+    const LatticeAnalysis analysis = analyzeLattice(board);
+    ASSERT_TRUE(analysis.found());
+    EXPECT_TRUE(analysis.candidates.front().lattice.like({{16, 16}, {16, -16}}, 0.5));
+}
+
+TEST(LatticeDetector, isFreeAlongALineWhereNothingChanges) {
+    Image ribs = noise({200, 150}, 1);
+    for (int y = 0; y < 150; ++y)
+        for (int x = 0; x < 200; ++x)
+            ribs(x, y, 0) =
+                static_cast<float>(std::sin(6.283185 * x / 12.5) + 0.5 * std::cos(12.56637 * x / 12.5)) +
+                0.2F * ribs(x, y, 0);
+    const LatticeAnalysis analysis = analyzeLattice(ribs);
+    ASSERT_TRUE(analysis.found());
+    EXPECT_TRUE(analysis.candidates.front().lattice.like({{12.5, 0}, {0, 1}}, 0.2));
+}
+
+TEST(LatticeDetector, doesNotTrustALatticeWhereThereIsNone) {
+    EXPECT_FALSE(analyzeLattice(noise({128, 128}, 3)).found());
+    EXPECT_FALSE(analyzeLattice(constant({64, 64}, 3, 0.5F)).found());
+    EXPECT_FALSE(analyzeLattice(noise({5, 90}, 1)).found());
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U})
+        EXPECT_FALSE(analyzeLattice(blobs({128, 128}, 3, seed)).found()) << seed;
+    const Lattice large{{150, 4}, {3, 160}};
+    EXPECT_FALSE(analyzeLattice(regularTexture({200, 210}, 3, large, {}, 1)).found());
+}
+
+TEST(LatticeDetector, canBeStopped) {
+    int asked = 0;
+    const auto check = [&asked] {
+        if (++asked == 20)
+            throw Cancelled{};
+    };
+    EXPECT_THROW(analyzeLattice(blobs({200, 200}, 3), check), Cancelled);
+}
+
+} // namespace
+} // namespace texloom::test

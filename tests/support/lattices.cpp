@@ -1,0 +1,104 @@
+#include "tests/support/lattices.h"
+
+#include "core/job/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::test {
+
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+
+double normal(const Random& random, int x, int y, std::uint32_t n) {
+    return std::sqrt(-2 * std::log(1 - random.uniform(x, y, n))) *
+           std::cos(kTurn * random.uniform(x, y, n + 1));
+}
+
+/// A sum of waves over the tile, none of which is left out, so that no smaller tile will do.
+double figure(const Random& random, Vec2 at, int channel) {
+    double sum = 0;
+    for (int i = 0; i <= 3; ++i)
+        for (int j = i == 0 ? 1 : -3; j <= 3; ++j) {
+            const double strength = (0.3 + random.uniform(i, j, 1)) / (i * i + j * j);
+            const double phase = random.uniform(i, j, 2) + 0.05 * channel;
+            sum += strength * std::sin(kTurn * (i * at.x + j * at.y + phase));
+        }
+    return sum;
+}
+
+} // namespace
+
+Image regularTexture(Size size, int channels, const Lattice& lattice, const Regularity& regularity,
+                     std::uint64_t seed) {
+    const Random random(seed);
+    constexpr double kContrast = 0.2;
+    Image image(size, channels);
+    for (int c = 0; c < channels; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const Vec2 at = lattice.coordinates({x + 0.5, y + 0.5});
+                const Vec2 tile{std::floor(at.x), std::floor(at.y)};
+                const Vec2 within = at - tile;
+                const auto n = static_cast<std::uint32_t>(10 + c);
+                const double change =
+                    random.uniform(static_cast<int>(tile.x), static_cast<int>(tile.y), n) - 0.5;
+                const bool joint = within.x < 0.12 || within.y < 0.12;
+                const double texture =
+                    joint ? -1.5 : figure(random, within, c) + 3.4 * regularity.colourChange * change;
+                const double light = regularity.ramp * (double(x) / size.width + double(y) / size.height - 1);
+                const double noise = std::sqrt(regularity.noise) *
+                                     normal(random, x, y, 20 + 2 * static_cast<std::uint32_t>(c));
+                image(x, y, c) = static_cast<float>(0.5 + kContrast * (texture + light + noise));
+            }
+    return image;
+}
+
+LatticeCase latticeCase(int index) {
+    static const char* const kKinds[] = {"square", "rectangular", "hexagonal", "oblique", "brick bond"};
+    const Random random(static_cast<std::uint64_t>(index) + 1000);
+    const auto draw = [&](int n, double low, double high) {
+        return low + (high - low) * random.uniform(n, 0);
+    };
+    const int kind = index % 5;
+    LatticeCase made;
+    made.kind = kKinds[kind];
+    double period = 9 * std::pow(10.0, draw(0, 0, 1));
+    if (random.uniform(1, 0) < 0.4)
+        period = std::round(period);
+    const double turn = kind == 4 && random.uniform(8, 0) < 0.5 ? 0 : draw(2, -0.3, 0.3);
+    const Vec2 along{period * std::cos(turn), period * std::sin(turn)};
+    const Vec2 across{-along.y, along.x};
+    const double aspect = draw(3, 0.6, 1.6);
+    switch (kind) {
+    case 0:
+        made.lattice = {along, across};
+        break;
+    case 1:
+        made.lattice = {along, aspect * across};
+        break;
+    case 2:
+        made.lattice = {along, 0.5 * along + std::sqrt(0.75) * across};
+        break;
+    case 3:
+        made.lattice = {along, draw(4, -0.5, 0.5) * along + aspect * across};
+        break;
+    default:
+        made.lattice = {along, 0.5 * along + draw(5, 0.3, 0.6) * across};
+        break;
+    }
+    const Lattice shortest = made.lattice.reduced();
+    const double grow = std::max(1.0, 9 / std::min(shortest.v1.length(), shortest.v2.length()));
+    made.lattice = {grow * made.lattice.v1, grow * made.lattice.v2};
+    const Vec2 extent = made.lattice.extent();
+    const double least = 2.4 * std::max(extent.x, extent.y);
+    const int side = static_cast<int>(std::max(least, draw(6, 128, 288)));
+    made.size = {side, static_cast<int>(side * draw(7, 0.85, 1.0))};
+    made.regularity = {random.uniform(9, 0) < 0.5 ? 0 : 0.1 * random.uniform(10, 0),
+                       random.uniform(11, 0) < 0.5 ? 0 : 0.6 * random.uniform(12, 0),
+                       random.uniform(13, 0) < 0.5 ? 0 : 2 * random.uniform(14, 0)};
+    return made;
+}
+
+} // namespace texloom::test
