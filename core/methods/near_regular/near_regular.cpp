@@ -1,0 +1,216 @@
+#include "core/analysis/lattice_detector.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/methods/method.h"
+#include "core/methods/near_regular/filler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::near_regular {
+
+namespace {
+
+constexpr int kSmallestExemplar = 8;
+constexpr int kSmallestBlock = 4;
+/// The source's block and border on its exemplars of 128 px: 40 and 10 px. Cuts find a better way in a wider
+/// one.
+constexpr double kBlockShare = 0.3125, kBorderShare = 0.25, kBorderShareOfCut = 0.4;
+
+int even(double length) {
+    return 2 * std::max(1, static_cast<int>(std::lround(length / 2)));
+}
+
+/// Border of a block: wide enough for the blended band, and at most half the block, so that no two gaps meet.
+int borderFor(const Settings& settings, int block) {
+    const bool cut = settings.join == Join::Cut;
+    const double automatic = (cut ? kBorderShareOfCut : kBorderShare) * block;
+    const int asked = settings.border > 0 ? even(settings.border) : even(automatic);
+    const int band = cut ? 2 : even(settings.blend + 1);
+    return std::clamp(std::max(asked, band), 2, std::max(2, block / 4 * 2));
+}
+
+/// The largest block of about the source's share of the exemplar for which the lattice leaves several patches
+/// to choose from.
+int blockFor(const Settings& settings, Size exemplar, const Lattice& lattice) {
+    if (settings.block > 0)
+        return settings.block;
+    constexpr double kChoices = 6;
+    int block = std::max(kSmallestBlock, static_cast<int>(std::lround(kBlockShare * exemplar.shorterSide())));
+    const auto choices = [&] {
+        const int patch = block + borderFor(settings, block);
+        return static_cast<double>(exemplar.width - patch + 1) * (exemplar.height - patch + 1) /
+               lattice.area();
+    };
+    while (block > kSmallestBlock && choices() < kChoices)
+        block = std::max(kSmallestBlock, 9 * block / 10);
+    return block;
+}
+
+int largestBlock(const Settings& settings, Size exemplar) {
+    int block = exemplar.shorterSide();
+    while (block > kSmallestBlock && block + borderFor(settings, block) > exemplar.shorterSide())
+        --block;
+    return block;
+}
+
+/// Fits the lattice to an output that wraps, and says so where that changes it visibly.
+Lattice closing(const Lattice& lattice, const Request& request, std::vector<std::string>& notes) {
+    if (!request.wrap.x && !request.wrap.y)
+        return lattice;
+    const WrappedLattice fitted = wrapped(lattice, request.size, request.wrap);
+    constexpr double kTooMuch = 0.6, kWorthSaying = 0.02;
+    const Size size = request.size;
+    if (fitted.stretch > kTooMuch)
+        failUsage(
+            "An output of {} × {} px cannot wrap with a lattice of {:.0f} × {:.0f} px; make it at least that "
+            "large, or set lattice=none.",
+            size.width, size.height, lattice.extent().x, lattice.extent().y);
+    const Size whole = wrappingRectangle(lattice, std::max(4096, size.longerSide()));
+    if (fitted.stretch > kWorthSaying && !whole.empty())
+        notes.push_back(fmt::format("To wrap at {} × {} px the lattice was changed by {:.1f} %; a multiple "
+                                    "of {} × {} px needs no change.",
+                                    size.width, size.height, 100 * fitted.stretch, whole.width,
+                                    whole.height));
+    return fitted.lattice;
+}
+
+void check(const Request& request, const Settings& settings) {
+    const Exemplar& exemplar = request.exemplars.front();
+    const Size size = exemplar.image->size();
+    if (size.shorterSide() < kSmallestExemplar)
+        failUsage("{} is {} × {} px; near-regular synthesis needs exemplars of at least {} × {} px.",
+                  exemplar.name, size.width, size.height, kSmallestExemplar, kSmallestExemplar);
+    checkLattice(settings, exemplar.name, size);
+    const int most = largestBlock(settings, size);
+    if (settings.block > most)
+        failUsage("{} is {} × {} px, too small for blocks of {} px with their borders; choose blocks of at "
+                  "most {} px.",
+                  exemplar.name, size.width, size.height, settings.block, most);
+    const auto checkWrap = [](bool wraps, int length, const char* side) {
+        if (wraps && length < 4 * kSmallestBlock)
+            failUsage("To wrap, the output's {} of {} px must be at least {} px.", side, length,
+                      4 * kSmallestBlock);
+    };
+    checkWrap(request.wrap.x, request.size.width, "width");
+    checkWrap(request.wrap.y, request.size.height, "height");
+}
+
+Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    const Size exemplar = request.exemplars.front().image->size(), part = request.part().size;
+    const int channels = request.channels();
+    // What the lattice will make of the block is not known yet: cuts take at most 2¼ bytes for each pixel of
+    // a gap.
+    const int shapes = request.wrap.x || request.wrap.y ? 16 : 1;
+    const auto beyond = static_cast<std::uint64_t>(part.width + 4LL * exemplar.width) *
+                        static_cast<std::uint64_t>(part.height + 4LL * exemplar.height);
+    Estimate need;
+    need.bytes = Image::bytesFor(part, channels) + PositionMap::bytesFor(part) + beyond * 5 / 4 +
+                 std::max(latticeBytesFor(exemplar, channels),
+                          BorderMatch::bytesFor(exemplar, channels, shapes, settings.match) +
+                              static_cast<std::uint64_t>(threads) *
+                                  (PatchDistances::scratchBytesFor(exemplar, channels) +
+                                   Image::bytesFor(exemplar, channels + 1)));
+    const double block = blockFor(settings, exemplar, {});
+    const double gaps = 0.5 * static_cast<double>(part.area()) / (block * block) + 4;
+    const auto pixels = static_cast<double>(exemplar.area());
+    need.seconds = latticeSecondsFor(exemplar) + 4e-8 * static_cast<double>(part.area()) +
+                   gaps * pixels * (3e-9 + 7e-11 * std::log2(pixels) * (channels + 1));
+    return need;
+}
+
+Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    const Exemplar& exemplar = request.exemplars.front();
+    Synthesis result;
+    context.stage(0.1, TR("Looking for the lattice"));
+    Plan plan;
+    plan.exemplar = *exemplar.image;
+    plan.from = latticeFor(settings, exemplar.name, plan.exemplar, result.notes, [&] { context.check(); });
+    plan.to = closing(plan.from, request, result.notes);
+    plan.block = blockFor(settings, plan.exemplar.size(), plan.from);
+    plan.border = borderFor(settings, plan.block);
+    const Vec2 extent = plan.from.extent();
+    if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
+        result.notes.push_back(
+            fmt::format("The lattice's tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so "
+                        "that new tiles are pieced together from parts of several.",
+                        extent.x, extent.y, plan.block));
+    Filler(request, settings, plan, context).fill(result, 0.9);
+    result.mapKind = settings.join == Join::Cut ? MapKind::Exact : MapKind::Dominant;
+    result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
+    result.figures.push_back({TR("Lattice, first vector right"), plan.from.v1.x});
+    result.figures.push_back({TR("Lattice, first vector down"), plan.from.v1.y});
+    result.figures.push_back({TR("Lattice, second vector right"), plan.from.v2.x});
+    result.figures.push_back({TR("Lattice, second vector down"), plan.from.v2.y});
+    return result;
+}
+
+std::vector<Param> params() {
+    std::vector<Param> all = latticeFields<Settings>();
+    all.push_back(
+        field(&Settings::originX, "origin-x", TR("Origin, right"))
+            .range(-65535, 65535)
+            .unit("px")
+            .group(TR("Lattice"))
+            .help(TR("Column of the exemplar's lattice that lies at the output's left side: moves the "
+                     "pattern sideways.")));
+    all.push_back(
+        field(&Settings::originY, "origin-y", TR("Origin, down"))
+            .range(-65535, 65535)
+            .unit("px")
+            .group(TR("Lattice"))
+            .help(TR("Row of the exemplar's lattice that lies at the output's top: moves the pattern up or "
+                     "down.")));
+    all.push_back(
+        field(&Settings::block, "block", TR("Block size"))
+            .range(0, 1024)
+            .unit("px")
+            .help(TR("Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger "
+                     "keeps larger stretches, smaller varies more.")));
+    all.push_back(
+        field(&Settings::border, "border", TR("Border"))
+            .range(0, 512)
+            .unit("px")
+            .help(TR("Width in which a patch is compared with, and joined to, its neighbours; 0 takes a "
+                     "share of the block.")));
+    all.push_back(
+        field(&Settings::tolerance, "tolerance", TR("Tolerance"))
+            .range(0, 64)
+            .unit("px")
+            .help(TR("How far from the lattice a patch that fills a gap may lie: more joins better where "
+                     "the texture is irregular, less keeps the courses straight.")));
+    all.push_back(
+        field(&Settings::join, "join", TR("Join"))
+            .choices({{"cut", TR("Minimum-error cut")}, {"blend", TR("Linear blending")}})
+            .help(TR("A cut keeps every pixel as it is in the exemplar; blending mixes a band along the "
+                     "blocks' edges, as in the source.")));
+    all.push_back(
+        field(&Settings::blend, "blend", TR("Blended band"))
+            .range(1, 256)
+            .unit("px")
+            .when("join", std::string("blend"))
+            .help(TR("Width of the band that is blended: wider hides differences of brightness between "
+                     "blocks, narrower is sharper.")));
+    all.push_back(
+        field(&Settings::match, "match", TR("Fit by"))
+            .choices({{"difference", TR("Squared differences")}, {"correlation", TR("Correlation")}})
+            .group(TR("Advanced"))
+            .help(TR("Differences keep brightness even between blocks; correlation fits edges better where "
+                     "brightness differs.")));
+    return all;
+}
+
+} // namespace
+
+extern const Method self;
+const Method self = method<Settings>(
+    {.title = TR("Near-regular texture"),
+     .summary = TR(
+         "Finds the lattice of bricks, tiles or weave and samples blocks at random along it, then fills the "
+         "gaps with patches that fit: keeps the courses and varies what lies in them."),
+     .citation = "López Recas, diploma thesis 2011, chapters 3 to 5",
+     .wraps = true,
+     .makesRegions = true},
+    params(), run, check, estimate);
+
+} // namespace texloom::near_regular

@@ -1,0 +1,65 @@
+#include "core/methods/near_regular/sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::near_regular {
+
+Sampler::Sampler(Size exemplar, const Lattice& from, const Lattice& to, Vec2 origin, const Layout& layout,
+                 const Random& random)
+    : m_positions{exemplar.width - layout.patch() + 1, exemplar.height - layout.patch() + 1}, m_from(from),
+      m_to(to), m_origin(origin), m_layout(layout), m_random(random) {}
+
+/// Where the patch would lie if the exemplar went on for ever. The lattices may differ, so that the patch is
+/// right at its middle.
+Vec2 Sampler::target(Cell cell) const {
+    const Cell own = m_layout.identity(cell);
+    const double half = 0.5 * m_layout.patch();
+    const Vec2 middle{m_layout.horizontal().start(own.column) - m_layout.reach() + half,
+                      m_layout.vertical().start(own.row) - m_layout.reach() + half};
+    const Vec2 c = m_to.coordinates(middle);
+    return m_origin + m_from.at(c.x, c.y) - Vec2{half, half};
+}
+
+std::vector<Point> Sampler::alike(Cell cell) const {
+    const Vec2 start = target(cell);
+    const double right = m_positions.width - 1, bottom = m_positions.height - 1;
+    // The positions' rectangle in coordinates of the lattice, seen from the target.
+    double a0 = HUGE_VAL, a1 = -HUGE_VAL, b0 = HUGE_VAL, b1 = -HUGE_VAL;
+    for (const Vec2 corner : {Vec2{0, 0}, Vec2{right, 0}, Vec2{0, bottom}, Vec2{right, bottom}}) {
+        const Vec2 c = m_from.coordinates(corner - start);
+        a0 = std::min(a0, c.x);
+        a1 = std::max(a1, c.x);
+        b0 = std::min(b0, c.y);
+        b1 = std::max(b1, c.y);
+    }
+    std::vector<Point> points;
+    constexpr double kRounding = 0.5;
+    for (double b = std::ceil(b0 - 1); b <= b1 + 1; ++b)
+        for (double a = std::ceil(a0 - 1); a <= a1 + 1; ++a) {
+            const Vec2 p = start + m_from.at(a, b);
+            if (p.x >= -kRounding && p.y >= -kRounding && p.x < right + kRounding && p.y < bottom + kRounding)
+                points.push_back({std::clamp(static_cast<int>(std::lround(p.x)), 0, m_positions.width - 1),
+                                  std::clamp(static_cast<int>(std::lround(p.y)), 0, m_positions.height - 1)});
+        }
+    return points;
+}
+
+Point Sampler::drawn(Cell cell) const {
+    const Cell own = m_layout.identity(cell);
+    const auto below = [&](std::size_t count, std::uint32_t draw) {
+        return static_cast<int>(m_random.below(static_cast<std::uint32_t>(count), own.column, own.row, draw));
+    };
+    if (free())
+        return {below(static_cast<std::size_t>(m_positions.width), 0),
+                below(static_cast<std::size_t>(m_positions.height), 1)};
+    const std::vector<Point> points = alike(cell);
+    if (!points.empty())
+        return points[static_cast<std::size_t>(below(points.size(), 0))];
+    const Vec2 middle{0.5 * (m_positions.width - 1), 0.5 * (m_positions.height - 1)};
+    const Vec2 nearest = middle + (target(cell) - middle) - m_from.nearest(target(cell) - middle);
+    return {std::clamp(static_cast<int>(std::lround(nearest.x)), 0, m_positions.width - 1),
+            std::clamp(static_cast<int>(std::lround(nearest.y)), 0, m_positions.height - 1)};
+}
+
+} // namespace texloom::near_regular

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/analysis/lattice.h"
+#include "core/job/random.h"
+#include "core/methods/near_regular/layout.h"
+
+#include <vector>
+
+namespace texloom::near_regular {
+
+/// A pixel of the exemplar.
+struct Point {
+    int x = 0, y = 0;
+};
+
+/// Where in the exemplar patches lie that look like a block of the output: at the multiples of the lattice
+/// that lead from the one to the other (López Recas 2011, section 4.2.1). Points name a patch by its top left
+/// pixel.
+class Sampler {
+public:
+    /// @param exemplar its size. @param from the lattice in the exemplar. @param to the lattice in the
+    /// output, which differs where the output wraps. @param origin the exemplar's point at the output's top
+    /// left.
+    Sampler(Size exemplar, const Lattice& from, const Lattice& to, Vec2 origin, const Layout& layout,
+            const Random& random);
+
+    /// Whether patches may come from anywhere.
+    bool free() const { return m_from.free(); }
+    /// All patches that lie as the lattice asks, to the nearest pixel.
+    std::vector<Point> alike(Cell cell) const;
+    /// One of alike(), drawn by the block's place; the allowed patch nearest to one where there is none.
+    Point drawn(Cell cell) const;
+    Size positions() const { return m_positions; }
+
+private:
+    Vec2 target(Cell cell) const;
+
+    Size m_positions;
+    Lattice m_from, m_to;
+    Vec2 m_origin;
+    const Layout& m_layout;
+    const Random& m_random;
+};
+
+} // namespace texloom::near_regular

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/analysis/lattice_settings.h"
+
+namespace texloom::near_regular {
+
+/// How a patch is compared with the border that it has to fit (López Recas 2011, section 4.2.2).
+enum class Match { Difference, Correlation };
+
+/// How neighbouring blocks are joined: along minimum-error cuts, or by the source's linear blending.
+enum class Join { Cut, Blend };
+
+/// Parameters of constrained random sampling and gap filling (López Recas 2011, section 4.2).
+struct Settings : LatticeSettings {
+    double originX = 0,
+           originY = 0; ///< the exemplar's point that lies at the output's top left, in its lattice
+    int block = 0;      ///< side of the blocks in pixels; 0: by the exemplar and its lattice
+    int border = 0;     ///< width of the compared border in pixels; 0: by the block
+    int tolerance = 3;  ///< how far from the lattice a gap's patch may lie, in pixels
+    Match match = Match::Difference;
+    Join join = Join::Cut;
+    int blend = 4;        ///< width of the blended band in pixels
+    bool flatten = false; ///< takes slow changes of light out of the exemplar first
+    bool rectify = false; ///< turns and shears the exemplar to whole-pixel vectors first
+};
+
+} // namespace texloom::near_regular

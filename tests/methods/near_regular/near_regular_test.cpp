@@ -1,0 +1,265 @@
+#include "core/base/error.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "core/methods/near_regular/border_match.h"
+#include "core/methods/near_regular/layout.h"
+#include "core/methods/near_regular/sampler.h"
+#include "tests/support/lattices.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace texloom::near_regular {
+namespace {
+
+using test::blobs;
+using test::noise;
+using test::regularTexture;
+
+TEST(Layout, dividesAWrappingAxisIntoAnEvenNumberOfBlocks) {
+    for (const int length : {16, 64, 151, 1000})
+        for (const int block : {4, 7, 40}) {
+            const Axis axis(length, block, true);
+            EXPECT_EQ(axis.count() % 2, 0);
+            EXPECT_EQ(axis.start(axis.count()) - axis.start(0), length);
+            for (int i = -3; i < axis.count() + 3; ++i) {
+                EXPECT_LE(axis.length(i), block);
+                EXPECT_EQ(axis.start(i + axis.count()), axis.start(i) + length);
+                EXPECT_EQ(axis.at(axis.start(i)), i);
+                EXPECT_EQ(axis.at(axis.start(i + 1) - 1), i);
+            }
+        }
+}
+
+TEST(Layout, givesWedgesOfGapsToTheNearestNeighbour) {
+    const Layout layout({100, 100}, {}, 10, 4);
+    EXPECT_EQ(layout.sampledAt(25, 25), (Cell{2, 2}));
+    EXPECT_EQ(layout.sampledAt(11, 5), (Cell{0, 0}));
+    EXPECT_EQ(layout.sampledAt(18, 5), (Cell{2, 0}));
+    EXPECT_EQ(layout.sampledAt(15, 1), (Cell{1, -1}));
+    EXPECT_EQ(layout.sampledAt(15, 8), (Cell{1, 1}));
+}
+
+TEST(Layout, namesEveryGapThatAPartTouches) {
+    const Layout layout({100, 100}, {true, true}, 10, 4);
+    const std::vector<Cell> all = layout.gapsOf({0, 0, {100, 100}});
+    EXPECT_EQ(all.size(), 50U);
+    EXPECT_EQ(std::set<Cell>(all.begin(), all.end()).size(), 50U);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        EXPECT_LE(all[i - 1].row & 1, all[i].row & 1);
+    EXPECT_LT(layout.gapsOf({30, 30, {5, 5}}).size(), 20U);
+}
+
+TEST(Sampler, findsThePatchesAtTheLatticesMultiples) {
+    const Layout layout({500, 500}, {}, 20, 6);
+    const Lattice lattice{{13.4, 2.2}, {-3.1, 17.7}};
+    const Random random(3);
+    const Sampler sampler({128, 110}, lattice, lattice, {0, 0}, layout, random);
+    for (const Cell cell : {Cell{0, 0}, Cell{7, 3}, Cell{-2, 20}}) {
+        const std::vector<Point> points = sampler.alike(cell);
+        std::set<std::pair<int, int>> found;
+        for (const Point& p : points)
+            found.emplace(p.x, p.y);
+        // Every position of the exemplar is one or not, by its distance to the lattice.
+        const Vec2 corner{cell.column * 20.0 - 3, cell.row * 20.0 - 3};
+        for (int y = 1; y < 110 - 26; ++y)
+            for (int x = 1; x < 128 - 26; ++x) {
+                const Vec2 away = Vec2{double(x), double(y)} - corner;
+                const Vec2 off = away - lattice.nearest(away);
+                if (std::max(std::abs(off.x), std::abs(off.y)) < 0.499) {
+                    EXPECT_TRUE(found.contains({x, y})) << x << ", " << y;
+                } else if (std::max(std::abs(off.x), std::abs(off.y)) > 0.501) {
+                    EXPECT_FALSE(found.contains({x, y})) << x << ", " << y;
+                }
+            }
+        const Point drawn = sampler.drawn(cell);
+        EXPECT_TRUE(found.contains({drawn.x, drawn.y}));
+    }
+}
+
+/// Sum of squared differences, or 1 − γ, over a border, by its definition.
+double misfit(const ImageView& exemplar, const ImageView& known, const Overlap& border, Point at,
+              Match match) {
+    const int patch = known.width;
+    double differences = 0, above = 0, below = 0;
+    for (int c = 0; c < known.channels; ++c) {
+        double n = 0, f = 0, g = 0, ff = 0, gg = 0, fg = 0;
+        for (int y = 0; y < patch; ++y)
+            for (int x = 0; x < patch; ++x)
+                if (border.contains(x, y, patch)) {
+                    const double a = double(exemplar(at.x + x, at.y + y, c)), b = double(known(x, y, c));
+                    differences += (a - b) * (a - b);
+                    n += 1;
+                    f += a;
+                    g += b;
+                    ff += a * a;
+                    gg += b * b;
+                    fg += a * b;
+                }
+        above += n * fg - f * g;
+        below += std::sqrt(n * ff - f * f) * std::sqrt(n * gg - g * g);
+    }
+    return match == Match::Difference ? differences : 1 - above / below;
+}
+
+TEST(BorderMatch, choosesWhatBruteForceFinds) {
+    const Image exemplar = blobs({40, 37}, 3);
+    const Overlap border{4, 4, 5, 4};
+    for (const Match match : {Match::Difference, Match::Correlation}) {
+        BorderMatch search(exemplar, 14, match);
+        search.prepare(border);
+        BorderMatch::Scratch scratch = search.scratch();
+        for (std::uint64_t seed = 1; seed < 6; ++seed) {
+            const Image known = blobs({14, 14}, 3, seed + 20);
+            double least = HUGE_VAL, leastNear = HUGE_VAL;
+            for (int y = 0; y <= 37 - 14; ++y)
+                for (int x = 0; x <= 40 - 14; ++x) {
+                    const double value = misfit(exemplar, known, border, {x, y}, match);
+                    least = std::min(least, value);
+                    if (std::abs(x - 20) <= 2 && std::abs(y - 22) <= 2)
+                        leastNear = std::min(leastNear, value);
+                }
+            const auto found = [&](const std::vector<Point>& points) {
+                return misfit(exemplar, known, border,
+                              search.choose(known, border, points, 2, scratch, [] {}), match);
+            };
+            EXPECT_NEAR(found({}), least, 1e-3 * (1 + least));
+            EXPECT_NEAR(found({{20, 22}}), leastNear, 1e-3 * (1 + leastNear));
+        }
+    }
+}
+
+Synthesis run(const Image& exemplar, Size size, const Values& settings, Wrap wrap = {},
+              std::uint64_t seed = 1) {
+    const Method& method = findMethod("near-regular");
+    Request request;
+    request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar), nullptr}};
+    request.size = size;
+    request.wrap = wrap;
+    request.seed = seed;
+    const Values all = method.resolved(settings, exemplar.size());
+    method.check(request, all);
+    Job<Synthesis> job({seed, 2, false},
+                       [&](JobContext& context) { return method.run(request, all, context); });
+    Outcome<Synthesis> outcome = job.take();
+    if (const auto* failure = std::get_if<Failure>(&outcome))
+        throw Error(failure->message);
+    return std::get<Synthesis>(std::move(outcome));
+}
+
+TEST(NearRegular, continuesAPeriodicExemplarExactly) {
+    const Lattice lattice{{16, 2}, {-5, 13}};
+    const Image exemplar = regularTexture({128, 120}, 3, lattice, {}, 5),
+                whole = regularTexture({260, 230}, 3, lattice, {}, 5);
+    for (const char* join : {"cut", "blend"})
+        for (const char* match : {"difference", "correlation"}) {
+            const Synthesis result =
+                run(exemplar, {260, 230}, {{"join", std::string(join)}, {"match", std::string(match)}});
+            for (int y = 0; y < 230; y += 3)
+                for (int x = 0; x < 260; x += 3)
+                    ASSERT_NEAR(result.image(x, y, 2), whole(x, y, 2), 1e-4) << join << " " << x << ", " << y;
+        }
+}
+
+TEST(NearRegular, keepsTheCoursesFarAwayWithVectorsBetweenPixels) {
+    const Lattice lattice{{17.37, 0}, {0, 14.61}};
+    const Image exemplar = regularTexture({160, 150}, 1, lattice, {0.05, 0.4, 0}, 5);
+    const Synthesis result = run(exemplar, {700, 90}, {});
+    // The light of the columns at the right end against that of the ideal texture.
+    double best = -1;
+    int at = 99;
+    const Image ideal = regularTexture({706, 90}, 1, lattice, {}, 5);
+    for (int shift = -6; shift <= 6; ++shift) {
+        double sum = 0;
+        for (int y = 0; y < 90; ++y)
+            for (int x = 500; x < 694; ++x)
+                sum += (double(result.image(x, y, 0)) - 0.5) * (double(ideal(x + shift, y, 0)) - 0.5);
+        if (sum > best) {
+            best = sum;
+            at = shift;
+        }
+    }
+    EXPECT_LE(std::abs(at), 1);
+}
+
+TEST(NearRegular, blendsAsTheSourceSays) {
+    const Image exemplar = noise({64, 64}, 1);
+    constexpr int kBlock = 16, kBand = 4;
+    const Synthesis result = run(
+        exemplar, {80, 80}, {{"lattice", "none"}, {"block", kBlock}, {"join", "blend"}, {"blend", kBand}});
+    EXPECT_EQ(result.mapKind, MapKind::Dominant);
+    // In its middle a block is a copy, which tells where its patch lies.
+    const auto source = [&](int column, int row, int x, int y) {
+        const Source& middle = result.map.at(column * kBlock + 8, row * kBlock + 8);
+        return double(exemplar(middle.x + x - column * kBlock - 8, middle.y + y - row * kBlock - 8, 0));
+    };
+    for (int y = 24; y < 56; ++y)
+        for (int x = 24; x < 56; ++x) {
+            const int column = (x + 2) / kBlock, row = (y + 2) / kBlock; // the later block of a band
+            const int inX = x + 2 - column * kBlock, inY = y + 2 - row * kBlock;
+            const double ax = inX < kBand ? 1 - (inX + 1) / (kBand + 1.0) : 0,
+                         ay = inY < kBand ? 1 - (inY + 1) / (kBand + 1.0) : 0;
+            double expected = (1 - ax) * (1 - ay) * source(column, row, x, y);
+            if (ax > 0)
+                expected += ax * (1 - ay) * source(column - 1, row, x, y);
+            if (ay > 0)
+                expected += (1 - ax) * ay * source(column, row - 1, x, y);
+            if (ax > 0 && ay > 0)
+                expected += ax * ay * source(column - 1, row - 1, x, y);
+            EXPECT_NEAR(result.image(x, y, 0), expected, 1e-5) << x << ", " << y;
+        }
+}
+
+TEST(NearRegular, closesOnItselfWithWholePeriods) {
+    const Lattice lattice{{16, 0}, {8, 13}};
+    const Image exemplar = regularTexture({128, 120}, 1, lattice, {}, 5);
+    const Size size{160, 26 * 6};
+    const Synthesis result = run(exemplar, size, {}, {true, true});
+    EXPECT_TRUE(result.notes.empty());
+    const Image whole = regularTexture(size, 1, lattice, {}, 5);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            ASSERT_NEAR(result.image(x, y, 0), whole(x, y, 0), 1e-4);
+    EXPECT_THAT(run(exemplar, {168, 150}, {}, {true, true}).notes,
+                testing::Contains(testing::HasSubstr("16 × 26 px")));
+}
+
+TEST(NearRegular, saysWhatItDoesWithoutALattice) {
+    EXPECT_THAT(run(blobs({64, 64}, 3), {90, 90}, {}).notes,
+                testing::Contains(testing::HasSubstr("No lattice")));
+    EXPECT_TRUE(run(blobs({64, 64}, 3), {90, 90}, {{"lattice", "none"}}).notes.empty());
+}
+
+TEST(NearRegular, saysWhereTheTileIsLargerThanTheBlock) {
+    const Image exemplar = regularTexture({128, 128}, 1, {{40, 0}, {0, 36}}, {}, 5);
+    EXPECT_THAT(run(exemplar, {200, 200}, {{"block", 20}}).notes,
+                testing::Contains(testing::HasSubstr("blocks of 20 px")));
+}
+
+TEST(NearRegular, movesThePatternByTheOrigin) {
+    const Lattice lattice{{16, 0}, {0, 13}};
+    const Image exemplar = regularTexture({128, 120}, 1, lattice, {}, 5),
+                whole = regularTexture({128, 120}, 1, lattice, {}, 5);
+    const Synthesis result = run(exemplar, {100, 100}, {{"origin-x", 5.0}, {"origin-y", 3.0}});
+    for (int y = 0; y < 100; y += 7)
+        for (int x = 0; x < 100; x += 7)
+            EXPECT_NEAR(result.image(x, y, 0), whole(x + 5, y + 3, 0), 1e-4);
+}
+
+TEST(NearRegular, refusesBlocksThatDoNotFit) {
+    try {
+        run(blobs({64, 64}, 3), {90, 90}, {{"block", 60}});
+        ADD_FAILURE() << "was taken";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("60 px"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("at most"));
+    }
+    EXPECT_THROW(run(blobs({64, 64}, 3), {90, 10}, {}, {false, true}), UsageError);
+}
+
+} // namespace
+} // namespace texloom::near_regular
