@@ -64,6 +64,7 @@ Json toJson(const Method& method) {
                  {"usesMask", info.usesMask},
                  {"severalExemplars", info.severalExemplars},
                  {"copiesPixels", info.copiesPixels},
+                 {"makesRegions", info.makesRegions},
                  {"parameters", Json::array()}};
     for (const Param& param : method.params())
         json["parameters"].push_back(toJson(param));
@@ -105,6 +106,24 @@ Size parseSize(const std::string& text) {
         failUsage("--size {}: write it as 512x512 or 512, each side from 1 to {} px.", text,
                   grouped(kLargestSide));
     return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::optional<Region> parseRegion(const std::string& text) {
+    if (text.empty())
+        return std::nullopt;
+    std::vector<long long> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        long long number = -1;
+        if (!parseInteger(text.substr(begin, end - begin), number) || number < 0 || number > kLargestSide)
+            number = -1;
+        numbers.push_back(number);
+        begin = end + 1;
+    }
+    if (numbers.size() != 4 || std::find(numbers.begin(), numbers.end(), -1) != numbers.end())
+        failUsage("--region {}: write it as x,y,width,height in pixels of the output.", text);
+    const auto at = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
+    return Region{at(0), at(1), {at(2), at(3)}};
 }
 
 std::uint64_t parseSeed(const std::string& text) {
@@ -178,6 +197,7 @@ RunInput inputFor(const SynthOptions& options) {
     input.then.assign(steps.begin() + 1, steps.end());
     input.wrap = parseWrap(options.wrap);
     input.seed = parseSeed(options.seed);
+    input.region = parseRegion(options.region);
     if (!options.size.empty())
         input.size = parseSize(options.size);
     for (const fs::path& path : options.exemplars)
@@ -200,6 +220,11 @@ Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs
         if (depthName(depth) == text || depthName(depth) == text + "-bit")
             return depth;
     failUsage("--depth {}: it is one of 8, 16, half and float.", text);
+}
+
+/// In bytes; 0 for what is free.
+std::uint64_t memoryLimit(const OutputOptions& out) {
+    return static_cast<std::uint64_t>(out.memory) << 20;
 }
 
 bool sameFile(const fs::path& a, const fs::path& b) {
@@ -237,20 +262,27 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     options.sidecar = !out.noSidecar;
     options.check = checkInterrupt;
 
-    const auto job = startRun(std::move(plan), false);
-    follow(*job, out.quiet);
-    Outcome<Result> outcome = job->take();
-    if (std::holds_alternative<Cancelled>(outcome))
-        throw Cancelled{};
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    const Result& result = std::get<Result>(outcome);
-    exportResult(result, options);
+    const auto make = [&out](RunPlan run) {
+        const auto job = startRun(std::move(run), false);
+        follow(*job, out.quiet);
+        Outcome<Result> outcome = job->take();
+        if (std::holds_alternative<Cancelled>(outcome))
+            throw Cancelled{};
+        if (const auto* failure = std::get_if<Failure>(&outcome))
+            throw Error(failure->message);
+        return std::get<Result>(std::move(outcome));
+    };
+    const Result result = plan.stripRows > 0 ? exportStrips(plan, options, make) : make(std::move(plan));
+    if (result.plan.stripRows == 0)
+        exportResult(result, options);
+    for (const std::string& note : result.synthesis.notes)
+        if (!out.quiet)
+            fmt::print("{}\n", note);
     if (!out.report.empty())
         writeText(out.report, reportJson(result, out.report.parent_path()));
     if (!out.quiet)
-        fmt::print("{}: {} × {} px in {}\n", out.output.string(), result.plan.request.size.width,
-                   result.plan.request.size.height, durationText(result.seconds));
+        fmt::print("{}: {} × {} px in {}\n", out.output.string(), result.plan.request.part().size.width,
+                   result.plan.request.part().size.height, durationText(result.seconds));
 }
 
 } // namespace
@@ -279,7 +311,7 @@ void listMethods(const std::string& id, bool json) {
 void synth(const SynthOptions& options) {
     RunInput input = inputFor(options);
     input.threads = options.out.threads;
-    execute(planRun(input), input.exemplars.front().image, options.out);
+    execute(planRun(input, memoryLimit(options.out), true), input.exemplars.front().image, options.out);
 }
 
 void runRecipe(const RunOptions& options) {
@@ -289,7 +321,7 @@ void runRecipe(const RunOptions& options) {
                    file.string());
     });
     input.threads = options.out.threads;
-    RunPlan plan = planRun(input);
+    RunPlan plan = planRun(input, memoryLimit(options.out), true);
     OutputOptions out = options.out;
     if (out.output.empty()) {
         Result unnamed;

@@ -15,6 +15,7 @@ struct OutputOptions {
     std::string space; ///< of the output, or empty for what the format's users expect
     std::filesystem::path report;
     int threads = 0;
+    int memory = 0; ///< most MiB that the run may take; 0 for what is free
     bool noSidecar = false;
     bool quiet = false;
 };
@@ -28,6 +29,7 @@ struct SynthOptions {
     std::string seed = "0";
     std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
     std::string wrap;
+    std::string region; ///< "x,y,width,height", or empty for all
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
     std::optional<std::filesystem::path> initial;

@@ -26,6 +26,11 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
         .add_option("--threads", out.threads,
                     "Number of threads; one per core if not given. The result is the same")
         ->check(CLI::Range(1, 1024));
+    command
+        .add_option("--memory", out.memory,
+                    "Most memory in MiB that the run may take; what is free if not given. Methods that make "
+                    "regions write larger outputs strip by strip")
+        ->check(CLI::Range(1, 1 << 24));
     command.add_option("--report", out.report, "JSON file for recipe, timings, peak memory and figures");
     command.add_flag("--no-sidecar", out.noSidecar, "Do not write the recipe beside the output");
     command.add_flag("--quiet", out.quiet, "Print nothing but errors");
@@ -60,6 +65,8 @@ void addSynth(CLI::App& app) {
         ->take_all()
         ->allow_extra_args(false);
     command->add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
+    command->add_option("--region", options.region,
+                        "Part of the output to make, as x,y,width,height; it equals that part of the whole");
     command
         ->add_option("--companion", options.companions,
                      "Map of the exemplar's size to lay out alike; may be repeated")

@@ -91,6 +91,12 @@ std::uint64_t seedFrom(const JsonField& field) {
     return field.json().get<std::uint64_t>();
 }
 
+Region regionFrom(const JsonField& field) {
+    field.needArray(4, 4);
+    const auto number = [&](std::size_t i) { return field.at(i).whole(); };
+    return {number(0), number(1), {number(2), number(3)}};
+}
+
 void checkFormat(const JsonField& root) {
     const JsonField format = root.at("texloom");
     if (format.whole() < 1)
@@ -105,7 +111,7 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder) {
         failUsage("A recipe is a JSON object; this is not one.");
     checkFormat(root);
     root.only({"texloom", "version", "method", "parameters", "then", "exemplars", "initial", "size", "wrap",
-               "seed", "outputs"});
+               "seed", "region", "outputs"});
     Recipe recipe;
     recipe.version = root.has("version") ? root.at("version").text() : "";
     recipe.method = root.at("method").text();
@@ -122,6 +128,8 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder) {
     recipe.size = sizeFrom(root.at("size"));
     recipe.wrap = root.has("wrap") ? wrapFrom(root.at("wrap")) : Wrap{};
     recipe.seed = root.has("seed") ? seedFrom(root.at("seed")) : 0;
+    if (root.has("region"))
+        recipe.region = regionFrom(root.at("region"));
     return recipe;
 }
 
@@ -156,6 +164,8 @@ std::string Recipe::toJson(const fs::path& folder) const {
     json["size"] = {size.width, size.height};
     json["wrap"] = std::string(wrap.x ? "x" : "") + (wrap.y ? "y" : "");
     json["seed"] = seed;
+    if (region)
+        json["region"] = {region->x, region->y, region->size.width, region->size.height};
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -51,6 +51,7 @@ struct Recipe {
     Size size;
     Wrap wrap;
     std::uint64_t seed = 0;
+    std::optional<Region> region; ///< the part that was made, if not all
 
     /// JSON text with paths relative to `folder`.
     std::string toJson(const std::filesystem::path& folder) const;

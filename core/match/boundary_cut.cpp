@@ -59,8 +59,7 @@ public:
             if (corner < 0 || across == corner)
                 sums[index(first, across)] = error(first, across);
         for (int along = first + 1; along < m_length; ++along)
-            for (int across = 0; across < m_width; ++across)
-                sums[index(along, across)] = error(along, across) + sums[bestOnLine(sums, along - 1, across)];
+            addLine(sums, along, along - 1);
         return sums;
     }
 
@@ -68,8 +67,7 @@ public:
     std::vector<double> backward() const {
         std::vector<double> sums = m_error;
         for (int along = m_length - 2; along >= 0; --along)
-            for (int across = 0; across < m_width; ++across)
-                sums[index(along, across)] += sums[bestOnLine(sums, along + 1, across)];
+            addLine(sums, along, along + 1);
         return sums;
     }
 
@@ -127,6 +125,24 @@ private:
     std::size_t index(int along, int across) const {
         return static_cast<std::size_t>(along) * static_cast<std::size_t>(m_width) +
                static_cast<std::size_t>(across);
+    }
+
+    /// The sums on one line from those on the line before: the smallest of up to three and the own error. Written
+    /// so that it vectorises.
+    void addLine(std::vector<double>& sums, int along, int from) const {
+        const double* error = &m_error[index(along, 0)];
+        const double* before = &sums[index(from, 0)];
+        double* to = &sums[index(along, 0)];
+        const int last = m_width - 1;
+        if (last == 0) {
+            to[0] = error[0] + before[0];
+            return;
+        }
+        to[0] = error[0] + std::min(before[0], before[1]);
+        for (int across = 1; across < last; ++across)
+            to[across] = error[across] +
+                         std::min(std::min(before[across - 1], before[across]), before[across + 1]);
+        to[last] = error[last] + std::min(before[last - 1], before[last]);
     }
 
     /// Of the up to three pixels on a line that a path may come from, the one with the smallest sum.

@@ -47,12 +47,17 @@ bool hasMap(const Result& result) {
     return result.synthesis.mapKind != MapKind::None;
 }
 
-void writeResult(const Result& result, const ExportOptions& options) {
+WriteOptions writeOptions(const Result& result, const ExportOptions& options) {
     WriteOptions write;
     write.check = options.check;
     write.depth = options.depth;
     write.space = spaceFor(result, options);
     write.recipe = result.plan.recipe.toJson(folderOf(options.image));
+    return write;
+}
+
+void writeResult(const Result& result, const ExportOptions& options) {
+    const WriteOptions write = writeOptions(result, options);
     if (write.space == "srgb" || write.space == "raw") {
         writeImage(options.image, result.synthesis.image, write);
         return;
@@ -182,6 +187,40 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
     return written;
 }
 
+Result exportStrips(const RunPlan& plan, const ExportOptions& options,
+                    const std::function<Result(RunPlan)>& make) {
+    const bool companions = options.companions && !plan.companions.front().empty();
+    if (!options.maps.empty() || companions)
+        failUsage("An output of {} × {} px is made in strips of {} rows, for which no position or companion "
+                  "maps are "
+                  "written; choose a region or a smaller size for those.",
+                  plan.request.part().size.width, plan.request.part().size.height, plan.stripRows);
+    Result whole;
+    whole.plan = plan;
+    const Region part = plan.request.part();
+    Result strip;
+    const RowSource rows = [&](int y, float* row) {
+        if (y % plan.stripRows == 0) {
+            strip = {}; // frees the one before
+            strip = make(plan.strip(part.y + y));
+            whole.seconds += strip.seconds;
+            if (y == 0) {
+                whole.figures = strip.synthesis.figures;
+                whole.synthesis.notes = strip.synthesis.notes;
+            }
+            color::fromWorking(strip.synthesis.image, spaceFor(whole, options));
+        }
+        const Image& image = strip.synthesis.image;
+        for (int x = 0; x < image.width(); ++x)
+            for (int c = 0; c < image.channels(); ++c)
+                row[x * image.channels() + c] = image(x, y % plan.stripRows, c);
+    };
+    writeImage(options.image, part.size, plan.request.channels(), rows, writeOptions(whole, options));
+    if (options.sidecar)
+        writeSidecar(whole, options, beside(options.image, "", ".json"));
+    return whole;
+}
+
 std::string reportJson(const Result& result, const fs::path& folder) {
     Json json;
     json["recipe"] = Json::parse(result.plan.recipe.toJson(folder));
@@ -192,6 +231,8 @@ std::string reportJson(const Result& result, const fs::path& folder) {
     json["peakMemoryBytes"] = peakMemory();
     json["memoryBeforeBytes"] = result.plan.memoryBefore;
     json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
+    for (const std::string& note : result.synthesis.notes)
+        json["notes"].push_back(note);
     for (const Figure& figure : result.figures)
         json["figures"][figure.name] = figure.value;
     return json.dump(2) + "\n";

@@ -38,6 +38,13 @@ Depth depthLike(const ExemplarFile& source, const std::filesystem::path& path);
 /// @return the entries written. @throws Error, UsageError
 std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions& options);
 
+/// Makes a plan with stripRows strip by strip and writes the image as it comes, so that it is never in memory
+/// whole, and the recipe beside it. There are no position maps of such outputs, nor companion maps.
+/// @param make runs one strip, as startRun() would. @return the plan with the time all strips took, and what
+/// the first had to say. @throws what `make` throws, Error, UsageError
+Result exportStrips(const RunPlan& plan, const ExportOptions& options,
+                    const std::function<Result(RunPlan)>& make);
+
 /// Recipe, timings by stage, peak memory and figures as JSON: the command line's --report.
 std::string reportJson(const Result& result, const std::filesystem::path& folder);
 

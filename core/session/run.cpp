@@ -22,11 +22,16 @@ RecipeFile recipeFile(const ExemplarFile& file) {
 }
 
 Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
-    Recipe recipe{
-        kVersion,  steps.front().method->id(), steps.front().settings, {}, {}, {}, input.size, input.wrap,
-        input.seed};
+    Recipe recipe;
+    recipe.version = kVersion;
+    recipe.method = steps.front().method->id();
+    recipe.parameters = steps.front().settings;
     for (std::size_t i = 1; i < steps.size(); ++i)
         recipe.then.push_back({steps[i].method->id(), steps[i].settings});
+    recipe.size = input.size;
+    recipe.wrap = input.wrap;
+    recipe.seed = input.seed;
+    recipe.region = input.region;
     for (const RunExemplar& exemplar : input.exemplars) {
         RecipeExemplar& entry = recipe.exemplars.emplace_back();
         entry.image = recipeFile(exemplar.image);
@@ -77,6 +82,7 @@ Request requestFor(const RunInput& input, bool stacks) {
     request.size = input.size;
     request.wrap = input.wrap;
     request.seed = input.seed;
+    request.region = input.region;
     return request;
 }
 
@@ -100,7 +106,34 @@ void checkMemory(const Estimate& estimate, const Request& request, std::uint64_t
     if (estimate.bytes > limit)
         fail("An output of {} × {} px would need {} of memory, more than the {} that are free; choose a "
              "smaller size.",
-             request.size.width, request.size.height, byteText(estimate.bytes), byteText(limit));
+             request.part().size.width, request.part().size.height, byteText(estimate.bytes),
+             byteText(limit));
+}
+
+/// What the only step of a plan needs for `rows` rows of the part asked for.
+Estimate estimateForRows(const RunPlan& plan, int rows) {
+    const RunStep& step = plan.steps.front();
+    const Region part = plan.request.part();
+    Request request = plan.request;
+    request.region = Region{part.x, part.y, {part.size.width, std::min(part.size.height, rows)}};
+    return step.method->estimate(request, step.settings, plan.threads);
+}
+
+/// Where a lone method makes regions: plans strips of the most rows that fit in `limit` bytes with room to
+/// spare, unless hardly any do.
+void planStrips(RunPlan& plan, std::uint64_t limit) {
+    constexpr int kFewest = 64, kStep = 64;
+    if (plan.steps.size() > 1 || !plan.lastMethod().info().makesRegions)
+        return;
+    int fitting = 0;
+    // Doubling, then halving the steps: estimates only grow with the rows.
+    for (int step = 1 << 14; step >= kStep; step /= 2)
+        if (estimateForRows(plan, fitting + step).bytes <= limit / 4 * 3)
+            fitting = std::min(plan.request.part().size.height, fitting + step);
+    if (fitting < kFewest)
+        return;
+    plan.stripRows = fitting;
+    plan.estimate = estimateForRows(plan, fitting);
 }
 
 /// A figure in kB from one of the kernel's lists, in bytes.
@@ -194,7 +227,7 @@ ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
 
 } // namespace
 
-RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit) {
+RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     RunPlan plan;
     if (input.exemplars.empty())
         failUsage("There is no exemplar to learn from.");
@@ -206,11 +239,22 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit) {
         !input.exemplars.front().companions.empty() && !findMethod(steps.back().method).info().copiesPixels;
     plan.request = requestFor(input, stacks);
     planSteps(plan, steps);
-    checkMemory(plan.estimate, plan.request, memoryLimit > 0 ? memoryLimit : availableMemory());
+    const std::uint64_t limit = memoryLimit > 0 ? memoryLimit : availableMemory();
+    if (strips && plan.estimate.bytes > limit)
+        planStrips(plan, limit);
+    checkMemory(plan.estimate, plan.request, limit);
     plan.recipe = recipeFor(input, plan.steps);
     for (const RunExemplar& exemplar : input.exemplars)
         plan.companions.push_back(exemplar.companions);
     return plan;
+}
+
+RunPlan RunPlan::strip(int y) const {
+    const Region part = request.part();
+    RunPlan one = *this;
+    one.request.region = Region{part.x, y, {part.size.width, std::min(stripRows, part.bottom() - y)}};
+    one.stripRows = 0;
+    return one;
 }
 
 RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::filesystem::path&)>& changed) {
@@ -223,6 +267,7 @@ RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::fi
     input.size = recipe.size;
     input.wrap = recipe.wrap;
     input.seed = recipe.seed;
+    input.region = recipe.region;
     for (const RecipeExemplar& entry : recipe.exemplars) {
         RunExemplar& exemplar = input.exemplars.emplace_back();
         exemplar.image = loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space), changed);
@@ -254,16 +299,19 @@ Image Result::companion(std::size_t index) const {
 }
 
 std::string Result::label() const {
-    return fmt::format("{} · seed {} · {} × {}", plan.methodIds(" + "), plan.request.seed,
-                       plan.request.size.width, plan.request.size.height);
+    const Size size = plan.request.part().size;
+    return fmt::format("{} · seed {} · {} × {}", plan.methodIds(" + "), plan.request.seed, size.width,
+                       size.height);
 }
 
 std::string Result::fileName() const {
-    const Size size = plan.request.size;
+    const Size size = plan.request.part().size;
     const std::string extent = size.width == size.height ? std::to_string(size.width)
                                                          : fmt::format("{}x{}", size.width, size.height);
-    return fmt::format("{}_{}_s{}_{}", plan.request.exemplars.front().name, plan.methodIds("_"),
-                       plan.request.seed, extent);
+    const std::optional<Region>& region = plan.request.region;
+    const std::string place = region ? fmt::format("_at_{}_{}", region->x, region->y) : "";
+    return fmt::format("{}_{}_s{}_{}{}", plan.request.exemplars.front().name, plan.methodIds("_"),
+                       plan.request.seed, extent, place);
 }
 
 std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished) {

@@ -30,7 +30,8 @@ struct RunInput {
     Size size;
     Wrap wrap;
     std::uint64_t seed = 0;
-    int threads = 0; ///< 0: one per core; changes the time and memory it takes, never the result
+    std::optional<Region> region; ///< the part to make, which equals that part of the whole; all if not given
+    int threads = 0;              ///< 0: one per core; changes the time and memory it takes, never the result
 };
 
 /// One method of a run, with complete settings.
@@ -51,16 +52,22 @@ struct RunPlan {
     std::uint64_t memoryBefore =
         0; ///< resident bytes of this process when the run was planned; the estimate comes on top
     int threads = 0;
+    /// Where the whole does not fit in memory, but the method makes regions: how many rows at a time do. Else
+    /// 0.
+    int stripRows = 0;
 
     const Method& lastMethod() const { return *steps.back().method; }
     /// The methods' ids with `separator` between them.
     std::string methodIds(const std::string& separator) const;
+    /// The same run for one strip of the output, from row `y` on.
+    RunPlan strip(int y) const;
 };
 
 /// Checks everything before anything starts; a method whose check needs a close look at the exemplar may take
 /// a moment. @throws Error or UsageError, also where the memory that the run
 /// would need is more than `memoryLimit` bytes (0: what this machine has free).
-RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0);
+/// @param strips whether an output that does not fit may be made in strips instead, as exportStrips() does.
+RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0, bool strips = false);
 
 /// Loads what a recipe names. `changed` is told of each file whose bytes are not those that the recipe was
 /// made with.

@@ -85,21 +85,33 @@ Point Filler::patchAt(Cell cell) const {
 }
 
 void Filler::readBorder(const Gap& gap, Workspace& work) const {
+    const int patch = m_layout.patch();
     const Overlap border = borderOf(gap.cell);
     const Point at = corner(gap.cell);
-    std::map<Cell, Shift> shifts;
     const auto& [column, row] = gap.cell;
-    for (const Cell cell :
-         {Cell{column - 1, row}, Cell{column, row - 1}, Cell{column + 1, row}, Cell{column, row + 1}})
-        shifts[cell] = shiftOf(cell, m_sampler.drawn(cell));
-    for (int y = 0; y < m_layout.patch(); ++y)
-        for (int x = 0; x < m_layout.patch(); ++x) {
-            if (!border.contains(x, y, m_layout.patch()))
+    const auto shift = [&](int right, int down) {
+        const Cell cell{column + right, row + down};
+        return shiftOf(cell, m_sampler.drawn(cell));
+    };
+    const Shift left = shift(-1, 0), right = shift(1, 0), top = shift(0, -1), bottom = shift(0, 1);
+    std::vector<int> columns;
+    for (int x = 0; x < patch; ++x)
+        columns.push_back(m_layout.horizontal().at(at.x + x));
+    for (int y = 0; y < patch; ++y) {
+        const int ownRow = m_layout.vertical().at(at.y + y);
+        for (int x = 0; x < patch; ++x) {
+            if (!border.contains(x, y, patch))
                 continue;
-            const Shift shift = shifts.at(m_layout.sampledAt(at.x + x, at.y + y));
+            const Cell from =
+                m_layout.sampledAt(at.x + x, at.y + y, {columns[static_cast<std::size_t>(x)], ownRow});
+            const Shift& by = from.column < column ? left
+                              : from.column > column ? right
+                              : from.row < row       ? top
+                                                     : bottom;
             for (int c = 0; c < m_plan.exemplar.channels; ++c)
-                work.known(x, y, c) = m_plan.exemplar(at.x + x + shift.x, at.y + y + shift.y, c);
+                work.known(x, y, c) = m_plan.exemplar(at.x + x + by.x, at.y + y + by.y, c);
         }
+    }
 }
 
 /// Where gaps of even rows have come in at the corners already.
@@ -217,7 +229,7 @@ void Filler::paintSampled(Cell cell) {
     std::map<Cell, Shift> shifts;
     for (int y = top; y < bottom; ++y)
         for (int x = left; x < right; ++x) {
-            const Cell from = cell.sampled() ? cell : m_layout.sampledAt(x, y);
+            const Cell from = m_layout.sampledAt(x, y, cell);
             auto known = shifts.find(from);
             if (known == shifts.end())
                 known = shifts.emplace(from, shiftOf(from, m_sampler.drawn(from))).first;

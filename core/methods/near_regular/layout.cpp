@@ -67,8 +67,7 @@ Layout::Layout(Size output, const Wrap& wrap, int block, int border)
       m_vertical(output.height, evenBlock(output, wrap, block), wrap.y), m_border(border),
       m_patch(evenBlock(output, wrap, block) + border) {}
 
-Cell Layout::sampledAt(int x, int y) const {
-    const Cell cell = at(x, y);
+Cell Layout::sampledAt(int x, int y, Cell cell) const {
     if (cell.sampled())
         return cell;
     const int left = x - m_horizontal.start(cell.column), top = y - m_vertical.start(cell.row);

@@ -59,7 +59,9 @@ public:
     }
     /// The sampled block that a pixel belongs to as long as no gap is filled: its own, or, in a gap, the
     /// neighbour it is nearest to, which makes the borders wedges (fig. 4.8 b).
-    Cell sampledAt(int x, int y) const;
+    Cell sampledAt(int x, int y) const { return sampledAt(x, y, at(x, y)); }
+    /// The same where the pixel's block is known.
+    Cell sampledAt(int x, int y, Cell cell) const;
     /// The gaps whose patches touch a part of the output, each by one index, those of even rows first.
     std::vector<Cell> gapsOf(const Region& part) const;
 

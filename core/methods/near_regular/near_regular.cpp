@@ -210,6 +210,7 @@ const Method self = method<Settings>(
          "gaps with patches that fit: keeps the courses and varies what lies in them."),
      .citation = "López Recas, diploma thesis 2011, chapters 3 to 5",
      .wraps = true,
+     .copiesPixels = true,
      .makesRegions = true},
     params(), run, check, estimate);
 

@@ -238,6 +238,7 @@ const Method self = method<Settings>(
          "regular, without the variety of near-regular synthesis."),
      .citation = "López Recas, diploma thesis 2011, section 4.1",
      .wraps = true,
+     .copiesPixels = true,
      .makesRegions = true},
     params(), run, check, estimate);
 
