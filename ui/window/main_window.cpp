@@ -33,6 +33,8 @@ namespace {
 /// Raised when docks or toolbars change, so that an older layout is not restored over them.
 constexpr int kLayoutVersion = 1;
 constexpr std::chrono::milliseconds kPlanPause{150};
+/// The method that a newcomer meets: quick, and good at most textures.
+const QString kFirstMethod = QStringLiteral("quilting");
 /// The window's first size in lines and widths of text.
 constexpr int kFirstWidth = 180;
 constexpr int kFirstHeight = 50;
@@ -67,6 +69,7 @@ MainWindow::MainWindow(QWidget* parent)
             tr("%1\n%2").arg(translated(method.info().summary), translated(method.info().citation)),
             Qt::ToolTipRole);
     }
+    m_method->setCurrentIndex(m_method->findData(kFirstMethod));
     makeCentre();
     makeDocks();
     makeMenus();
