@@ -101,6 +101,13 @@ Autocorrelator::Autocorrelator(const SteerablePyramid& pyramid, int scale, int r
             m_sines.back()[row] = static_cast<float>(std::sin(angle));
         }
     }
+    m_cosinesX.resize(2 * reach + 1, pyramid.fft(scale).columns());
+    m_sinesX.resize(2 * reach + 1, pyramid.fft(scale).columns());
+    for (int column = 0; column < pyramid.fft(scale).columns(); ++column)
+        for (int dx = 0; dx <= 2 * reach; ++dx) {
+            m_cosinesX(dx, column) = std::cos(dx * pyramid.frequencyX(scale, column));
+            m_sinesX(dx, column) = std::sin(dx * pyramid.frequencyX(scale, column));
+        }
 }
 
 /// How many bins of the whole spectrum a bin of the half spectrum stands for.
@@ -128,13 +135,16 @@ Eigen::MatrixXd Autocorrelator::measure(const Complex* spectrum) const {
         const auto* bins = reinterpret_cast<const float*>(spectrum + column * fft.columnStride());
         for (std::size_t row = 0; row < height; ++row)
             powers[row] = bins[2 * row] * bins[2 * row] + bins[2 * row + 1] * bins[2 * row + 1];
-        const double frequency = m_pyramid.frequencyX(m_scale, column);
         for (int dy = 0; dy <= reach; ++dy) {
             const auto nth = static_cast<std::size_t>(dy);
             const double even = weight(column) * dot(powers.data(), m_cosines[nth].data(), height);
             const double odd = weight(column) * dot(powers.data(), m_sines[nth].data(), height);
-            for (int dx = -reach; dx <= reach; ++dx)
-                lags(dy, reach + dx) += even * std::cos(frequency * dx) - odd * std::sin(frequency * dx);
+            lags(dy, reach) += even;
+            for (int dx = 1; dx <= reach; ++dx) {
+                const double both = even * m_cosinesX(dx, column), difference = odd * m_sinesX(dx, column);
+                lags(dy, reach + dx) += both - difference;
+                lags(dy, reach - dx) += both + difference;
+            }
         }
     }
     return lags;
@@ -186,13 +196,13 @@ void Autocorrelator::impose(const Eigen::MatrixXd& current, const Eigen::MatrixX
     std::vector<float> gains(height);
     const bool sound = kernel.allFinite();
     for (int column = 0; column < fft.columns() && sound; ++column) {
-        const double frequency = m_pyramid.frequencyX(m_scale, column);
         std::fill(gains.begin(), gains.end(), 0.0F);
         for (int dy = 0; dy <= m_reach; ++dy) {
-            double even = 0, odd = 0;
-            for (int dx = -m_reach; dx <= m_reach; ++dx) {
-                even += kernel(dy, m_reach + dx) * std::cos(frequency * dx);
-                odd += kernel(dy, m_reach + dx) * std::sin(frequency * dx);
+            double even = kernel(dy, m_reach), odd = 0;
+            for (int dx = 1; dx <= m_reach; ++dx) {
+                const double right = kernel(dy, m_reach + dx), left = kernel(dy, m_reach - dx);
+                even += (right + left) * m_cosinesX(dx, column);
+                odd += (right - left) * m_sinesX(dx, column);
             }
             const auto c = static_cast<float>(dy == 0 ? even : 2 * even);
             const auto s = static_cast<float>(dy == 0 ? 0 : 2 * odd);

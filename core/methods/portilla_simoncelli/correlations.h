@@ -54,6 +54,7 @@ private:
     int m_scale;
     int m_reach;
     std::vector<std::vector<float>> m_cosines, m_sines; ///< of dy × frequency, by dy and row
+    Eigen::MatrixXd m_cosinesX, m_sinesX;               ///< of dx × frequency, by dx from 0 and column
 };
 
 } // namespace texloom::portilla_simoncelli

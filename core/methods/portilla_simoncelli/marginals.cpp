@@ -3,30 +3,40 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace texloom::portilla_simoncelli {
 
 namespace {
 
-/// Means over a plane of the N numbers that `terms` makes of each sample.
+/// Means over a plane of the N numbers that `terms` makes of each sample. Sums are kept in lanes because
+/// single running ones do not vectorise.
 template <std::size_t N, class Terms>
 std::array<double, N> meansOf(const PlaneView& plane, const Check& check, const Terms& terms) {
-    std::array<double, N> sums{};
+    constexpr int kLanes = 8;
+    std::array<std::array<double, kLanes>, N> lanes{};
     for (int y = 0; y < plane.height; ++y) {
         check();
-        std::array<double, N> row{};
         const float* values = plane.row(y);
-        for (int x = 0; x < plane.width; ++x) {
+        int x = 0;
+        for (; x + kLanes <= plane.width; x += kLanes)
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const std::array<double, N> added =
+                    terms(static_cast<double>(values[x + static_cast<int>(lane)]));
+                for (std::size_t i = 0; i < N; ++i)
+                    lanes[i][lane] += added[i];
+            }
+        for (; x < plane.width; ++x) {
             const std::array<double, N> added = terms(static_cast<double>(values[x]));
             for (std::size_t i = 0; i < N; ++i)
-                row[i] += added[i];
+                lanes[i][0] += added[i];
         }
-        for (std::size_t i = 0; i < N; ++i)
-            sums[i] += row[i];
     }
-    for (double& sum : sums)
-        sum /= static_cast<double>(plane.width) * plane.height;
-    return sums;
+    std::array<double, N> means{};
+    for (std::size_t i = 0; i < N; ++i)
+        means[i] = std::accumulate(lanes[i].begin(), lanes[i].end(), 0.0) /
+                   (static_cast<double>(plane.width) * plane.height);
+    return means;
 }
 
 template <class Map> void apply(const PlaneSpan& plane, const Check& check, const Map& map) {
@@ -65,102 +75,86 @@ template <class Function> double stepTo(double target, double current, const Fun
     return inside;
 }
 
-struct Centre {
-    double mean, deviation;
+/// λ for x + λ g with g = x² − 1 − s x, which is uncorrelated with x, of mean 0 and variance 1; and the
+/// variance of the sum.
+struct Step {
+    double lambda = 0;
+    double variance = 1;
 };
 
-Centre centreOf(const PlaneView& plane, const Check& check) {
-    const double mean = meansOf<1>(plane, check, [](double v) { return std::array{v}; })[0];
-    const double variance =
-        meansOf<1>(plane, check, [mean](double v) { return std::array{(v - mean) * (v - mean)}; })[0];
-    return {mean, std::sqrt(variance)};
+Step skewnessStep(const PlaneView& plane, double mean, double scale, double s, double wanted,
+                  const Check& check) {
+    const auto m = meansOf<4>(plane, check, [=](double v) {
+        const double x = (v - mean) * scale, g = x * x - 1 - s * x;
+        return std::array{x * x * g, x * g * g, g * g * g, g * g};
+    });
+    const double lambda = stepTo(wanted, s, [&](double l) {
+        return (s + l * (3 * m[0] + l * (3 * m[1] + l * m[2]))) / std::pow(1 + l * l * m[3], 1.5);
+    });
+    return {lambda, 1 + lambda * lambda * m[3]};
+}
+
+/// The same for g = x³ − k x − s, on samples x themselves.
+Step kurtosisStep(const PlaneView& plane, double s, double k, double wanted, const Check& check) {
+    const auto m = meansOf<5>(plane, check, [=](double x) {
+        const double g = x * x * x - k * x - s;
+        return std::array{x * x * x * g, x * x * g * g, x * g * g * g, g * g * g * g, g * g};
+    });
+    const double lambda = stepTo(wanted, k, [&](double l) {
+        const double variance = 1 + l * l * m[4];
+        return (k + l * (4 * m[0] + l * (6 * m[1] + l * (4 * m[2] + l * m[3])))) / (variance * variance);
+    });
+    return {lambda, 1 + lambda * lambda * m[4]};
 }
 
 } // namespace
 
 Moments momentsOf(const PlaneView& plane, const Check& check) {
-    const auto [mean, deviation] = centreOf(plane, check);
     Moments moments;
-    moments.mean = mean;
-    moments.variance = deviation * deviation;
+    moments.mean = meansOf<1>(plane, check, [](double v) { return std::array{v}; })[0];
+    const auto means = meansOf<3>(plane, check, [mean = moments.mean](double v) {
+        const double x = v - mean;
+        return std::array{x * x, x * x * x, x * x * x * x};
+    });
     float smallest = plane(0, 0), largest = smallest;
     for (int y = 0; y < plane.height; ++y) {
-        const auto [least, most] = std::minmax_element(plane.row(y), plane.row(y) + plane.width);
-        smallest = std::min(smallest, *least);
-        largest = std::max(largest, *most);
+        const float* row = plane.row(y);
+        for (int x = 0; x < plane.width; ++x) {
+            smallest = row[x] < smallest ? row[x] : smallest;
+            largest = row[x] > largest ? row[x] : largest;
+        }
     }
     moments.smallest = static_cast<double>(smallest);
     moments.largest = static_cast<double>(largest);
-    if (!(deviation > 0))
+    moments.variance = means[0];
+    if (!(means[0] > 0))
         return moments;
-    const auto means = meansOf<2>(plane, check, [centre = mean, scale = 1 / deviation](double v) {
-        const double x = (v - centre) * scale;
-        return std::array{x * x * x, x * x * x * x};
-    });
-    moments.skewness = means[0];
-    moments.kurtosis = means[1];
+    moments.skewness = means[1] / std::pow(means[0], 1.5);
+    moments.kurtosis = means[2] / (means[0] * means[0]);
     return moments;
 }
 
-void adjustVariance(const PlaneSpan& plane, double mean, double variance, const Check& check) {
-    const Centre centre = centreOf(plane, check);
-    const double scale = centre.deviation > 0 ? std::sqrt(variance) / centre.deviation : 0;
-    apply(plane, check, [&](double v) { return (v - centre.mean) * scale + mean; });
-}
-
-void adjustSkewness(const PlaneSpan& plane, double skewness, const Check& check) {
-    const auto [mean, deviation] = centreOf(plane, check);
-    if (!(deviation > 0))
-        return;
-    const double centre = mean, scale = 1 / deviation;
-    const auto third = meansOf<1>(plane, check, [=](double v) {
-        const double x = (v - centre) * scale;
-        return std::array{x * x * x};
-    });
-    const double s = third[0];
-    // With g = x² − 1 − s x, which is uncorrelated with x: moments of x + λ g.
-    const auto m = meansOf<4>(plane, check, [=](double v) {
-        const double x = (v - centre) * scale, g = x * x - 1 - s * x;
-        return std::array{x * x * g, x * g * g, g * g * g, g * g};
-    });
-    const double lambda = stepTo(skewness, s, [&](double l) {
-        return (s + l * (3 * m[0] + l * (3 * m[1] + l * m[2]))) / std::pow(1 + l * l * m[3], 1.5);
-    });
-    const double back = deviation / std::sqrt(1 + lambda * lambda * m[3]);
+void imposeMoments(const PlaneSpan& plane, const Moments& current, const Moments& wanted,
+                   const Check& check) {
+    if (!(current.variance > 0))
+        return apply(plane, check, [&](double v) { return v - current.mean + wanted.mean; });
+    const double mean = current.mean, scale = 1 / std::sqrt(current.variance), s = current.skewness;
+    const Step skew = skewnessStep(plane, mean, scale, s, wanted.skewness, check);
+    const double shrunk = 1 / std::sqrt(skew.variance);
     apply(plane, check, [=](double v) {
-        const double x = (v - centre) * scale;
-        return centre + back * (x + lambda * (x * x - 1 - s * x));
+        const double x = (v - mean) * scale;
+        return shrunk * (x + skew.lambda * (x * x - 1 - s * x));
     });
-}
-
-void adjustKurtosis(const PlaneSpan& plane, double kurtosis, const Check& check) {
-    const auto [mean, deviation] = centreOf(plane, check);
-    if (!(deviation > 0))
-        return;
-    const double centre = mean, scale = 1 / deviation;
-    const auto powers = meansOf<2>(plane, check, [=](double v) {
-        const double x = (v - centre) * scale;
+    const auto powers = meansOf<2>(plane, check, [](double x) {
         return std::array{x * x * x, x * x * x * x};
     });
-    const double s = powers[0], k = powers[1];
-    // With g = x³ − k x − s, which is uncorrelated with x: moments of x + λ g.
-    const auto m = meansOf<5>(plane, check, [=](double v) {
-        const double x = (v - centre) * scale, g = x * x * x - k * x - s;
-        return std::array{x * x * x * g, x * x * g * g, x * g * g * g, g * g * g * g, g * g};
+    const double third = powers[0], fourth = powers[1];
+    const Step kurt = kurtosisStep(plane, third, fourth, wanted.kurtosis, check);
+    const double deviation = std::sqrt(wanted.variance / kurt.variance);
+    apply(plane, check, [=, &wanted](double x) {
+        const double moved = wanted.mean + deviation * (x + kurt.lambda * (x * x * x - fourth * x - third));
+        return std::min(std::max(moved, wanted.smallest), wanted.largest);
     });
-    const double lambda = stepTo(kurtosis, k, [&](double l) {
-        const double variance = 1 + l * l * m[4];
-        return (k + l * (4 * m[0] + l * (6 * m[1] + l * (4 * m[2] + l * m[3])))) / (variance * variance);
-    });
-    const double back = deviation / std::sqrt(1 + lambda * lambda * m[4]);
-    apply(plane, check, [=](double v) {
-        const double x = (v - centre) * scale;
-        return centre + back * (x + lambda * (x * x * x - k * x - s));
-    });
-}
-
-void clampTo(const PlaneSpan& plane, double smallest, double largest, const Check& check) {
-    apply(plane, check, [=](double v) { return std::clamp(v, smallest, largest); });
 }
 
 } // namespace texloom::portilla_simoncelli

@@ -21,16 +21,10 @@ using Check = std::function<void()>;
 
 Moments momentsOf(const PlaneView& plane, const Check& check);
 
-/// plane = (plane − its mean) × scale + mean, so that it has this mean and variance.
-void adjustVariance(const PlaneSpan& plane, double mean, double variance, const Check& check);
-
-/// Moves the samples along the gradient of the skewness until it is `skewness`, or as near as it gets, and
-/// keeps mean and variance (Portilla & Simoncelli 2000, appendix A.1).
-void adjustSkewness(const PlaneSpan& plane, double skewness, const Check& check);
-/// The same for the kurtosis; the skewness changes a little (appendix A.2).
-void adjustKurtosis(const PlaneSpan& plane, double kurtosis, const Check& check);
-
-/// Moves samples beyond the limits onto them.
-void clampTo(const PlaneSpan& plane, double smallest, double largest, const Check& check);
+/// Gives a plane the wanted mean, variance, skewness, kurtosis and range, one after the other: the shape by
+/// moving the samples along the gradient of skewness, then of kurtosis, until the value is reached or as near
+/// as it gets (Portilla & Simoncelli 2000, appendix A.1 and A.2), and samples beyond the range to its ends.
+/// @param current the plane's moments; those of a constant plane only get the mean.
+void imposeMoments(const PlaneSpan& plane, const Moments& current, const Moments& wanted, const Check& check);
 
 } // namespace texloom::portilla_simoncelli

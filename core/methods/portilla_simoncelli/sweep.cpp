@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace texloom::portilla_simoncelli {
 
@@ -16,8 +17,21 @@ constexpr int kParts = 64;
 constexpr int kNeighbours = 5;
 constexpr std::array<std::array<int, 2>, kNeighbours> kShifts{{{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
+using Complex = SteerablePyramid::Complex;
+
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
+}
+
+/// The factors by which a column of a spectrum goes to a neighbour.
+std::vector<Complex> shiftFactors(const SteerablePyramid& pyramid, int column, int neighbour) {
+    const int scale = pyramid.scales();
+    std::vector<Complex> factors(at(pyramid.size(scale).height));
+    for (int row = 0; row < pyramid.size(scale).height; ++row)
+        factors[at(row)] = std::polar(
+            1.0F, static_cast<float>(kShifts[at(neighbour)][0] * pyramid.frequencyX(scale, column) +
+                                     kShifts[at(neighbour)][1] * pyramid.frequencyY(scale, row)));
+    return factors;
 }
 
 } // namespace
@@ -131,17 +145,17 @@ void Sweep::decompose(const Image& components, int component) {
 Sweep::Samples Sweep::shiftedLow(int column) const {
     const int scale = m_pyramid.scales(), height = m_pyramid.size(scale).height;
     Samples samples(kNeighbours * m_components, 2 * height);
-    for (int c = 0; c < m_components; ++c) {
-        const Complex* bins =
-            m_spectra[at(scale)][at(c)].data() + column * m_pyramid.fft(scale).columnStride();
-        for (int j = 0; j < kNeighbours; ++j)
+    for (int j = 0; j < kNeighbours; ++j) {
+        const std::vector<Complex> factors = shiftFactors(m_pyramid, column, j);
+        for (int c = 0; c < m_components; ++c) {
+            const Complex* bins =
+                m_spectra[at(scale)][at(c)].data() + column * m_pyramid.fft(scale).columnStride();
             for (int row = 0; row < height; ++row) {
-                const double angle = kShifts[at(j)][0] * m_pyramid.frequencyX(scale, column) +
-                                     kShifts[at(j)][1] * m_pyramid.frequencyY(scale, row);
-                const Complex value = bins[row] * std::polar(1.0F, static_cast<float>(angle));
+                const Complex value = bins[row] * factors[at(row)];
                 samples(kNeighbours * c + j, row) = value.real();
                 samples(kNeighbours * c + j, height + row) = value.imag();
             }
+        }
     }
     return samples;
 }
@@ -151,6 +165,7 @@ Sweep::Samples Sweep::shiftedLow(int column) const {
 void Sweep::shapeLow() {
     const int scale = m_pyramid.scales(), width = m_pyramid.size(scale).width;
     const int height = m_pyramid.size(scale).height, columns = m_pyramid.fft(scale).columns();
+    const std::ptrdiff_t stride = m_pyramid.fft(scale).columnStride();
     Eigen::MatrixXd low = Eigen::MatrixXd::Zero(kNeighbours * m_components, kNeighbours * m_components);
     for (int column = 0; column < columns; ++column) {
         m_check();
@@ -165,18 +180,15 @@ void Sweep::shapeLow() {
     for (int column = 0; column < columns; ++column) {
         m_check();
         const Samples mixed = map * shiftedLow(column);
-        for (int c = 0; c < m_components; ++c) {
-            Complex* bins = m_spectra[at(scale)][at(c)].data() + column * m_pyramid.fft(scale).columnStride();
-            for (int row = 0; row < height; ++row) {
-                Complex sum = 0;
-                for (int j = 0; j < kNeighbours; ++j) {
-                    const double angle = kShifts[at(j)][0] * m_pyramid.frequencyX(scale, column) +
-                                         kShifts[at(j)][1] * m_pyramid.frequencyY(scale, row);
-                    const int variable = kNeighbours * c + j;
-                    sum += Complex(mixed(variable, row), mixed(variable, height + row)) *
-                           std::polar(1.0F, static_cast<float>(-angle));
-                }
-                bins[row] = sum / static_cast<float>(kNeighbours);
+        for (int c = 0; c < m_components; ++c)
+            std::fill_n(m_spectra[at(scale)][at(c)].data() + column * stride, height, Complex(0, 0));
+        for (int j = 0; j < kNeighbours; ++j) {
+            const std::vector<Complex> factors = shiftFactors(m_pyramid, column, j);
+            for (int variable = j; variable < map.rows(); variable += kNeighbours) {
+                Complex* bins = m_spectra[at(scale)][at(variable / kNeighbours)].data() + column * stride;
+                for (int row = 0; row < height; ++row)
+                    bins[row] += Complex(mixed(variable, row), mixed(variable, height + row)) *
+                                 std::conj(factors[at(row)]) / static_cast<float>(kNeighbours);
             }
         }
     }
@@ -255,12 +267,10 @@ void Sweep::splitLow(int scale, int component) {
         for (int column = 0; column < m_pyramid.fft(last).columns(); ++column) {
             m_check();
             const std::ptrdiff_t offset = column * m_pyramid.fft(last).columnStride();
-            for (int row = 0; row < m_pyramid.size(last).height; ++row) {
-                const double angle = kShifts[at(j)][0] * m_pyramid.frequencyX(last, column) +
-                                     kShifts[at(j)][1] * m_pyramid.frequencyY(last, row);
-                shifted.data()[offset + row] = m_spectra[at(last)][at(component)].data()[offset + row] *
-                                               std::polar(1.0F, static_cast<float>(angle));
-            }
+            const std::vector<Complex> factors = shiftFactors(m_pyramid, column, j);
+            const Complex* bins = m_spectra[at(last)][at(component)].data() + offset;
+            for (int row = 0; row < m_pyramid.size(last).height; ++row)
+                shifted.data()[offset + row] = bins[row] * factors[at(row)];
         }
         m_pyramid.raise(scale, shifted.data(), raised.data());
         m_pyramid.backward(scale, raised.data(), m_next[at(kNeighbours * component + j)].data(), m_check);
@@ -492,8 +502,12 @@ void Sweep::shapeImage(int scale, int component) {
     measured.skewness = moments.skewness;
     measured.kurtosis = moments.kurtosis;
     if (clear && m_settings.marginals) {
-        adjustSkewness(plane, wanted->skewness, m_check);
-        adjustKurtosis(plane, wanted->kurtosis, m_check);
+        Moments shape = moments;
+        shape.skewness = wanted->skewness;
+        shape.kurtosis = wanted->kurtosis;
+        shape.smallest = -std::numeric_limits<double>::infinity();
+        shape.largest = std::numeric_limits<double>::infinity();
+        imposeMoments(plane, moments, shape, m_check);
     }
     m_pyramid.forward(scale, plane.data, spectrum, m_check);
 }
@@ -531,7 +545,7 @@ std::uint64_t Sweep::bytesFor(Size size, int scales, int components, const Setti
     // Each thread transforms one complex band.
     return plane * (2 * bands + next + channels) +
            spectrum * (channels + 2 * channels * 4 / 3 + bands / 3 + 3 + together) +
-           static_cast<std::uint64_t>(threads) * (2 * 2 + 1) * spectrum + (std::uint64_t{8} << 20);
+           static_cast<std::uint64_t>(threads) * (2 * 2 + 1) * spectrum + (std::uint64_t{16} << 20);
 }
 
 } // namespace texloom::portilla_simoncelli

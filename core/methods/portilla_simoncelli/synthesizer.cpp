@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace texloom::portilla_simoncelli {
 
@@ -224,12 +225,13 @@ void Synthesizer::shapeComponents(Image& components, Statistics& measured) {
         const PlaneSpan plane = components.plane(c);
         const Moments& wanted = m_wanted.components[nth];
         measured.components[nth] = momentsOf(plane, m_check);
-        adjustVariance(plane, 0, m_settings.marginals ? wanted.variance : measured.components[nth].variance,
-                       m_check);
-        if (!m_settings.marginals)
-            return;
-        adjustSkewness(plane, wanted.skewness, m_check);
-        adjustKurtosis(plane, wanted.kurtosis, m_check);
+        if (m_settings.marginals) {
+            Moments shape = wanted;
+            shape.mean = 0;
+            shape.smallest = -std::numeric_limits<double>::infinity();
+            shape.largest = std::numeric_limits<double>::infinity();
+            imposeMoments(plane, measured.components[nth], shape, m_check);
+        }
     });
     if (components.channels() == 1 || !m_settings.crossChannel)
         return;
@@ -255,12 +257,8 @@ void Synthesizer::shapeChannels(Statistics& measured) {
         const PlaneSpan plane = m_image.plane(c);
         const Moments& wanted = m_wanted.channels[nth];
         measured.channels[nth] = momentsOf(plane, m_check);
-        if (!m_settings.marginals)
-            return;
-        adjustVariance(plane, wanted.mean, wanted.variance, m_check);
-        adjustSkewness(plane, wanted.skewness, m_check);
-        adjustKurtosis(plane, wanted.kurtosis, m_check);
-        clampTo(plane, wanted.smallest, wanted.largest, m_check);
+        if (m_settings.marginals)
+            imposeMoments(plane, measured.channels[nth], wanted, m_check);
     });
 }
 
