@@ -29,6 +29,34 @@ void mixRow(const ImageView& from, std::span<const double> shifts, const Eigen::
     }
 }
 
+struct Axes {
+    Eigen::MatrixXd toComponents, toChannels;
+};
+
+/// The principal axes of a covariance, strongest first, scaled to variance 1.
+Axes axesOf(const Eigen::MatrixXd& covariance) {
+    const Eigen::Index channels = covariance.rows();
+    if (channels == 0)
+        return {Eigen::MatrixXd(0, 0), Eigen::MatrixXd(0, 0)};
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+    const double least = kLeastShare * std::max(0.0, solver.eigenvalues()(channels - 1));
+    Eigen::Index count = 0;
+    while (count < channels && solver.eigenvalues()(channels - 1 - count) > least)
+        ++count;
+    Axes axes{Eigen::MatrixXd(count, channels), Eigen::MatrixXd(channels, count)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        Eigen::VectorXd axis = solver.eigenvectors().col(channels - 1 - i);
+        Eigen::Index largest = 0;
+        axis.cwiseAbs().maxCoeff(&largest);
+        if (axis(largest) < 0)
+            axis = -axis;
+        const double deviation = std::sqrt(solver.eigenvalues()(channels - 1 - i));
+        axes.toComponents.row(i) = axis.transpose() / deviation;
+        axes.toChannels.col(i) = axis * deviation;
+    }
+    return axes;
+}
+
 } // namespace
 
 Eigen::MatrixXd channelCovariance(const ImageView& image, const std::function<void()>& check) {
@@ -51,25 +79,25 @@ Eigen::MatrixXd channelCovariance(const ImageView& image, const std::function<vo
     return sums.selfadjointView<Eigen::Lower>();
 }
 
-ChannelPca::ChannelPca(const Eigen::MatrixXd& covariance) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+ChannelPca::ChannelPca(const Eigen::MatrixXd& covariance, int leading) {
     const Eigen::Index channels = covariance.rows();
-    const double least = kLeastShare * solver.eigenvalues()(channels - 1);
-    Eigen::Index count = 0;
-    while (count < channels && solver.eigenvalues()(channels - 1 - count) > std::max(least, 0.0))
-        ++count;
-    m_toComponents.resize(count, channels);
-    m_toChannels.resize(channels, count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        Eigen::VectorXd axis = solver.eigenvectors().col(channels - 1 - i);
-        Eigen::Index largest = 0;
-        axis.cwiseAbs().maxCoeff(&largest);
-        if (axis(largest) < 0)
-            axis = -axis;
-        const double deviation = std::sqrt(solver.eigenvalues()(channels - 1 - i));
-        m_toComponents.row(i) = axis.transpose() / deviation;
-        m_toChannels.col(i) = axis * deviation;
-    }
+    const Eigen::Index first = leading > 0 ? std::min<Eigen::Index>(leading, channels) : channels;
+    const Eigen::Index rest = channels - first;
+    const Axes main = axesOf(covariance.topLeftCorner(first, first));
+    // The regression goes through the components, which have the inverse of the covariance in them.
+    const Eigen::MatrixXd slope = covariance.bottomLeftCorner(rest, first) * main.toComponents.transpose();
+    const Eigen::MatrixXd beyond = covariance.bottomRightCorner(rest, rest) - slope * slope.transpose();
+    const Axes other = axesOf(beyond);
+    m_leadingComponents = static_cast<int>(main.toComponents.rows());
+    const Eigen::Index count = m_leadingComponents, others = other.toComponents.rows();
+    m_toComponents = Eigen::MatrixXd::Zero(count + others, channels);
+    m_toComponents.topLeftCorner(count, first) = main.toComponents;
+    m_toComponents.bottomLeftCorner(others, first) = -other.toComponents * slope * main.toComponents;
+    m_toComponents.bottomRightCorner(others, rest) = other.toComponents;
+    m_toChannels = Eigen::MatrixXd::Zero(channels, count + others);
+    m_toChannels.topLeftCorner(first, count) = main.toChannels;
+    m_toChannels.bottomLeftCorner(rest, count) = slope;
+    m_toChannels.bottomRightCorner(rest, others) = other.toChannels;
 }
 
 void ChannelPca::project(const ImageView& from, std::span<const double> means, int first, int last,

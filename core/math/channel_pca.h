@@ -19,10 +19,15 @@ Eigen::MatrixXd channelCovariance(
 /// that a grey picture in three equal channels has one component, and a constant picture none.
 class ChannelPca {
 public:
-    explicit ChannelPca(const Eigen::MatrixXd& covariance);
+    /// @param leading if not 0, the first channels come first: the first leadingComponents() components are
+    /// those of these channels alone, the others those of what the other channels have beyond their linear
+    /// regression on these.
+    explicit ChannelPca(const Eigen::MatrixXd& covariance, int leading = 0);
 
     /// Number of components, at most the number of channels; the first has the most variance.
     int components() const { return static_cast<int>(m_toComponents.rows()); }
+    /// components() where all channels lead.
+    int leadingComponents() const { return m_leadingComponents; }
 
     /// Components of the rows [first, last) of `from`: those of (pixel − mean). Rows may be done by several
     /// threads. @param means one per channel. @param to has components() channels and the size of `from`.
@@ -32,6 +37,7 @@ public:
                    Image& to) const;
 
 private:
+    int m_leadingComponents = 0;
     Eigen::MatrixXd m_toComponents; ///< components × channels
     Eigen::MatrixXd m_toChannels;   ///< channels × components
 };

@@ -66,6 +66,13 @@ std::vector<Param> params() {
         field(&Settings::weight, "weight", TR("Weight of the second exemplar"))
             .range(0, 1)
             .help(TR("With two exemplars, how far the statistics go from the first to the second.")),
+        field(&Settings::jointChannels, "joint-channels", TR("Channels that count"))
+            .range(0, 64)
+            .when("cross-channel", true)
+            .group(TR("Statistics"))
+            .help(TR(
+                "How many of the first channels are synthesised jointly, 0 for all; the others follow them "
+                "point by point and have no say.")),
         field(&Settings::crossChannel, "cross-channel", TR("Across channels"))
             .group(TR("Statistics"))
             .help(TR(

@@ -9,8 +9,9 @@ struct Settings {
     int neighbourhood =
         7; ///< side of the square of lags whose autocorrelation counts; even ones count as odd
     int iterations = 50;
-    double weight = 0.5;  ///< share of the second exemplar where there are two
-    bool periodic = true; ///< measure on the exemplar's periodic component
+    double weight = 0.5;   ///< share of the second exemplar where there are two
+    bool periodic = true;  ///< measure on the exemplar's periodic component
+    int jointChannels = 0; ///< how many of the first channels are synthesised jointly; 0 for all
     bool crossChannel = true;
     bool marginals = true;
     bool autocorrelation = true;

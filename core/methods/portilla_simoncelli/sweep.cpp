@@ -36,10 +36,10 @@ std::vector<Complex> shiftFactors(const SteerablePyramid& pyramid, int column, i
 
 } // namespace
 
-Sweep::Sweep(const SteerablePyramid& pyramid, int components, const std::vector<int>& reaches,
+Sweep::Sweep(const SteerablePyramid& pyramid, int components, int joint, const std::vector<int>& reaches,
              const Settings& settings, JobContext& context)
-    : m_pyramid(pyramid), m_components(components), m_settings(settings), m_context(context),
-      m_check([&context] { context.check(); }) {
+    : m_pyramid(pyramid), m_components(components), m_joint(settings.crossChannel ? joint : 0),
+      m_settings(settings), m_context(context), m_check([&context] { context.check(); }) {
     const int scales = pyramid.scales();
     const auto spectra = [&pyramid](int scale, int count) {
         std::vector<Spectrum> made;
@@ -345,14 +345,14 @@ Eigen::MatrixXd Sweep::covariance(int scale, Kind kind) const {
     return total.selfadjointView<Eigen::Lower>();
 }
 
-/// Without statistics across channels, forgets what relates different components.
+/// Forgets what relates components that have no statistics in common.
 void Sweep::keepFamilies(Eigen::MatrixXd& matrix, int rowsEach, int columnsEach) const {
-    if (m_settings.crossChannel)
-        return;
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-            if (i / rowsEach != j / columnsEach)
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+            const Eigen::Index a = i / rowsEach, b = j / columnsEach;
+            if (a != b && (a >= m_joint || b >= m_joint))
                 matrix(i, j) = 0;
+        }
 }
 
 /// Measures how a scale's variables go together and with the next scale's, and mixes them as wanted.
@@ -543,9 +543,11 @@ std::uint64_t Sweep::bytesFor(Size size, int scales, int components, const Setti
     const std::uint64_t next = std::max<std::uint64_t>(scales > 1 ? 2 * bands : 0,
                                                        static_cast<std::uint64_t>(kNeighbours) * channels);
     // Each thread transforms one complex band.
-    return plane * (2 * bands + next + channels) +
-           spectrum * (channels + 2 * channels * 4 / 3 + bands / 3 + 3 + together) +
-           static_cast<std::uint64_t>(threads) * (2 * 2 + 1) * spectrum + (std::uint64_t{16} << 20);
+    const std::uint64_t held = plane * (2 * bands + next + channels) +
+                               spectrum * (channels + 2 * channels * 4 / 3 + bands / 3 + 3 + together);
+    const std::uint64_t each = 5 * spectrum;
+    // A tenth for what the allocator keeps back.
+    return (held + static_cast<std::uint64_t>(threads) * each) * 11 / 10 + (std::uint64_t{16} << 20);
 }
 
 } // namespace texloom::portilla_simoncelli

@@ -17,8 +17,9 @@ namespace texloom::portilla_simoncelli {
 /// its memory from pass to pass.
 class Sweep {
 public:
+    /// @param joint how many of the first components have statistics in common.
     /// @param reaches by scale, from 0 to pyramid.scales(): the largest lag of autocorrelations.
-    Sweep(const SteerablePyramid& pyramid, int components, const std::vector<int>& reaches,
+    Sweep(const SteerablePyramid& pyramid, int components, int joint, const std::vector<int>& reaches,
           const Settings& settings, JobContext& context);
 
     /// The largest reaches, up to the settings', for which a scale of an image has room.
@@ -80,6 +81,7 @@ private:
 
     const SteerablePyramid& m_pyramid;
     int m_components;
+    int m_joint;
     const Settings& m_settings;
     JobContext& m_context;
     std::function<void()> m_check;

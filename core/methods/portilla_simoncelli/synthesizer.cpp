@@ -69,7 +69,8 @@ Size Synthesizer::canvasFor(const Request& request, const Settings& settings) {
 Synthesizer::Synthesizer(const Request& request, const Settings& settings, JobContext& context)
     : m_request(request), m_settings(settings), m_context(context), m_check([&context] { context.check(); }),
       m_shares(sharesOf(request, settings)), m_learned(learnedFrom(request, settings, m_check)),
-      m_pca(mixedCovariance(m_learned, m_shares, m_check)), m_reaches(commonReaches(request, settings)) {
+      m_pca(mixedCovariance(m_learned, m_shares, m_check), settings.jointChannels),
+      m_reaches(commonReaches(request, settings)) {
     for (std::size_t group = 0; group < kGroups; ++group)
         m_curves.push_back({titleOf(static_cast<Group>(group)), {}});
 }
@@ -83,7 +84,7 @@ Synthesis Synthesizer::run() {
     start();
     const SteerablePyramid pyramid(m_image.size(), scalesFor(m_request, m_settings), m_settings.orientations,
                                    m_check);
-    Sweep sweep(pyramid, m_pca.components(), m_reaches, m_settings, m_context);
+    Sweep sweep(pyramid, m_pca.components(), m_pca.leadingComponents(), m_reaches, m_settings, m_context);
     for (int iteration = 0; iteration < m_settings.iterations; ++iteration)
         iterate(sweep, iteration);
     m_context.stage(0.02, TR("Measuring the result"));
@@ -134,7 +135,8 @@ void Synthesizer::measureExemplars() {
         if (m_pca.components() > 0) {
             const SteerablePyramid pyramid(image.size(), scalesFor(m_request, m_settings),
                                            m_settings.orientations, m_check);
-            Sweep sweep(pyramid, m_pca.components(), m_reaches, m_settings, m_context);
+            Sweep sweep(pyramid, m_pca.components(), m_pca.leadingComponents(), m_reaches, m_settings,
+                        m_context);
             statistics = measured(image, sweep);
         } else {
             for (int c = 0; c < image.channels(); ++c)
