@@ -32,7 +32,7 @@ struct Lattice {
         const double area = cross(v1, v2);
         return {cross(point, v2) / area, cross(v1, point) / area};
     }
-    /// The lattice point nearest to the corner of the tile that `point` lies in, to within rounding.
+    /// The lattice point whose coordinates those of `point` round to.
     Vec2 nearest(Vec2 point) const {
         const Vec2 c = coordinates(point);
         return at(std::round(c.x), std::round(c.y));

@@ -127,8 +127,8 @@ private:
                static_cast<std::size_t>(across);
     }
 
-    /// The sums on one line from those on the line before: the smallest of up to three and the own error. Written
-    /// so that it vectorises.
+    /// The sums on one line from those on the line before: the smallest of up to three and the own error.
+    /// Written so that it vectorises.
     void addLine(std::vector<double>& sums, int along, int from) const {
         const double* error = &m_error[index(along, 0)];
         const double* before = &sums[index(from, 0)];
@@ -140,8 +140,8 @@ private:
         }
         to[0] = error[0] + std::min(before[0], before[1]);
         for (int across = 1; across < last; ++across)
-            to[across] = error[across] +
-                         std::min(std::min(before[across - 1], before[across]), before[across + 1]);
+            to[across] =
+                error[across] + std::min(std::min(before[across - 1], before[across]), before[across + 1]);
         to[last] = error[last] + std::min(before[last - 1], before[last]);
     }
 

@@ -17,11 +17,14 @@ using Json = nlohmann::json;
 class Regions : public ::testing::Test {
 protected:
     Regions() {
-        writeImage(m_folder / "tiles.png", regularTexture({96, 90}, 3, {{17.5, 0}, {0, 13}}, {0, 0.3, 0}, 4), {});
+        writeImage(m_folder / "tiles.png", regularTexture({96, 90}, 3, {{17.5, 0}, {0, 13}}, {0, 0.3, 0}, 4),
+                   {});
         writeImage(m_folder / "tiles_normal.png", blobs({96, 90}, 3), {});
     }
-    Ended synth(std::vector<std::string> options, const std::string& output, const std::string& size = "300x210") const {
-        std::vector<std::string> arguments = {"synth", "near-regular", "tiles.png", "--size", size, "-o", output};
+    Ended synth(std::vector<std::string> options, const std::string& output,
+                const std::string& size = "300x210") const {
+        std::vector<std::string> arguments = {"synth", "near-regular", "tiles.png", "--size",
+                                              size,    "-o",           output};
         arguments.insert(arguments.end(), options.begin(), options.end());
         return runCli(arguments, m_folder.path());
     }
@@ -83,7 +86,8 @@ TEST_F(Regions, WriteWhatDoesNotFitInMemoryStripByStrip) {
 
 TEST_F(Regions, NotesSayWhatTheMethodDecided) {
     writeImage(m_folder / "noise.png", noise({64, 64}, 3), {});
-    const Ended ended = runCli({"synth", "near-regular", "noise.png", "-o", "n.png", "--report", "n_report.json"}, m_folder.path());
+    const Ended ended = runCli(
+        {"synth", "near-regular", "noise.png", "-o", "n.png", "--report", "n_report.json"}, m_folder.path());
     EXPECT_EQ(ended.status, 0);
     EXPECT_THAT(ended.out, HasSubstr("No lattice was found in noise"));
     EXPECT_EQ(Json::parse(readText(m_folder / "n_report.json")).at("notes").size(), 1U);

@@ -104,7 +104,7 @@ void Filler::readBorder(const Gap& gap, Workspace& work) const {
                 continue;
             const Cell from =
                 m_layout.sampledAt(at.x + x, at.y + y, {columns[static_cast<std::size_t>(x)], ownRow});
-            const Shift& by = from.column < column ? left
+            const Shift& by = from.column < column   ? left
                               : from.column > column ? right
                               : from.row < row       ? top
                                                      : bottom;

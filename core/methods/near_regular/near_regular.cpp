@@ -3,9 +3,11 @@
 #include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/near_regular/filler.h"
+#include "core/methods/near_regular/preparation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace texloom::near_regular {
 
@@ -106,6 +108,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
                         static_cast<std::uint64_t>(part.height + 4LL * exemplar.height);
     Estimate need;
     need.bytes = Image::bytesFor(part, channels) + PositionMap::bytesFor(part) + beyond * 5 / 4 +
+                 2 * Image::bytesFor(exemplar, channels) +
                  std::max(latticeBytesFor(exemplar, channels),
                           BorderMatch::bytesFor(exemplar, channels, shapes, settings.match) +
                               static_cast<std::uint64_t>(threads) *
@@ -119,6 +122,67 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     return need;
 }
 
+/// The exemplar as it is sampled, where the settings change it first.
+struct Prepared {
+    Image image; ///< empty where the exemplar is sampled as it is
+    std::optional<Rectification> change;
+};
+
+Prepared prepared(const Request& request, const Settings& settings, Plan& plan,
+                  std::vector<std::string>& notes, JobContext& context) {
+    Prepared result;
+    const auto check = [&] { context.check(); };
+    if (settings.rectify && !plan.from.free()) {
+        const Rectification change = rectification(plan.from, plan.exemplar.size());
+        if (change.size.shorterSide() < kSmallestExemplar) {
+            notes.push_back(fmt::format("{} was not straightened: too little of it would be left.",
+                                        request.exemplars.front().name));
+        } else {
+            result.image = rectified(plan.exemplar, change, check);
+            result.change = change;
+            plan.from = change.lattice;
+            plan.exemplar = result.image;
+        }
+    }
+    if (settings.flatten) {
+        const Vec2 tile = plan.from.extent();
+        const int block = blockFor(settings, plan.exemplar.size(), plan.from);
+        const int width =
+            static_cast<int>(std::ceil(std::max({tile.x, tile.y, plan.from.free() ? block : 1.0})));
+        result.image = flattened(plan.exemplar, width, check);
+        plan.exemplar = result.image;
+    }
+    return result;
+}
+
+/// Turns places in the rectified exemplar into those in the exemplar itself.
+void mapBack(PositionMap& map, const Rectification& change, Size exemplar, JobContext& context) {
+    for (int y = 0; y < map.height(); ++y) {
+        context.check();
+        for (int x = 0; x < map.width(); ++x) {
+            Source& source = map.at(x, y);
+            const Vec2 at = change.from(source.x, source.y);
+            source.x = static_cast<std::uint16_t>(std::clamp<long>(std::lround(at.x), 0, exemplar.width - 1));
+            source.y =
+                static_cast<std::uint16_t>(std::clamp<long>(std::lround(at.y), 0, exemplar.height - 1));
+        }
+    }
+}
+
+void describe(const Plan& plan, Synthesis& result) {
+    const Vec2 extent = plan.from.extent();
+    if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
+        result.notes.push_back(
+            fmt::format("The lattice's tile of {:.0f} × {:.0f} px is larger than the blocks of {} "
+                        "px, so that new tiles are pieced together from parts of several.",
+                        extent.x, extent.y, plan.block));
+    result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
+    result.figures.push_back({TR("Lattice, first vector right"), plan.from.v1.x});
+    result.figures.push_back({TR("Lattice, first vector down"), plan.from.v1.y});
+    result.figures.push_back({TR("Lattice, second vector right"), plan.from.v2.x});
+    result.figures.push_back({TR("Lattice, second vector down"), plan.from.v2.y});
+}
+
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     const Exemplar& exemplar = request.exemplars.front();
     Synthesis result;
@@ -126,22 +190,18 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     Plan plan;
     plan.exemplar = *exemplar.image;
     plan.from = latticeFor(settings, exemplar.name, plan.exemplar, result.notes, [&] { context.check(); });
+    const Prepared sampled = prepared(request, settings, plan, result.notes, context);
     plan.to = closing(plan.from, request, result.notes);
-    plan.block = blockFor(settings, plan.exemplar.size(), plan.from);
+    plan.block = std::min(blockFor(settings, plan.exemplar.size(), plan.from),
+                          largestBlock(settings, plan.exemplar.size()));
     plan.border = borderFor(settings, plan.block);
-    const Vec2 extent = plan.from.extent();
-    if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
-        result.notes.push_back(
-            fmt::format("The lattice's tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so "
-                        "that new tiles are pieced together from parts of several.",
-                        extent.x, extent.y, plan.block));
+    describe(plan, result);
     Filler(request, settings, plan, context).fill(result, 0.9);
-    result.mapKind = settings.join == Join::Cut ? MapKind::Exact : MapKind::Dominant;
-    result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
-    result.figures.push_back({TR("Lattice, first vector right"), plan.from.v1.x});
-    result.figures.push_back({TR("Lattice, first vector down"), plan.from.v1.y});
-    result.figures.push_back({TR("Lattice, second vector right"), plan.from.v2.x});
-    result.figures.push_back({TR("Lattice, second vector down"), plan.from.v2.y});
+    result.mapKind = settings.join == Join::Cut && !settings.flatten ? MapKind::Exact : MapKind::Dominant;
+    if (sampled.change) {
+        mapBack(result.map, *sampled.change, exemplar.image->size(), context);
+        result.mapKind = MapKind::Estimated;
+    }
     return result;
 }
 
@@ -197,6 +257,16 @@ std::vector<Param> params() {
             .group(TR("Advanced"))
             .help(TR("Differences keep brightness even between blocks; correlation fits edges better where "
                      "brightness differs.")));
+    all.push_back(
+        field(&Settings::flatten, "flatten", TR("Even out the light"))
+            .group(TR("Exemplar"))
+            .help(TR("Takes slow changes of brightness out of the exemplar first, so that blocks from its "
+                     "light and dark parts match; pixels change a little.")));
+    all.push_back(
+        field(&Settings::rectify, "rectify", TR("Straighten"))
+            .group(TR("Exemplar"))
+            .help(TR("Turns and shears the exemplar so that its courses run along the axes in whole pixels; "
+                     "pixels are interpolated.")));
     return all;
 }
 

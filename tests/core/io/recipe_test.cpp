@@ -36,6 +36,7 @@ Recipe fullRecipe() {
     recipe.size = {640, 480};
     recipe.wrap = {true, false};
     recipe.seed = 18446744073709551615ULL;
+    recipe.region = Region{3, 5, {70, 90}};
     return recipe;
 }
 
@@ -57,6 +58,7 @@ void expectSame(const Recipe& a, const Recipe& b) {
     EXPECT_EQ(a.size, b.size);
     EXPECT_EQ(a.wrap, b.wrap);
     EXPECT_EQ(a.seed, b.seed);
+    EXPECT_EQ(a.region, b.region);
     ASSERT_EQ(a.exemplars.size(), b.exemplars.size());
     for (std::size_t i = 0; i < a.exemplars.size(); ++i) {
         expectSame(a.exemplars[i].image, b.exemplars[i].image);
@@ -138,7 +140,7 @@ TEST(Recipe, NamesAFieldThatItDoesNotKnow) {
 TEST(Recipe, NamesAFieldOfTheWrongType) {
     const std::vector<std::pair<std::string, Json>> wrong = {
         {"/method", 3},       {"/version", 2},  {"/parameters", "none"}, {"/exemplars", "a.png"},
-        {"/size", "640x480"}, {"/size", {640}}, {"/wrap", "z"},          {"/seed", -1},
+        {"/size", "640x480"}, {"/size", {640}}, {"/region", {1, 2, 3}}, {"/wrap", "z"},          {"/seed", -1},
         {"/seed", 1.5},       {"/seed", "1"},   {"/texloom", "one"},     {"/initial", 5}};
     for (const auto& [pointer, value] : wrong)
         EXPECT_THAT(([&, at = pointer, is = value] { parsed(changed(at, is)); }),

@@ -1,8 +1,10 @@
+#include "core/analysis/correlation.h"
 #include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/near_regular/border_match.h"
 #include "core/methods/near_regular/layout.h"
+#include "core/methods/near_regular/preparation.h"
 #include "core/methods/near_regular/sampler.h"
 #include "tests/support/lattices.h"
 #include "tests/support/textures.h"
@@ -133,6 +135,47 @@ TEST(BorderMatch, choosesWhatBruteForceFinds) {
     }
 }
 
+double meanOf(const ImageView& image) {
+    return channelMeans(image).front();
+}
+
+TEST(Preparation, flatteningTakesTheLightAndLeavesTheTexture) {
+    const Lattice lattice{{16, 0}, {0, 12}};
+    const Image even = regularTexture({192, 180}, 1, lattice, {}, 5);
+    const Image lit = regularTexture({192, 180}, 1, lattice, {0, 0, 3}, 5);
+    const Image flat = flattened(lit, 16, [] {});
+    const auto slope = [](const Image& image) {
+        return meanOf(image.view().crop(128, 120, {48, 48})) - meanOf(image.view().crop(16, 12, {48, 48}));
+    };
+    EXPECT_GT(slope(lit), 0.3);
+    EXPECT_LT(std::abs(slope(flat)), 0.02);
+    for (int y = 40; y < 140; y += 7)
+        for (int x = 40; x < 150; x += 7)
+            EXPECT_NEAR(flat(x, y, 0) - meanOf(flat), even(x, y, 0) - meanOf(even), 0.05);
+}
+
+TEST(Preparation, straightensCoursesToWholePixels) {
+    const double turn = 0.12;
+    const Vec2 along{20.3 * std::cos(turn), 20.3 * std::sin(turn)}, across{-along.y, along.x};
+    for (const Lattice& lattice :
+         {Lattice{along, 0.7 * across}, Lattice{along, 0.5 * along + 0.6 * across}}) {
+        const Image image = regularTexture({200, 190}, 1, lattice, {}, 5);
+        const Rectification change = rectification(lattice.reduced(), image.size());
+        ASSERT_GT(change.size.shorterSide(), 100);
+        for (const double x : {0.0, change.size.width - 1.0})
+            for (const double y : {0.0, change.size.height - 1.0}) {
+                const Vec2 at = change.from(x, y);
+                EXPECT_TRUE(at.x > -1e-6 && at.y > -1e-6 && at.x < 199 + 1e-6 && at.y < 189 + 1e-6);
+            }
+        EXPECT_TRUE(change.lattice.includes({{20, 0}, {0, 28}}, 0.01) ||
+                    change.lattice.includes({{20, 0}, {0, 24}}, 0.01));
+        const Image straight = rectified(image, change, [] {});
+        // The joints' hard edges lose a little to interpolation.
+        EXPECT_GT(autocorrelation(straight).at(20, 0), 0.85);
+        EXPECT_LT(autocorrelation(image).at(20, 0), 0.75);
+    }
+}
+
 Synthesis run(const Image& exemplar, Size size, const Values& settings, Wrap wrap = {},
               std::uint64_t seed = 1) {
     const Method& method = findMethod("near-regular");
@@ -248,6 +291,26 @@ TEST(NearRegular, movesThePatternByTheOrigin) {
     for (int y = 0; y < 100; y += 7)
         for (int x = 0; x < 100; x += 7)
             EXPECT_NEAR(result.image(x, y, 0), whole(x + 5, y + 3, 0), 1e-4);
+}
+
+TEST(NearRegular, saysWhatItsMapIsWorthWhereTheExemplarWasChanged) {
+    const Image exemplar = regularTexture({128, 120}, 1, {{16.2, 1.3}, {-1.1, 13}}, {}, 5);
+    const Synthesis flat = run(exemplar, {150, 140}, {{"flatten", true}});
+    EXPECT_EQ(flat.mapKind, MapKind::Dominant);
+    const Synthesis straight = run(exemplar, {150, 140}, {{"rectify", true}});
+    EXPECT_EQ(straight.mapKind, MapKind::Estimated);
+    // A straightened lattice repeats itself in whole pixels, right along the axes.
+    double off = 0;
+    for (int y = 0; y < 140; ++y)
+        for (int x = 0; x + 16 < 150; ++x)
+            off += std::abs(double(straight.image(x, y, 0)) - double(straight.image(x + 16, y, 0)));
+    EXPECT_LT(off / (140 * 134), 0.05);
+    const Image again = straight.map.apply(exemplar);
+    double far = 0;
+    for (int y = 0; y < 140; ++y)
+        for (int x = 0; x < 150; ++x)
+            far += std::abs(double(straight.image(x, y, 0)) - double(again(x, y, 0)));
+    EXPECT_LT(far / (140 * 150), 0.05);
 }
 
 TEST(NearRegular, refusesBlocksThatDoNotFit) {
