@@ -162,6 +162,7 @@ void Filler::addCornerSeams(const Gap& gap, Workspace& work) const {
     const Overlap border = borderOf(gap.cell);
     const Point at = corner(gap.cell);
     const int last = m_layout.patch() - 1;
+    constexpr float kStraight = 4;
     for (const int down : {-1, 1})
         for (const int right : {-1, 1}) {
             const Cell beside{gap.cell.column + right, gap.cell.row},
@@ -186,7 +187,7 @@ void Filler::addCornerSeams(const Gap& gap, Workspace& work) const {
                 for (int c = 0; c < m_plan.exemplar.channels; ++c) {
                     const float difference =
                         m_plan.exemplar(x + a.x, y + a.y, c) - m_plan.exemplar(x + b.x, y + b.y, c);
-                    open += difference * difference;
+                    open += kStraight * difference * difference;
                 }
             }
         }

@@ -32,20 +32,22 @@ int borderFor(const Settings& settings, int block) {
     return std::clamp(std::max(asked, band), 2, std::max(2, block / 4 * 2));
 }
 
-/// The largest block of about the source's share of the exemplar for which the lattice leaves several patches
-/// to choose from.
+/// The largest block of about the source's share of the exemplar, and not much below it, for which the
+/// lattice leaves several patches to choose from, or half of what there are where those are few.
 int blockFor(const Settings& settings, Size exemplar, const Lattice& lattice) {
     if (settings.block > 0)
         return settings.block;
-    constexpr double kChoices = 6;
-    int block = std::max(kSmallestBlock, static_cast<int>(std::lround(kBlockShare * exemplar.shorterSide())));
-    const auto choices = [&] {
+    constexpr double kChoices = 6, kLeastShare = 0.4;
+    const double wanted = std::min(kChoices, 0.5 * static_cast<double>(exemplar.area()) / lattice.area());
+    const double most = kBlockShare * exemplar.shorterSide();
+    const auto choices = [&](int block) {
         const int patch = block + borderFor(settings, block);
         return static_cast<double>(exemplar.width - patch + 1) * (exemplar.height - patch + 1) /
                lattice.area();
     };
-    while (block > kSmallestBlock && choices() < kChoices)
-        block = std::max(kSmallestBlock, 9 * block / 10);
+    int block = std::max(kSmallestBlock, static_cast<int>(std::lround(most)));
+    while (block > std::max<double>(kSmallestBlock, kLeastShare * most) && choices(block) < wanted)
+        --block;
     return block;
 }
 

@@ -140,8 +140,9 @@ TEST(Recipe, NamesAFieldThatItDoesNotKnow) {
 TEST(Recipe, NamesAFieldOfTheWrongType) {
     const std::vector<std::pair<std::string, Json>> wrong = {
         {"/method", 3},       {"/version", 2},  {"/parameters", "none"}, {"/exemplars", "a.png"},
-        {"/size", "640x480"}, {"/size", {640}}, {"/region", {1, 2, 3}}, {"/wrap", "z"},          {"/seed", -1},
-        {"/seed", 1.5},       {"/seed", "1"},   {"/texloom", "one"},     {"/initial", 5}};
+        {"/size", "640x480"}, {"/size", {640}}, {"/region", {1, 2, 3}},  {"/wrap", "z"},
+        {"/seed", -1},        {"/seed", 1.5},   {"/seed", "1"},          {"/texloom", "one"},
+        {"/initial", 5}};
     for (const auto& [pointer, value] : wrong)
         EXPECT_THAT(([&, at = pointer, is = value] { parsed(changed(at, is)); }),
                     usageRefusal(pointer.substr(1), value.dump()))
