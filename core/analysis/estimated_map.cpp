@@ -34,7 +34,7 @@ int patchFor(const ImageView& result, std::span<const PatchSource> exemplars) {
 PositionMap estimatedMap(const ImageView& result, std::span<const PatchSource> exemplars, Wrap wrap,
                          JobContext& context) {
     const int patch = patchFor(result, exemplars);
-    const PatchField field = matchPatches(result, exemplars, {patch, kIterations, wrap}, context);
+    const PatchField field = matchPatches(result, exemplars, {patch, kIterations, 2, wrap}, context);
     std::vector<Size> sizes;
     for (const PatchSource& exemplar : exemplars)
         sizes.push_back(exemplar.image.size());

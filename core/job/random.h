@@ -18,7 +18,6 @@ public:
     double uniform(int x, int y, std::uint32_t n = 0) const;
     /// A whole number in [0, count), every one equally likely to within 2^-32 × count. `count` is at least 1.
     std::uint32_t below(std::uint32_t count, int x, int y, std::uint32_t n = 0) const;
-
     /// A real number of the normal distribution with mean 0 and variance 1 (Box & Muller 1958), within ±6.8.
     double normal(int x, int y, std::uint32_t n = 0) const;
 

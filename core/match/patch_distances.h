@@ -82,6 +82,9 @@ public:
     const float* distanceRow(const Scratch& scratch, int row) const {
         return scratch.distances.data() + row * m_fft.rowStride();
     }
+    float* distanceRow(Scratch& scratch, int row) const {
+        return scratch.distances.data() + row * m_fft.rowStride();
+    }
 
     /// Bytes that an object takes for `shapes` shapes, and one Scratch.
     static std::uint64_t bytesFor(Size exemplar, int channels, int patch, int shapes);

@@ -15,7 +15,7 @@ namespace {
 /// Side of the tiles that one thread scans at a time.
 constexpr int kTile = 64;
 /// Leaves of the tree that a start looks into, unless an equal patch is met.
-constexpr int kLeaves = 3;
+constexpr int kLeaves = 4;
 
 /// One image to find patches in.
 class Target {
@@ -92,7 +92,8 @@ class Matcher {
 public:
     Matcher(const ImageView& query, std::span<const PatchSource> sources, const PatchMatchOptions& options,
             JobContext& context)
-        : m_query(query), m_patch(options.patch), m_iterations(options.iterations), m_context(context),
+        : m_query(query), m_patch(options.patch), m_iterations(options.iterations),
+          m_startStep(options.startStep), m_context(context),
           m_field({options.wrap.x ? query.width : query.width - options.patch + 1,
                    options.wrap.y ? query.height : query.height - options.patch + 1}),
           m_tiles{(m_field.size().width + kTile - 1) / kTile, (m_field.size().height + kTile - 1) / kTile} {
@@ -161,24 +162,40 @@ private:
         return m_targets[exemplar].nth(n, exemplar);
     }
 
+    /// The tree is asked for one patch in so many; the others begin beside what was found for the one before.
     void start(int number) {
         const Tile area = tile(number);
         const auto pixels = pixelsOf(area);
         for (int y = area.top; y < area.bottom; ++y)
             for (int x = area.left; x < area.right; ++x) {
+                const int dx = (x - area.left) % m_startStep, dy = (y - area.top) % m_startStep;
                 const float* patch = pixels->at(x - area.left, y - area.top);
-                PatchMatch best{anySource(x, y), HUGE_VALF};
-                PatchTree::Lookup lookup(*m_tree, patch, pixels->stride());
-                for (int leaf = 0; leaf < kLeaves && best.distance > 0; ++leaf)
-                    for (const Source& source : lookup.next()) {
-                        const float found = distance(patch, pixels->stride(), source, best.distance);
-                        if (found < best.distance)
-                            best = {source, found};
-                    }
-                if (best.distance == HUGE_VALF)
-                    best.distance = distance(patch, pixels->stride(), best.source, HUGE_VALF);
-                m_field.at(x, y) = best;
+                m_field.at(x, y) = dx == 0 && dy == 0 ? lookedUp(x, y, patch, pixels->stride())
+                                                      : beside(m_field.at(x - dx, y - dy).source, dx, dy,
+                                                               patch, pixels->stride());
             }
+    }
+
+    PatchMatch lookedUp(int x, int y, const float* patch, std::ptrdiff_t stride) const {
+        PatchMatch best{anySource(x, y), HUGE_VALF};
+        PatchTree::Lookup lookup(*m_tree, patch, stride);
+        for (int leaf = 0; leaf < kLeaves && best.distance > 0; ++leaf)
+            for (const Source& source : lookup.next()) {
+                const float found = distance(patch, stride, source, best.distance);
+                if (found < best.distance)
+                    best = {source, found};
+            }
+        if (best.distance == HUGE_VALF)
+            best.distance = distance(patch, stride, best.source, HUGE_VALF);
+        return best;
+    }
+
+    PatchMatch beside(Source source, int dx, int dy, const float* patch, std::ptrdiff_t stride) const {
+        if (m_targets[source.exemplar].has(source.x + dx, source.y + dy)) {
+            source.x = static_cast<std::uint16_t>(source.x + dx);
+            source.y = static_cast<std::uint16_t>(source.y + dy);
+        }
+        return {source, distance(patch, stride, source, HUGE_VALF)};
     }
 
     /// The scan goes right and down in even iterations, left and up in odd ones.
@@ -231,6 +248,7 @@ private:
     ImageView m_query;
     int m_patch;
     int m_iterations;
+    int m_startStep;
     JobContext& m_context;
     std::vector<Target> m_targets;
     std::int64_t m_count = 0; ///< patches in all targets

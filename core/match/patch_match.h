@@ -49,7 +49,8 @@ private:
 struct PatchMatchOptions {
     int patch = 7; ///< side in pixels, at most the shortest side of all images
     int iterations = 5;
-    Wrap wrap; ///< axes on which patches of the query reach round the border
+    int startStep = 1; ///< 2 looks for a start for one patch in four only: quicker, a little less near
+    Wrap wrap;         ///< axes on which patches of the query reach round the border
 };
 
 /// Nearly nearest neighbours of all patches of `query` among those of `sources`: PatchMatch (Barnes et al.,

@@ -85,6 +85,21 @@ void PatchSearch::compute(const ImageView& known, const Footprint& shape, Scratc
         m_distances[e].compute(known, shape, m_smallest, scratch[e], check);
 }
 
+void PatchSearch::add(const Scratch& other, double weight, Scratch& to) const {
+    const auto factor = static_cast<float>(weight);
+    for (std::size_t e = 0; e < m_distances.size(); ++e)
+        for (int y = 0; y < m_distances[e].positions().height; ++y) {
+            const float* from = m_distances[e].distanceRow(other[e], y);
+            float* row = m_distances[e].distanceRow(to[e], y);
+            const int width = m_distances[e].positions().width;
+            for (int x = 0; x < width; ++x)
+                row[x] = factor * row[x] + from[x];
+            // A bound is enough for leaving rows out.
+            float& minimum = to[e].rowMinima[static_cast<std::size_t>(y)];
+            minimum = factor * minimum + other[e].rowMinima[static_cast<std::size_t>(y)];
+        }
+}
+
 std::vector<PatchPosition> PatchSearch::within(double tolerance, const Scratch& scratch) const {
     float nearest = HUGE_VALF;
     for (const PatchDistances::Scratch& one : scratch)

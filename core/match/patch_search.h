@@ -31,6 +31,16 @@ public:
     std::int64_t allowed() const;
     /// The nth patch that the masks allow: exemplar by exemplar, row by row.
     PatchPosition nth(std::int64_t n) const;
+    /// The patch that a uniform number in [0, 1) draws.
+    PatchPosition drawn(double uniform) const {
+        return nth(static_cast<std::int64_t>(uniform * static_cast<double>(allowed())));
+    }
+    std::vector<ImageView> pixels(std::span<const PatchPosition> positions) const {
+        std::vector<ImageView> views;
+        for (const PatchPosition& position : positions)
+            views.push_back(pixels(position));
+        return views;
+    }
     ImageView pixels(const PatchPosition& position) const {
         return m_exemplars[static_cast<std::size_t>(position.exemplar)].image.crop(position.x, position.y,
                                                                                    {m_patch, m_patch});
@@ -41,6 +51,10 @@ public:
     Scratch scratch() const;
     void compute(const ImageView& known, const Footprint& shape, Scratch& scratch,
                  const std::function<void()>& check) const;
+
+    /// Weighs the distances in `to` and adds those that another search over exemplars of the same sizes
+    /// found.
+    void add(const Scratch& other, double weight, Scratch& to) const;
 
     /// All patches at most (1 + tolerance) times as far as the nearest (Efros & Freeman 2001). Never empty.
     std::vector<PatchPosition> within(double tolerance, const Scratch& scratch) const;

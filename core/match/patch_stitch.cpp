@@ -1,5 +1,6 @@
 #include "core/match/patch_stitch.h"
 
+#include "core/base/text.h"
 #include "core/match/boundary_cut.h"
 
 #include <algorithm>
@@ -7,6 +8,9 @@
 namespace texloom {
 
 namespace {
+
+/// Half the width over which a smoothed cut blends.
+constexpr int kSoftness = 3;
 
 void measureError(const ImageView& old, const ImageView& fresh, const Overlap& overlap, PlaneSpan error) {
     const int patch = fresh.width;
@@ -74,6 +78,43 @@ void rampWeights(const Overlap& overlap, PlaneSpan weight) {
             weight(x, y) = 1 - (1 - rampAt(x, overlap.left)) * (1 - rampAt(y, overlap.top)) *
                                    (1 - rampAt(last - x, overlap.right)) *
                                    (1 - rampAt(last - y, overlap.bottom));
+}
+
+void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh) {
+    for (int c = 0; c < fresh.channels(); ++c)
+        for (int y = 0; y < fresh.height(); ++y)
+            for (int x = 0; x < fresh.width(); ++x)
+                if (weight(x, y) == 1)
+                    fresh(x, y, c) = old(x, y, c);
+                else if (weight(x, y) > 0)
+                    fresh(x, y, c) += weight(x, y) * (old(x, y, c) - fresh(x, y, c));
+}
+
+std::vector<Choice> patchStitchChoices() {
+    return {{"cut", TR("Minimum-error cut")},
+            {"smooth-cut", TR("Smoothed cut")},
+            {"average", TR("Average")},
+            {"none", TR("None")}};
+}
+
+PatchStitcher::PatchStitcher(PatchStitch stitch, int patch) : m_stitch(stitch), m_patch(patch) {}
+
+PatchStitcher::Scratch PatchStitcher::scratch() const {
+    return {Image({m_patch, m_patch}, 1), Image({m_patch, m_patch}, 1)};
+}
+
+void PatchStitcher::join(const ImageView& old, const Overlap& overlap, Image& fresh, Scratch& scratch) const {
+    if (m_stitch == PatchStitch::None || overlap.none())
+        return;
+    const PlaneSpan weight = scratch.weight.plane(0);
+    if (m_stitch == PatchStitch::Average && overlap.right == 0 && overlap.bottom == 0)
+        averageWeights(overlap, weight);
+    else if (m_stitch == PatchStitch::Average)
+        rampWeights(overlap, weight);
+    else
+        cutWeights(old, fresh, overlap, m_stitch == PatchStitch::SmoothCut ? kSoftness : 0,
+                   scratch.error.plane(0), weight);
+    mixPatches(old, weight, fresh);
 }
 
 } // namespace texloom

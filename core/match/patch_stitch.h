@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/base/param.h"
 #include "core/image/image.h"
 #include "core/match/patch_distances.h"
+
+#include <vector>
 
 namespace texloom {
 
@@ -21,5 +24,34 @@ void averageWeights(const Overlap& overlap, PlaneSpan weight);
 /// From 1 at the outer border of the overlap down to 0 at the inner: 1 − (1 − α)(1 − β) of Raad's thesis
 /// 2016, section 2.2, with more factors where an output closes.
 void rampWeights(const Overlap& overlap, PlaneSpan weight);
+
+/// Mixes the old pixels into a fresh patch by these weights.
+void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh);
+
+/// How a patch is joined to what is there: along the cut of least error, sharp or smoothed; by the mean on the
+/// overlap (by a ramp where the output closes and every border is known); or not at all, so that the new patch
+/// hides what it overlaps.
+enum class PatchStitch { Cut, SmoothCut, Average, None };
+
+/// The entries of a PatchStitch parameter.
+std::vector<Choice> patchStitchChoices();
+
+/// Joins patches in one way. One object serves any number of threads, each with its own Scratch.
+class PatchStitcher {
+public:
+    struct Scratch {
+        Image error, weight;
+    };
+
+    PatchStitcher(PatchStitch stitch, int patch);
+
+    Scratch scratch() const;
+    /// Makes `fresh` what is to be placed. @param old the patch as it is on the canvas, known on `overlap`.
+    void join(const ImageView& old, const Overlap& overlap, Image& fresh, Scratch& scratch) const;
+
+private:
+    PatchStitch m_stitch;
+    int m_patch;
+};
 
 } // namespace texloom

@@ -1,6 +1,8 @@
 #include "core/methods/patch_request.h"
 
+#include "core/analysis/estimated_map.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/match/patch_distances.h"
 
 #include <cmath>
@@ -71,6 +73,21 @@ double patchSearchSeconds(const Request& request) {
         seconds += pixels * (3e-9 + 7e-11 * std::log2(pixels) * (request.channels() + 1));
     }
     return seconds;
+}
+
+Synthesis withEstimatedMap(Image image, const Request& request, double weight, JobContext& context) {
+    context.preview(image);
+    context.stage(weight, TR("Estimating the synthesis map"));
+    Synthesis result;
+    result.map = estimatedMap(image, patchSources(request), request.wrap, context);
+    result.mapKind = MapKind::Estimated;
+    result.image = std::move(image);
+    return result;
+}
+
+void addEstimatedMap(const Request& request, std::uint64_t& bytes, double& seconds) {
+    bytes += estimatedMapBytes(request.size, request.exemplarSizes(), request.channels());
+    seconds += estimatedMapSeconds(request.size, request.channels());
 }
 
 } // namespace texloom

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/job/job_context.h"
 #include "core/match/patch_match.h"
 #include "core/methods/synthesis.h"
 
@@ -23,5 +24,12 @@ std::uint64_t patchSearchBytes(const Request& request, int patch, int threads);
 
 /// Rough time on one thread of comparing one patch with all others, in seconds.
 double patchSearchSeconds(const Request& request);
+
+/// The result of a method that makes new pixels: the image with its estimated map.
+/// @param weight of the stage that makes the map.
+Synthesis withEstimatedMap(Image image, const Request& request, double weight, JobContext& context);
+
+/// Adds what withEstimatedMap() needs.
+void addEstimatedMap(const Request& request, std::uint64_t& bytes, double& seconds);
 
 } // namespace texloom

@@ -148,7 +148,9 @@ std::optional<std::uint64_t> kernelFigure(const char* list, std::string_view nam
 std::vector<Figure> measure(const Synthesis& synthesis, JobContext& context) {
     const auto check = [&context] { context.check(); };
     std::vector<Figure> figures = synthesis.figures;
-    if (synthesis.mapKind == MapKind::Exact || synthesis.mapKind == MapKind::Dominant)
+    if (synthesis.mapKind == MapKind::Estimated)
+        figures.push_back({TR("Innovation, estimated"), innovation(synthesis.map, check)});
+    else if (synthesis.mapKind != MapKind::None)
         figures.push_back({TR("Innovation"), innovation(synthesis.map, check)});
     const SeamScore seam = seamScore(synthesis.image, check);
     figures.push_back({TR("Seam, left to right"), seam.x});

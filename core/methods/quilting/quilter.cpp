@@ -27,8 +27,7 @@ Footprint Quilter::compared(const PatchCell& cell) const {
 
 PatchPosition Quilter::choose(const PatchCell& cell, Workspace& work) const {
     if (cell.overlap.none() && !m_request.initial)
-        return m_search.nth(static_cast<std::int64_t>(m_context.random().uniform(cell.column, cell.row) *
-                                                      static_cast<double>(m_search.allowed())));
+        return m_search.drawn(m_context.random().uniform(cell.column, cell.row));
     m_search.compute(work.known, compared(cell), work.scratch, [this] { m_context.check(); });
     const std::vector<PatchPosition> candidates = m_search.within(m_settings.tolerance, work.scratch);
     const auto count = static_cast<std::uint32_t>(candidates.size());

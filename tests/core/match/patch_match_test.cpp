@@ -74,7 +74,7 @@ TEST(PatchMatch, fiveIterationsComeWithinThreePerCentOfExhaustiveSearch) {
     const Image exemplar = blobs({48, 48}, 3);
     for (const int patch : {5, 7}) {
         const Image query = rearranged(exemplar, {60, 60}, 20);
-        const double found = matched(query, {{exemplar, {}}}, {patch, 5, {}}).meanDistance();
+        const double found = matched(query, {{exemplar, {}}}, {patch, 5, 1, {}}).meanDistance();
         const double best = exhaustiveMean(query, exemplar, patch);
         EXPECT_GE(found, best * (1 - 1e-5));
         EXPECT_LE(found, best * 1.03) << "patch " << patch;
@@ -84,7 +84,7 @@ TEST(PatchMatch, fiveIterationsComeWithinThreePerCentOfExhaustiveSearch) {
 TEST(PatchMatch, distancesAreThoseOfTheMatches) {
     for (const int channels : {1, 2, 3, 5}) {
         const Image exemplar = blobs({40, 31}, channels), query = blobs({90, 70}, channels, 4);
-        const PatchField field = matched(query, {{exemplar, {}}}, {5, 2, {true, false}});
+        const PatchField field = matched(query, {{exemplar, {}}}, {5, 2, 1, {true, false}});
         EXPECT_EQ(field.size(), (Size{90, 66}));
         for (int y = 0; y < field.size().height; ++y)
             for (int x = 0; x < field.size().width; ++x) {
@@ -98,9 +98,9 @@ TEST(PatchMatch, distancesAreThoseOfTheMatches) {
 TEST(PatchMatch, threadsChangeNothing) {
     const Image exemplar = blobs({50, 60}, 3), query = blobs({150, 140}, 3, 2);
     for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
-        const PatchField one = matched(query, {{exemplar, {}}}, {5, 3, wrap}, 1);
+        const PatchField one = matched(query, {{exemplar, {}}}, {5, 3, 1, wrap}, 1);
         for (const int threads : {2, 5}) {
-            const PatchField other = matched(query, {{exemplar, {}}}, {5, 3, wrap}, threads);
+            const PatchField other = matched(query, {{exemplar, {}}}, {5, 3, 1, wrap}, threads);
             for (int y = 0; y < one.size().height; ++y)
                 for (int x = 0; x < one.size().width; ++x)
                     ASSERT_EQ(one.at(x, y).source, other.at(x, y).source);
@@ -111,7 +111,7 @@ TEST(PatchMatch, threadsChangeNothing) {
 TEST(PatchMatch, copiesAreFoundWhole) {
     const Image exemplar = blobs({64, 64}, 3);
     const Image query(exemplar.view().crop(7, 11, {48, 40}));
-    const PatchField field = matched(query, {{exemplar, {}}}, {7, 5, {}});
+    const PatchField field = matched(query, {{exemplar, {}}}, {7, 5, 1, {}});
     EXPECT_EQ(field.meanDistance(), 0);
     EXPECT_EQ(field.at(3, 4).source, (Source{10, 15, 0}));
 }
@@ -122,7 +122,7 @@ TEST(PatchMatch, forbiddenPatchesAreNotFound) {
     for (int y = 10; y < 30; ++y)
         for (int x = 0; x < 20; ++x)
             mask(x, y, 0) = 0;
-    const PatchField field = matched(exemplar, {{exemplar, mask.view().plane(0)}}, {5, 4, {}});
+    const PatchField field = matched(exemplar, {{exemplar, mask.view().plane(0)}}, {5, 4, 1, {}});
     for (int y = 0; y < field.size().height; ++y)
         for (int x = 0; x < field.size().width; ++x) {
             const Source source = field.at(x, y).source;
@@ -132,7 +132,7 @@ TEST(PatchMatch, forbiddenPatchesAreNotFound) {
 
 TEST(PatchMatch, everySourceIsSearched) {
     const Image first = blobs({40, 40}, 3, 1), second = blobs({60, 30}, 3, 2);
-    const PatchField field = matched(second, {{first, {}}, {second, {}}}, {5, 5, {}});
+    const PatchField field = matched(second, {{first, {}}, {second, {}}}, {5, 5, 1, {}});
     EXPECT_NEAR(field.meanDistance(), 0, 1e-6);
     EXPECT_EQ(field.at(8, 9).source, (Source{8, 9, 1}));
 }
@@ -142,7 +142,7 @@ TEST(PatchMatch, endsSoonAfterCancelling) {
     const std::vector<PatchSource> sources = {{exemplar, {}}};
     Job<PatchField> job({}, [&](JobContext& context) {
         context.stage(1, "matching");
-        return matchPatches(query, sources, {7, 50, {}}, context);
+        return matchPatches(query, sources, {7, 50, 1, {}}, context);
     });
     while (job.monitor().progress() < 0.01)
         std::this_thread::yield();

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "core/job/random.h"
+#include "core/match/patch_grid.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace texloom {
+
+/// The Gaussian of m patches has their mean μ and the covariance PPᵗ/(m − 1), where the columns of P are the
+/// patches less μ (Raad, thesis 2016, eq. 2.1; the double sum printed there is a slip). Its vectors are
+/// μ + P a/√(m − 1), and so weighted sums of the patches themselves: no matrix is ever made.
+
+/// The weights that give the vector with coefficients a: they add to 1.
+std::vector<double> gaussianWeights(std::span<const double> coefficients);
+
+/// The sum of patches times weights. @param to of the patches' size and channels.
+void combinePatches(std::span<const ImageView> patches, std::span<const double> weights, Image& to);
+
+/// Standard normal numbers for the patch at a place of the grid: draws `first` onwards.
+std::vector<double> normalNumbers(const Random& random, const PatchCell& cell, std::size_t count,
+                                  std::uint32_t first = 0);
+
+/// The standard deviation of each value over the patches, averaged over all values: σ̄ of Raad's thesis 2016,
+/// section 2.2. 0 for a single patch.
+double meanPatchDeviation(std::span<const ImageView> patches);
+
+} // namespace texloom

@@ -1,0 +1,210 @@
+#include "core/base/text.h"
+#include "core/job/pool.h"
+#include "core/match/gaussian_patches.h"
+#include "core/match/patch_canvas.h"
+#include "core/match/patch_search.h"
+#include "core/methods/conditional_gaussian/conditional_patch.h"
+#include "core/methods/conditional_gaussian/settings.h"
+#include "core/methods/method.h"
+#include "core/methods/patch_request.h"
+
+#include <cmath>
+
+namespace texloom::conditional_gaussian {
+
+namespace {
+
+constexpr double kMapWeight = 0.1;
+/// Draws of each kind begin here, at every place of the grid.
+constexpr std::uint32_t kCoefficients = 2, kNoise = 1U << 16U;
+
+/// Over all exemplars and channels, each channel about its own mean.
+double standardDeviation(const Request& request) {
+    double squares = 0, count = 0;
+    for (const Exemplar& exemplar : request.exemplars) {
+        const ImageView image = *exemplar.image;
+        const std::vector<double> means = channelMeans(image);
+        for (int c = 0; c < image.channels; ++c)
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) {
+                    const double difference =
+                        static_cast<double>(image(x, y, c)) - means[static_cast<std::size_t>(c)];
+                    squares += difference * difference;
+                }
+        count += static_cast<double>(image.size().area()) * image.channels;
+    }
+    return std::sqrt(squares / count);
+}
+
+/// Grows one output in raster order; every patch is drawn from the Gaussian of the exemplar patches that fit
+/// best, given the pixels that are there already.
+class Sampler {
+public:
+    Sampler(const Request& request, const Settings& settings, JobContext& context)
+        : m_request(request), m_settings(settings), m_context(context),
+          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
+          m_deviation(standardDeviation(request)) {}
+
+    Synthesis run() {
+        m_context.stage(0.02, TR("Preparing the exemplar"));
+        for (const PatchCell& cell : m_canvas.grid().cells())
+            m_search.prepare(compared(cell));
+        m_context.stage(0.98 - kMapWeight, TR("Sampling patches"));
+        m_canvas.grow(
+            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
+            [this] { m_context.preview(m_canvas.image()); });
+        const int patches = m_canvas.grid().count();
+        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
+        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
+        return result;
+    }
+
+private:
+    struct Workspace {
+        Image known, fresh;
+        PatchSearch::Scratch search;
+    };
+
+    Footprint compared(const PatchCell& cell) const {
+        return cell.overlap.none() ? Footprint::filled({m_settings.patch, m_settings.patch})
+                                   : Footprint(cell.overlap);
+    }
+
+    void place(const PatchCell& cell) {
+        const auto work = m_pool.borrow([this] {
+            const Size patch{m_settings.patch, m_settings.patch};
+            return Workspace{Image(patch, m_request.channels()), Image(patch, m_request.channels()),
+                             m_search.scratch()};
+        });
+        m_canvas.read(cell, work->known);
+        if (cell.overlap.none())
+            work->known = Image(m_search.pixels(m_search.drawn(m_context.random().uniform(0, 0))));
+        m_search.compute(work->known, compared(cell), work->search, [this] { m_context.check(); });
+        const std::vector<ImageView> patches =
+            m_search.pixels(m_search.nearest(m_settings.neighbours, work->search));
+        const std::vector<double> normals =
+            normalNumbers(m_context.random(), cell, patches.size(), kCoefficients);
+        if (cell.overlap.none())
+            combinePatches(patches, gaussianWeights(normals), work->fresh);
+        else
+            condition(cell, patches, normals, *work);
+        m_canvas.place(cell, work->fresh);
+    }
+
+    void condition(const PatchCell& cell, const std::vector<ImageView>& patches,
+                   const std::vector<double>& normals, Workspace& work) const {
+        const bool sampled = m_settings.choose == Choose::Sample;
+        const auto noise = [&](int x, int y, int c) {
+            const int at = (c * m_settings.patch + y) * m_settings.patch + x;
+            return m_context.random().normal(cell.column, cell.row, kNoise + static_cast<std::uint32_t>(at));
+        };
+        if (sampled && m_settings.model == Model::Relaxed)
+            addNoise(work.known, m_settings.theta / 100 * m_deviation, noise,
+                     [&](int x, int y) { return cell.overlap.contains(x, y, m_settings.patch); });
+        m_context.check();
+        const double sigma = m_settings.sigma / 100 * m_deviation;
+        conditionPatch(patches, work.known, cell.overlap, sigma, sampled ? normals : std::vector<double>{},
+                       work.fresh);
+        m_context.check();
+        if (sampled)
+            addNoise(work.fresh, sigma, noise,
+                     [&](int x, int y) { return !cell.overlap.contains(x, y, m_settings.patch); });
+    }
+
+    /// Adds white noise of a standard deviation where `where(x, y)` says so.
+    template <class Noise, class Where>
+    static void addNoise(Image& patch, double deviation, const Noise& noise, const Where& where) {
+        for (int c = 0; c < patch.channels(); ++c)
+            for (int y = 0; y < patch.height(); ++y)
+                for (int x = 0; x < patch.width(); ++x)
+                    if (where(x, y))
+                        patch(x, y, c) += static_cast<float>(deviation * noise(x, y, c));
+    }
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    PatchSearch m_search;
+    PatchCanvas m_canvas;
+    double m_deviation;
+    Pool<Workspace> m_pool;
+};
+
+void check(const Request& request, const Settings& settings) {
+    checkPatchRequest(request, settings.patch);
+}
+
+Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    const int overlap = settings.overlapPixels();
+    const double values = static_cast<double>(settings.patch) * settings.patch * request.channels();
+    const double neighbours = settings.neighbours;
+    Estimate need;
+    need.bytes =
+        PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
+        patchSearchBytes(request, settings.patch, threads) +
+        static_cast<std::uint64_t>(threads * (values * (neighbours + 8) + 4 * neighbours * neighbours) *
+                                   sizeof(double));
+    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
+                   (patchSearchSeconds(request) + values * (1e-7 + neighbours * (neighbours + 10) * 4e-10));
+    addEstimatedMap(request, need.bytes, need.seconds);
+    return need;
+}
+
+Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    return Sampler(request, settings, context).run();
+}
+
+} // namespace
+
+extern const Method self;
+const Method self = method<Settings>(
+    {.title = TR("Conditional Gaussian"),
+     .summary =
+         TR("Continues what is there: every patch is drawn from the Gaussian of similar ones, given the "
+            "pixels it shares. No seams and no stitching, but soft."),
+     .citation = "Raad, Desolneux & Morel, 2014; Raad, thesis 2016, algorithms 3 and 4",
+     .wraps = true,
+     .usesMask = true,
+     .severalExemplars = true},
+    {field(&Settings::patch, "patch", TR("Patch size"))
+         .range(4, 256)
+         .unit("px")
+         .scaled(0.16)
+         .symbol("n")
+         .help(TR("Side of the patches: larger keeps larger structures whole, smaller finds more that are "
+                  "alike.")),
+     field(&Settings::neighbours, "neighbours", TR("Neighbours"))
+         .range(2, 300)
+         .symbol("m")
+         .help(TR("Similar patches that a Gaussian is learnt from: more join more smoothly and blur more.")),
+     field(&Settings::overlap, "overlap", TR("Overlap"))
+         .range(0.02, 0.5)
+         .symbol("o")
+         .help(
+             TR("Share of the patch that is given by its neighbours: larger fits better and takes longer.")),
+     field(&Settings::model, "model", TR("Overlap values"))
+         .choices({{"exact", TR("Kept (CLG)")}, {"relaxed", TR("Relaxed (RCLG)")}})
+         .help(TR(
+             "Pixels shared with neighbours stay as they are, or vary a little before the rest is drawn.")),
+     field(&Settings::theta, "theta", TR("Relaxation"))
+         .range(0, 100)
+         .unit("%")
+         .symbol("θ")
+         .when("model", std::string("relaxed"))
+         .help(TR("How far shared pixels may vary, in per cent of the exemplar's standard deviation.")),
+     field(&Settings::choose, "choose", TR("Patch drawn"))
+         .choices({{"sample", TR("A sample")}, {"most-probable", TR("The most probable")}})
+         .group(TR("Advanced"))
+         .help(TR("The most probable patch joins most smoothly and loses detail; samples differ each time.")),
+     field(&Settings::sigma, "sigma", TR("Regularisation"))
+         .range(0.01, 100)
+         .unit("%")
+         .symbol("σ")
+         .group(TR("Advanced"))
+         .help(
+             TR("White noise added to the model, in per cent of the exemplar's standard deviation: more lets "
+                "patches fit their neighbours less."))},
+    run, check, estimate);
+
+} // namespace texloom::conditional_gaussian

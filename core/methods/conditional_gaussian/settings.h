@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::conditional_gaussian {
+
+/// What becomes of the pixels that a patch shares with its neighbours: they stay as they are (CLG), or they
+/// vary a little first (RCLG).
+enum class Model { Exact, Relaxed };
+
+/// Which patch of the conditional Gaussian is placed.
+enum class Choose { Sample, MostProbable };
+
+/// Parameters of conditional locally Gaussian synthesis (Raad, thesis 2016, algorithms 3 and 4).
+struct Settings {
+    int patch = 40;      ///< side n in pixels
+    int neighbours = 30; ///< m: patches that a Gaussian is learnt from
+    double overlap = 0.5;
+    Model model = Model::Exact;
+    double theta = 5; ///< θ in per cent of the exemplars' standard deviation
+    Choose choose = Choose::Sample;
+    double sigma = 5; ///< σ in per cent of the exemplars' standard deviation
+
+    /// At least 1, at most half the patch.
+    int overlapPixels() const {
+        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
+    }
+};
+
+} // namespace texloom::conditional_gaussian

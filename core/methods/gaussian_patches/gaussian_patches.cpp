@@ -1,0 +1,161 @@
+#include "core/match/gaussian_patches.h"
+
+#include "core/base/text.h"
+#include "core/job/pool.h"
+#include "core/match/patch_canvas.h"
+#include "core/match/patch_search.h"
+#include "core/match/patch_stitch.h"
+#include "core/methods/method.h"
+#include "core/methods/patch_request.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::gaussian_patches {
+
+namespace {
+
+constexpr double kMapWeight = 0.15;
+
+/// Parameters of the replacement of patches by Gaussian samples (Raad, thesis 2016, algorithm 1).
+struct Settings {
+    int patch = 30;       ///< side n in pixels
+    int neighbours = 10;  ///< m: patches that a Gaussian is learnt from
+    double overlap = 0.5; ///< o as a share of the patch
+
+    /// At least 1, at most half the patch.
+    int overlapPixels() const {
+        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
+    }
+};
+
+/// Replaces every patch of a guide by a sample of the Gaussian of the exemplar patches most like it. The
+/// guide is the exemplar itself, mirrored beyond its borders, or the initial image.
+class Replacer {
+public:
+    Replacer(const Request& request, const Settings& settings, JobContext& context)
+        : m_request(request), m_settings(settings), m_context(context),
+          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_guide(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
+          m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()) {
+    }
+
+    Synthesis run() {
+        m_context.stage(0.02, TR("Preparing the exemplar"));
+        for (const PatchCell& cell : m_canvas.grid().cells())
+            m_search.prepare(compared(cell));
+        if (m_request.initial)
+            m_guide.fill(*m_request.initial);
+        else
+            layOutExemplar();
+        m_context.stage(0.98 - kMapWeight, TR("Replacing patches"));
+        m_canvas.grow(
+            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
+            [this] { m_context.preview(m_canvas.image()); });
+        const int patches = m_canvas.grid().count();
+        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
+        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
+        return result;
+    }
+
+private:
+    struct Workspace {
+        Image guide, old, fresh, weight;
+        PatchSearch::Scratch search;
+    };
+
+    /// Without an initial image the guide goes on beyond the output.
+    Footprint compared(const PatchCell& cell) const {
+        return Footprint::filled(m_request.initial ? m_canvas.visible(cell)
+                                                   : Size{m_settings.patch, m_settings.patch});
+    }
+
+    /// Mirrored beyond its borders, and in the middle of an axis that wraps, so that the guide has no seam.
+    void layOutExemplar() {
+        const ImageView exemplar = *m_request.exemplars.front().image;
+        Image& guide = m_guide.image();
+        const auto from = [](int at, int length, bool wraps, int side) {
+            return mirrored(wraps ? std::min(at, length - 1 - at) : at, side);
+        };
+        for (int c = 0; c < guide.channels(); ++c)
+            for (int y = 0; y < guide.height(); ++y)
+                for (int x = 0; x < guide.width(); ++x)
+                    guide(x, y, c) = exemplar(from(x, guide.width(), m_request.wrap.x, exemplar.width),
+                                              from(y, guide.height(), m_request.wrap.y, exemplar.height), c);
+    }
+
+    void place(const PatchCell& cell) {
+        const auto work = m_pool.borrow([this] {
+            const Size patch{m_settings.patch, m_settings.patch};
+            const int channels = m_request.channels();
+            return Workspace{Image(patch, channels), Image(patch, channels), Image(patch, channels),
+                             Image(patch, 1), m_search.scratch()};
+        });
+        m_guide.read(cell, work->guide);
+        m_search.compute(work->guide, compared(cell), work->search, [this] { m_context.check(); });
+        const std::vector<ImageView> patches =
+            m_search.pixels(m_search.nearest(m_settings.neighbours, work->search));
+        combinePatches(patches, gaussianWeights(normalNumbers(m_context.random(), cell, patches.size())),
+                       work->fresh);
+        m_canvas.read(cell, work->old);
+        rampWeights(cell.overlap, work->weight.plane(0));
+        m_canvas.place(cell, work->old, work->fresh, work->weight.view().plane(0));
+    }
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    PatchSearch m_search;
+    PatchCanvas m_guide, m_canvas;
+    Pool<Workspace> m_pool;
+};
+
+void check(const Request& request, const Settings& settings) {
+    checkPatchRequest(request, settings.patch);
+}
+
+Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    const int overlap = settings.overlapPixels();
+    Estimate need;
+    need.bytes =
+        2 * PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
+        patchSearchBytes(request, settings.patch, threads);
+    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
+                   patchSearchSeconds(request);
+    addEstimatedMap(request, need.bytes, need.seconds);
+    return need;
+}
+
+Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    return Replacer(request, settings, context).run();
+}
+
+} // namespace
+
+extern const Method self;
+const Method self = method<Settings>(
+    {.title = TR("Gaussian patches"),
+     .summary = TR("A variant of the exemplar itself, or of an initial image: every patch is replaced by a "
+                   "random blend of the exemplar patches most like it. The layout stays."),
+     .citation = "Raad, thesis 2016, algorithm 1",
+     .wraps = true,
+     .startsFromImage = true,
+     .usesMask = true,
+     .severalExemplars = true},
+    {field(&Settings::patch, "patch", TR("Patch size"))
+         .range(4, 256)
+         .unit("px")
+         .scaled(0.12)
+         .symbol("n")
+         .help(TR("Side of the patches that are replaced: larger changes larger parts at once.")),
+     field(&Settings::neighbours, "neighbours", TR("Neighbours"))
+         .range(1, 1000)
+         .symbol("m")
+         .help(TR("Similar patches that each new one is blended from: more vary more and blur more.")),
+     field(&Settings::overlap, "overlap", TR("Overlap"))
+         .range(0.02, 0.5)
+         .symbol("o")
+         .help(TR("Share of the patch over which it fades into its neighbours."))},
+    run, check, estimate);
+
+} // namespace texloom::gaussian_patches

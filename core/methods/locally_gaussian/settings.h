@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/match/patch_stitch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::locally_gaussian {
+
+/// Parameters of locally Gaussian synthesis (Raad, thesis 2016, algorithm 2).
+struct Settings {
+    int patch = 30;       ///< side n in pixels
+    int neighbours = 10;  ///< m: patches that a Gaussian is learnt from
+    double overlap = 0.5; ///< o as a share of the patch
+    PatchStitch stitch = PatchStitch::Cut;
+
+    /// At least 1, at most half the patch.
+    int overlapPixels() const {
+        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
+    }
+};
+
+} // namespace texloom::locally_gaussian

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/match/patch_stitch.h"
+
+namespace texloom::multiscale_gaussian {
+
+/// Parameters of multiscale locally Gaussian synthesis (Raad, thesis 2016, algorithm 5).
+struct Settings {
+    int patch = 20;      ///< side n in pixels, at every scale
+    int neighbours = 20; ///< m: patches that a Gaussian is learnt from
+    int scales = 3;      ///< K: the exemplar and its halves
+    /// How patches join at all scales but the coarsest, which averages. The source pastes them (None).
+    PatchStitch stitch = PatchStitch::Cut;
+
+    int overlapPixels() const { return patch / 2; }
+};
+
+} // namespace texloom::multiscale_gaussian

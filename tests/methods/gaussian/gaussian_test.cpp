@@ -1,0 +1,163 @@
+#include "core/base/error.h"
+#include "core/job/job.h"
+#include "core/methods/conditional_gaussian/conditional_patch.h"
+#include "core/methods/method.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace texloom::test {
+namespace {
+
+using testing::HasSubstr;
+
+Request requestFor(const Image& exemplar, Size output, Wrap wrap = {}) {
+    Request request;
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar), nullptr});
+    request.size = output;
+    request.wrap = wrap;
+    request.seed = 3;
+    return request;
+}
+
+Image made(const char* id, const Request& request, const Values& settings) {
+    const Method& method = findMethod(id);
+    const Values all = method.resolved(settings, request.exemplars.front().image->size());
+    method.check(request, all);
+    Job<Synthesis> job({request.seed, 2, false},
+                       [&](JobContext& context) { return method.run(request, all, context); });
+    return std::get<Synthesis>(job.take()).image;
+}
+
+Image periodic(Size size, Size period) {
+    const Image tile = noise(period, 2);
+    Image image(size, 2);
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                image(x, y, c) = tile(x % period.width, y % period.height, c);
+    return image;
+}
+
+double largestDifference(const Image& a, const Image& b) {
+    double largest = 0;
+    for (int c = 0; c < a.channels(); ++c)
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                largest = std::max(largest, std::abs(static_cast<double>(a(x, y, c) - b(x, y, c))));
+    return largest;
+}
+
+TEST(Gaussian, periodicTexturesGoOnWithTheirPeriod) {
+    // As many equal patches as neighbours: every Gaussian is a point.
+    const Image exemplar = periodic({48, 45}, {8, 9});
+    for (const char* id : {"locally-gaussian", "conditional-gaussian"})
+        for (const char* stitch : {"cut", "average", "none"}) {
+            Values settings = {{"patch", 18}, {"neighbours", 6}};
+            if (id == std::string("locally-gaussian"))
+                settings["stitch"] = std::string(stitch);
+            else
+                settings["sigma"] = 0.01;
+            const Image image = made(id, requestFor(exemplar, {70, 61}), settings);
+            for (int y = 0; y + 9 < 61; ++y)
+                for (int x = 0; x + 8 < 70; ++x) {
+                    ASSERT_NEAR(image(x, y, 0), image(x + 8, y, 0), 0.002) << id << " " << x << "," << y;
+                    ASSERT_NEAR(image(x, y, 0), image(x, y + 9, 0), 0.002) << id << " " << x << "," << y;
+                }
+        }
+}
+
+TEST(Gaussian, replacingPatchesByTheirNearestGivesTheExemplarBack) {
+    const Image exemplar = blobs({60, 52}, 3);
+    const Image image =
+        made("gaussian-patches", requestFor(exemplar, {60, 52}), {{"patch", 12}, {"neighbours", 1}});
+    // The last patches reach beyond the exemplar, where it is mirrored and no patch is quite alike.
+    EXPECT_LE(largestDifference(Image(image.view().crop(0, 0, {44, 36})),
+                                Image(exemplar.view().crop(0, 0, {44, 36}))),
+              1e-5);
+}
+
+TEST(Gaussian, moreNeighboursThanPatchesTakeAllThereAre) {
+    const Image exemplar = blobs({20, 20}, 1);
+    for (const char* id : {"gaussian-patches", "locally-gaussian", "conditional-gaussian"}) {
+        const Image image = made(id, requestFor(exemplar, {50, 40}), {{"patch", 19}, {"neighbours", 300}});
+        EXPECT_TRUE(std::isfinite(valueRange(image).largest)) << id;
+    }
+    const Image whole =
+        made("locally-gaussian", requestFor(exemplar, {20, 20}), {{"patch", 20}, {"neighbours", 50}});
+    EXPECT_LE(largestDifference(whole, exemplar), 1e-6);
+}
+
+TEST(Gaussian, patchesTooLargeForTheCoarsestScaleAreNamed) {
+    try {
+        made("multiscale-gaussian", requestFor(blobs({64, 60}, 3), {90, 90}), {{"patch", 20}, {"scales", 3}});
+        ADD_FAILURE();
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("16 × 15 px"));
+        EXPECT_THAT(error.what(), HasSubstr("20 px"));
+    }
+}
+
+TEST(Gaussian, oneScaleIsLocallyGaussianWithAverages) {
+    const Request request = requestFor(blobs({50, 50}, 3), {90, 70});
+    const Image one = made("multiscale-gaussian", request, {{"patch", 16}, {"scales", 1}, {"neighbours", 7}});
+    const Image other = made("locally-gaussian", request,
+                             {{"patch", 16}, {"stitch", std::string("average")}, {"neighbours", 7}});
+    EXPECT_LE(largestDifference(one, other), 1e-6);
+}
+
+TEST(Gaussian, finerScalesKeepTheCoarseLayout) {
+    // Blocks far larger than the patch: only the coarse scale can know how they lie.
+    Image exemplar = noise({128, 128}, 1);
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x)
+            exemplar(x, y, 0) = 0.1F * exemplar(x, y, 0) + ((x / 32 + y / 32) % 2 == 0 ? 1.0F : 0.0F);
+    const Image image = made("multiscale-gaussian", requestFor(exemplar, {192, 192}),
+                             {{"patch", 16}, {"scales", 4}, {"neighbours", 4}});
+    int opposite = 0, count = 0;
+    for (int y = 0; y < 192; ++y)
+        for (int x = 0; x + 32 < 192; ++x, ++count)
+            opposite += (image(x, y, 0) > 0.55F) != (image(x + 32, y, 0) > 0.55F);
+    EXPECT_GT(opposite, count * 7 / 10);
+}
+
+std::vector<ImageView> patchesOf(const Image& source, int patch, int count) {
+    std::vector<ImageView> patches;
+    for (int i = 0; i < count; ++i)
+        patches.push_back(source.view().crop(3 * i, 2 * i, {patch, patch}));
+    return patches;
+}
+
+TEST(ConditionalPatch, keepsTheOverlapAndContinuesAPatchOfTheModel) {
+    const Image source = blobs({60, 60}, 2);
+    const std::vector<ImageView> patches = patchesOf(source, 12, 6);
+    Image known({12, 12}, 2), fresh({12, 12}, 2);
+    const std::vector<double> weights = {0.2, -0.3, 0.5, 0.4, 0.1, 0.1};
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 12; ++x)
+                for (std::size_t i = 0; i < patches.size(); ++i)
+                    known(x, y, c) += static_cast<float>(weights[i]) * patches[i](x, y, c);
+    const Image whole = known;
+    const Overlap overlap{6, 6, 0, 0};
+    for (const bool sampled : {false, true}) {
+        const std::vector<double> normals = {0.5, -1, 2, 0.1, 1, -0.4};
+        conditional_gaussian::conditionPatch(patches, known, overlap, 1e-7,
+                                             sampled ? normals : std::vector<double>{}, fresh);
+        EXPECT_LE(largestDifference(fresh, whole), 1e-4);
+        EXPECT_EQ(fresh(3, 9, 1), known(3, 9, 1));
+    }
+}
+
+TEST(ConditionalPatch, equalPatchesGiveThatPatch) {
+    const Image source = constant({40, 40}, 1, 0.5F);
+    Image known = constant({12, 12}, 1, 0.5F), fresh({12, 12}, 1);
+    conditional_gaussian::conditionPatch(patchesOf(source, 12, 4), known, {6, 0, 0, 0}, 0, {}, fresh);
+    EXPECT_LE(largestDifference(fresh, known), 1e-6);
+}
+
+} // namespace
+} // namespace texloom::test
