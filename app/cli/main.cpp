@@ -1,3 +1,5 @@
+#include "app/cli/analyze_statistics.h"
+#include "app/cli/blend_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "core/base/error.h"
@@ -118,6 +120,7 @@ void addAnalyze(CLI::App& app) {
         "File for the autocorrelation, zero displacement in the middle; .exr keeps values below 0");
     lattice->add_flag("--json", options.json, "As JSON");
     lattice->callback([] { cli::printLattice(options); });
+    cli::addAnalyzeStatistics(*command);
 }
 
 int complain(const std::string& sentence, Exit code) {
@@ -133,14 +136,16 @@ int run(int argc, char** argv) {
     addSynth(app);
     addRun(app);
     addApply(app);
+    cli::addBlend(app);
     addAnalyze(app);
     cli::silenceLibraries();
     cli::watchInterrupts();
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return complain("Name a command: methods, synth, run, apply or analyze. See texloom-cli --help.",
-                            Usage);
+            return complain(
+                "Name a command: methods, synth, run, apply, blend or analyze. See texloom-cli --help.",
+                Usage);
         return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)

@@ -4,6 +4,7 @@
 #include "core/match/boundary_cut.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace texloom {
 
@@ -91,13 +92,42 @@ void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh) {
 }
 
 std::vector<Choice> patchStitchChoices() {
-    return {{"cut", TR("Minimum-error cut")},
-            {"smooth-cut", TR("Smoothed cut")},
-            {"average", TR("Average")},
-            {"none", TR("None")}};
+    return {{"cut", TR("Minimum-error cut")}, {"smooth-cut", TR("Smoothed cut")},
+            {"average", TR("Average")},       {"none", TR("None")},
+            {"poisson", TR("Poisson")},       {"midway", TR("Midway")}};
 }
 
-PatchStitcher::PatchStitcher(PatchStitch stitch, int patch) : m_stitch(stitch), m_patch(patch) {}
+PatchStitcher::PatchStitcher(PatchStitch stitch, int patch, const MidwayOptions& midway)
+    : m_stitch(stitch), m_patch(patch), m_midway(midway) {}
+
+void PatchStitcher::prepare(const Overlap& overlap) {
+    const auto [at, missing] = blends() ? m_bands.try_emplace(overlap) : std::pair(m_bands.end(), false);
+    if (!missing)
+        return;
+    int narrowest = m_patch;
+    for (const int width : {overlap.left, overlap.top, overlap.right, overlap.bottom})
+        narrowest = width > 0 ? std::min(narrowest, width) : narrowest;
+    // The outermost pixels of the overlap stay as they are.
+    const int width = (narrowest - 1) / 2;
+    if (width < 1)
+        return;
+    for (BlendCurve& curve : BlendCurve::around(overlap, m_patch)) {
+        BlendBand& band = at->second.emplace_back(std::move(curve), Size{m_patch, m_patch}, width);
+        if (m_stitch == PatchStitch::Poisson)
+            band.preparePoisson();
+    }
+}
+
+void PatchStitcher::blend(const ImageView& old, const Overlap& overlap, Image& fresh) const {
+    for (const BlendBand& band : m_bands.at(overlap)) {
+        Image joined(old);
+        if (m_stitch == PatchStitch::Poisson)
+            band.poisson(old, fresh, joined);
+        else
+            band.midway(old, fresh, m_midway, joined);
+        fresh = std::move(joined);
+    }
+}
 
 PatchStitcher::Scratch PatchStitcher::scratch() const {
     return {Image({m_patch, m_patch}, 1), Image({m_patch, m_patch}, 1)};
@@ -106,6 +136,8 @@ PatchStitcher::Scratch PatchStitcher::scratch() const {
 void PatchStitcher::join(const ImageView& old, const Overlap& overlap, Image& fresh, Scratch& scratch) const {
     if (m_stitch == PatchStitch::None || overlap.none())
         return;
+    if (blends())
+        return blend(old, overlap, fresh);
     const PlaneSpan weight = scratch.weight.plane(0);
     if (m_stitch == PatchStitch::Average && overlap.right == 0 && overlap.bottom == 0)
         averageWeights(overlap, weight);

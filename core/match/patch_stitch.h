@@ -2,8 +2,10 @@
 
 #include "core/base/param.h"
 #include "core/image/image.h"
+#include "core/match/blend.h"
 #include "core/match/patch_distances.h"
 
+#include <map>
 #include <vector>
 
 namespace texloom {
@@ -28,10 +30,10 @@ void rampWeights(const Overlap& overlap, PlaneSpan weight);
 /// Mixes the old pixels into a fresh patch by these weights.
 void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh);
 
-/// How a patch is joined to what is there: along the cut of least error, sharp or smoothed; by the mean on the
-/// overlap (by a ramp where the output closes and every border is known); or not at all, so that the new patch
-/// hides what it overlaps.
-enum class PatchStitch { Cut, SmoothCut, Average, None };
+/// How a patch is joined to what is there: along the cut of least error, sharp or smoothed; by the mean on
+/// the overlap (by a ramp where the output closes and every border is known); or not at all, so that the new
+/// patch hides what it overlaps; or by Poisson or midway blending in the middle of the overlap.
+enum class PatchStitch { Cut, SmoothCut, Average, None, Poisson, Midway };
 
 /// The entries of a PatchStitch parameter.
 std::vector<Choice> patchStitchChoices();
@@ -43,15 +45,23 @@ public:
         Image error, weight;
     };
 
-    PatchStitcher(PatchStitch stitch, int patch);
+    PatchStitcher(PatchStitch stitch, int patch, const MidwayOptions& midway = {});
+
+    /// Makes ready for an overlap; not to be called while others join.
+    void prepare(const Overlap& overlap);
 
     Scratch scratch() const;
     /// Makes `fresh` what is to be placed. @param old the patch as it is on the canvas, known on `overlap`.
     void join(const ImageView& old, const Overlap& overlap, Image& fresh, Scratch& scratch) const;
 
 private:
+    bool blends() const { return m_stitch == PatchStitch::Poisson || m_stitch == PatchStitch::Midway; }
+    void blend(const ImageView& old, const Overlap& overlap, Image& fresh) const;
+
     PatchStitch m_stitch;
     int m_patch;
+    MidwayOptions m_midway;
+    std::map<Overlap, std::vector<BlendBand>> m_bands;
 };
 
 } // namespace texloom

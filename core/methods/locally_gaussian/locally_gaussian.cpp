@@ -25,8 +25,10 @@ public:
 
     Synthesis run() {
         m_context.stage(0.02, TR("Preparing the exemplar"));
-        for (const PatchCell& cell : m_canvas.grid().cells())
+        for (const PatchCell& cell : m_canvas.grid().cells()) {
             m_search.prepare(compared(cell));
+            m_stitcher.prepare(cell.overlap);
+        }
         m_context.stage(0.98 - kMapWeight, TR("Sampling patches"));
         m_canvas.grow(
             m_context, [this](int index) { place(m_canvas.grid().cell(index)); },

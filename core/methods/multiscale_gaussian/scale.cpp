@@ -81,8 +81,10 @@ Footprint ScaleSampler::compared(const PatchCell& cell) const {
 
 Image ScaleSampler::run() {
     const Size whole{m_settings.patch, m_settings.patch};
-    for (const PatchCell& cell : m_canvas.grid().cells())
+    for (const PatchCell& cell : m_canvas.grid().cells()) {
         m_search.prepare(compared(cell));
+        m_stitcher.prepare(cell.overlap);
+    }
     if (m_lowSearch)
         m_lowSearch->prepare(Footprint::filled(whole));
     m_canvas.grow(

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace texloom::cli {
+
+/// Adds `blend`: two images joined along a curve.
+void addBlend(CLI::App& app);
+
+} // namespace texloom::cli

@@ -1,0 +1,257 @@
+#include "core/match/blend.h"
+
+#include "core/base/error.h"
+#include "core/match/boundary_cut.h"
+#include "core/math/pca.h"
+#include "core/math/transport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace texloom {
+
+namespace {
+
+/// The value between pixels; beyond the border that of the border.
+float valueAt(const PlaneView& plane, const BlendCurve::Point& point) {
+    const double x = std::clamp(point.x - 0.5, 0.0, plane.width - 1.0);
+    const double y = std::clamp(point.y - 0.5, 0.0, plane.height - 1.0);
+    const int left = std::min(static_cast<int>(x), std::max(0, plane.width - 2));
+    const int top = std::min(static_cast<int>(y), std::max(0, plane.height - 2));
+    const int right = std::min(left + 1, plane.width - 1), bottom = std::min(top + 1, plane.height - 1);
+    const auto u = static_cast<float>(x - left), v = static_cast<float>(y - top);
+    const auto mixed = [](float a, float b, float share) { return share == 0 ? a : a + share * (b - a); };
+    return mixed(mixed(plane(left, top), plane(right, top), u),
+                 mixed(plane(left, bottom), plane(right, bottom), u), v);
+}
+
+/// Orthonormal colour axes, one a row.
+std::vector<double> cosineAxes(int channels) {
+    std::vector<double> axes;
+    for (int k = 0; k < channels; ++k)
+        for (int c = 0; c < channels; ++c)
+            axes.push_back(std::sqrt((k == 0 ? 1.0 : 2.0) / channels) *
+                           std::cos(std::numbers::pi * (2 * c + 1) * k / (2.0 * channels)));
+    return axes;
+}
+
+std::vector<double> plainAxes(int channels) {
+    std::vector<double> axes(static_cast<std::size_t>(channels) * static_cast<std::size_t>(channels), 0.0);
+    for (int c = 0; c < channels; ++c)
+        axes[static_cast<std::size_t>(c) * static_cast<std::size_t>(channels + 1)] = 1;
+    return axes;
+}
+
+/// to[k] = Σ axes[k][c] from[c], or with the axes transposed: the way back.
+void turn(const std::vector<double>& axes, bool back, int channels, const float* from, float* to,
+          std::ptrdiff_t step) {
+    for (int k = 0; k < channels; ++k) {
+        double sum = 0;
+        for (int c = 0; c < channels; ++c)
+            sum += axes[static_cast<std::size_t>(back ? c * channels + k : k * channels + c)] *
+                   static_cast<double>(from[c * step]);
+        to[k] = static_cast<float>(sum);
+    }
+}
+
+} // namespace
+
+BlendBand::BlendBand(BlendCurve curve, Size size, int width)
+    : m_curve(std::move(curve)), m_size(size), m_width(width) {
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const BlendCurve::Place place = m_curve.placeOf({x + 0.5, y + 0.5});
+            if (place.across > 0)
+                m_beyond.push_back({x, y, place});
+            if (std::abs(place.across) < width)
+                m_band.push_back({x, y, place});
+        }
+}
+
+int BlendBand::lineLength() const {
+    return std::max(2, static_cast<int>(std::lround(m_curve.length())));
+}
+
+BlendBand::Lines BlendBand::sample(const ImageView& image, int side) const {
+    Lines lines{m_width + 1, image.channels, lineLength(), {}};
+    const double step = m_curve.length() / lines.length;
+    for (int distance = 0; distance <= m_width; ++distance)
+        for (int c = 0; c < image.channels; ++c)
+            for (int i = 0; i < lines.length; ++i)
+                lines.values.push_back(
+                    valueAt(image.plane(c), m_curve.pointAt({(i + 0.5) * step, 1.0 * side * distance})));
+    return lines;
+}
+
+void BlendBand::compose(const ImageView& second, Image& to) const {
+    for (const Pixel& pixel : m_beyond)
+        for (int c = 0; c < to.channels(); ++c)
+            to(pixel.x, pixel.y, c) = second(pixel.x, pixel.y, c);
+}
+
+void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to) const {
+    // The band is laid out straight, as the top overlap of a patch.
+    const int reach = m_width - 1, length = lineLength();
+    Image error({length, std::max(length, 2 * reach + 1)}, 1);
+    const double step = m_curve.length() / length;
+    for (int row = 0; row <= 2 * reach; ++row)
+        for (int i = 0; i < length; ++i) {
+            const BlendCurve::Point point =
+                m_curve.pointAt({(i + 0.5) * step, static_cast<double>(row - reach)});
+            for (int c = 0; c < first.channels; ++c) {
+                const float difference = valueAt(first.plane(c), point) - valueAt(second.plane(c), point);
+                error(i, row, 0) += difference * difference;
+            }
+        }
+    const BoundaryCut path = minimumErrorCut(error.view().plane(0), {0, 2 * reach + 1, 0, 0});
+    compose(second, to);
+    for (const Pixel& pixel : m_band) {
+        const int i = std::clamp(static_cast<int>(pixel.place.along / step), 0, length - 1);
+        const int row = static_cast<int>(std::lround(pixel.place.across)) + reach;
+        const ImageView& kept = row < length && path.keeps(i, row) ? first : second;
+        for (int c = 0; c < to.channels(); ++c)
+            to(pixel.x, pixel.y, c) = kept(pixel.x, pixel.y, c);
+    }
+}
+
+void BlendBand::preparePoisson() {
+    std::vector<std::uint8_t> unknown(static_cast<std::size_t>(m_size.area()), 0);
+    for (const Pixel& pixel : m_band)
+        unknown[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(m_size.width) +
+                static_cast<std::size_t>(pixel.x)] = 1;
+    m_region = std::make_shared<const PoissonRegion>(unknown, m_size);
+}
+
+void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& to) const {
+    compose(second, to);
+    Image beyond(m_size, 1), divergence(m_size, 1);
+    for (const Pixel& pixel : m_beyond)
+        beyond(pixel.x, pixel.y, 0) = 1;
+    for (int c = 0; c < to.channels(); ++c) {
+        for (const auto& [x, y, place] : m_band) {
+            float sum = 0;
+            for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+                const int u = x + dx, v = y + dy;
+                if (u < 0 || v < 0 || u >= m_size.width || v >= m_size.height)
+                    continue;
+                // Across the curve, the mean of both gradients.
+                const float share = 0.5F * (beyond(x, y, 0) + beyond(u, v, 0));
+                sum += (1 - share) * (first(u, v, c) - first(x, y, c)) +
+                       share * (second(u, v, c) - second(x, y, c));
+            }
+            divergence(x, y, 0) = sum;
+        }
+        m_region->solve(divergence.view().plane(0), to.plane(c));
+    }
+}
+
+void BlendBand::change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
+                       int channel, Propagation propagation) {
+    const auto length = static_cast<std::size_t>(lines.length);
+    const double mass = massOf(middle);
+    const int last = lines.count - 1;
+    const std::vector<float> border(lines.line(last, channel), lines.line(last, channel) + length);
+    for (int distance = 0; distance <= last; ++distance) {
+        const double fade = static_cast<double>(distance) / last;
+        float* line = lines.line(distance, channel);
+        const std::span<const float> old(line, length);
+        std::vector<float> fresh;
+        if (distance == 0) {
+            fresh = middle;
+        } else if (propagation == Propagation::Progressive) {
+            fresh = Midway(middle, border, fade).signal();
+        } else {
+            std::vector<double> faded;
+            for (std::size_t i = 0; i <= length; ++i)
+                faded.push_back(fade * static_cast<double>(i) + (1 - fade) * places[i]);
+            fresh = deformed(old, faded, fade * massOf(old) + (1 - fade) * mass);
+        }
+        for (std::size_t i = 0; i < length; ++i)
+            line[i] = distance == last ? 0 : fresh[i] - line[i];
+    }
+}
+
+float BlendBand::change(Lines& changes, const BlendCurve::Place& place, int channel) const {
+    const double across = std::abs(place.across);
+    const int near = std::min(static_cast<int>(across), m_width - 1);
+    const double along =
+        std::clamp(place.along * changes.length / m_curve.length() - 0.5, 0.0, changes.length - 1.0);
+    const int before = std::min(static_cast<int>(along), changes.length - 2);
+    const auto u = static_cast<float>(along - before), v = static_cast<float>(across - near);
+    const float* a = changes.line(near, channel) + before;
+    const float* b = changes.line(near + 1, channel) + before;
+    return (1 - v) * ((1 - u) * a[0] + u * a[1]) + v * ((1 - u) * b[0] + u * b[1]);
+}
+
+void BlendBand::midway(const ImageView& first, const ImageView& second, const MidwayOptions& options,
+                       Image& to) const {
+    const int channels = to.channels();
+    Lines sides[2] = {sample(first, -1), sample(second, 1)};
+    const std::ptrdiff_t length = sides[0].length;
+    std::vector<float> colour(static_cast<std::size_t>(channels));
+    std::vector<double> axes = options.color == BlendColor::Dct ? cosineAxes(channels) : plainAxes(channels);
+    const auto everyColour = [&](const auto& visit) {
+        for (Lines& side : sides)
+            for (int distance = 0; distance < side.count; ++distance)
+                for (std::ptrdiff_t i = 0; i < length; ++i)
+                    visit(side.line(distance, 0) + i);
+    };
+    if (options.color == BlendColor::Pca) {
+        std::vector<double> colours;
+        everyColour([&](const float* at) {
+            for (int c = 0; c < channels; ++c)
+                colours.push_back(static_cast<double>(at[c * length]));
+        });
+        axes = principalAxes(colours, channels, channels).axes;
+    }
+    const auto turnAll = [&](bool back) {
+        everyColour([&](float* at) {
+            turn(axes, back, channels, at, colour.data(), length);
+            for (int c = 0; c < channels; ++c)
+                at[c * length] = colour[static_cast<std::size_t>(c)];
+        });
+    };
+    turnAll(false);
+    for (int c = 0; c < channels; ++c) {
+        float smallest = HUGE_VALF;
+        everyColour([&](const float* at) { smallest = std::min(smallest, at[c * length]); });
+        everyColour([&](float* at) { at[c * length] -= smallest; });
+        const auto count = static_cast<std::size_t>(length);
+        const Midway between(std::span<const float>(sides[0].line(0, c), count),
+                             std::span<const float>(sides[1].line(0, c), count));
+        const std::vector<float> middle = between.signal();
+        change(sides[0], between.firstPlaces(), middle, c, options.propagation);
+        change(sides[1], between.secondPlaces(), middle, c, options.propagation);
+    }
+    turnAll(true);
+    compose(second, to);
+    for (const Pixel& pixel : m_band)
+        for (int c = 0; c < channels; ++c)
+            to(pixel.x, pixel.y, c) += change(sides[pixel.place.across > 0 ? 1 : 0], pixel.place, c);
+}
+
+Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
+            const BlendOptions& options) {
+    if (first.size() != second.size() || first.channels != second.channels)
+        failUsage("The images are {} × {} px with {} channels and {} × {} px with {}; they must be alike.",
+                  first.width, first.height, first.channels, second.width, second.height, second.channels);
+    BlendBand band(curve, first.size(), options.band);
+    Image result(first);
+    switch (options.method) {
+    case BlendMethod::Cut:
+        band.cut(first, second, result);
+        break;
+    case BlendMethod::Poisson:
+        band.preparePoisson();
+        band.poisson(first, second, result);
+        break;
+    case BlendMethod::Midway:
+        band.midway(first, second, options.midway, result);
+        break;
+    }
+    return result;
+}
+
+} // namespace texloom

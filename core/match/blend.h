@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "core/match/blend_curve.h"
+#include "core/math/poisson.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace texloom {
+
+/// How two pictures meet along a curve.
+enum class BlendMethod {
+    Cut,     ///< along the path of least error within the band (Efros & Freeman 2001)
+    Poisson, ///< with the gradients of both (Pérez, Gangnet & Blake 2003)
+    Midway   ///< both deformed until they agree (Raad, thesis 2016, chapter 4)
+};
+
+/// How midway blending fades the deformation out towards the border of the band: the deformation itself falls
+/// off (eq. 4.7), or lines pass from the middle signal to that on the border (eq. 4.9).
+enum class Propagation { Linear, Progressive };
+
+/// The colour axes that midway blending treats one by one: as they are, the cosine axes of section 4.3.4, or
+/// the principal axes of both pictures near the curve.
+enum class BlendColor { Rgb, Dct, Pca };
+
+struct MidwayOptions {
+    Propagation propagation = Propagation::Linear;
+    BlendColor color = BlendColor::Dct;
+};
+
+/// A curve through two pictures of one size with the band around it in which they may change. Beyond the band
+/// each picture stays as it is, bit for bit. One object serves any number of threads.
+class BlendBand {
+public:
+    /// @param width to either side of the curve, in pixels.
+    BlendBand(BlendCurve curve, Size size, int width);
+
+    /// Blends `first` and `second` into `to`. All three have the band's size and the same channels; pixels
+    /// are written on and beyond the curve's right side and within the band only, the others must be the
+    /// first's already.
+    void cut(const ImageView& first, const ImageView& second, Image& to) const;
+    void poisson(const ImageView& first, const ImageView& second, Image& to) const;
+    void midway(const ImageView& first, const ImageView& second, const MidwayOptions& options,
+                Image& to) const;
+
+    /// Factors the equations that poisson() needs. Not to be called while others use the band.
+    void preparePoisson();
+
+private:
+    struct Pixel {
+        int x, y;
+        BlendCurve::Place place;
+    };
+    /// Lines along the curve at distances 0 … width on one side, by distance, channel and length.
+    struct Lines {
+        int count = 0, channels = 0, length = 0;
+        std::vector<float> values;
+        float* line(int distance, int channel) {
+            return values.data() + (static_cast<std::size_t>(distance) * static_cast<std::size_t>(channels) +
+                                    static_cast<std::size_t>(channel)) *
+                                       static_cast<std::size_t>(length);
+        }
+    };
+
+    int lineLength() const;
+    Lines sample(const ImageView& image, int side) const;
+    void compose(const ImageView& second, Image& to) const;
+    float change(Lines& changes, const BlendCurve::Place& place, int channel) const;
+    static void change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
+                       int channel, Propagation propagation);
+
+    BlendCurve m_curve;
+    Size m_size;
+    int m_width;
+    std::vector<Pixel> m_band;   ///< pixels nearer to the curve than the width
+    std::vector<Pixel> m_beyond; ///< pixels on the second side
+    std::shared_ptr<const PoissonRegion> m_region;
+};
+
+/// A whole blend. @throws UsageError if the pictures differ in size or channels.
+struct BlendOptions {
+    BlendMethod method = BlendMethod::Midway;
+    int band = 32;
+    MidwayOptions midway;
+};
+Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
+            const BlendOptions& options);
+
+} // namespace texloom

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/image/image.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace texloom {
+
+/// Poisson's equation Δf = g on some pixels of an image, the other pixels being given (Pérez, Gangnet &
+/// Blake, SIGGRAPH 2003). Δ is the sum of the differences to the neighbours above, below, left and right that
+/// the image has: at its border nothing flows. The equations are factored once and serve any number of images
+/// and threads.
+class PoissonRegion {
+public:
+    /// @param unknown by rows, not 0 where f is wanted. Every connected part must touch a given pixel.
+    PoissonRegion(const std::vector<std::uint8_t>& unknown, Size size);
+    ~PoissonRegion();
+    PoissonRegion(PoissonRegion&&) noexcept;
+    PoissonRegion& operator=(PoissonRegion&&) noexcept;
+
+    /// Replaces the unknown pixels of `values`; the others stay, bit for bit.
+    /// @param divergence g, read at the unknown pixels.
+    void solve(const PlaneView& divergence, PlaneSpan values) const;
+
+private:
+    struct Factors;
+    std::unique_ptr<Factors> m_factors;
+};
+
+/// The same with every pixel unknown and nothing flowing over the border, by cosine transforms: f is known up
+/// to a constant, and gets the mean given. The divergence's own mean, which no f can have, is left out.
+Image solvePoisson(const ImageView& divergence, const std::vector<double>& means);
+
+} // namespace texloom

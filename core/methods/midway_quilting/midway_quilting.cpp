@@ -1,0 +1,157 @@
+#include "core/base/text.h"
+#include "core/job/pool.h"
+#include "core/match/patch_canvas.h"
+#include "core/match/patch_search.h"
+#include "core/match/patch_stitch.h"
+#include "core/methods/method.h"
+#include "core/methods/patch_request.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::midway_quilting {
+
+namespace {
+
+constexpr double kMapWeight = 0.1;
+
+/// Parameters of quilting with midway blending (Raad, thesis 2016, algorithm 11).
+struct Settings {
+    int patch = 40;
+    double overlap = 0.25;
+    double tolerance = 0.1;
+    Propagation propagation = Propagation::Linear;
+    BlendColor color = BlendColor::Dct;
+
+    /// At least 1, at most half the patch.
+    int overlapPixels() const {
+        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
+    }
+};
+
+/// Quilting whose patches are deformed in the middle of their overlaps until they agree.
+class MidwayQuilter {
+public:
+    MidwayQuilter(const Request& request, const Settings& settings, JobContext& context)
+        : m_request(request), m_settings(settings), m_context(context),
+          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
+          m_stitcher(PatchStitch::Midway, settings.patch, {settings.propagation, settings.color}) {}
+
+    Synthesis run() {
+        m_context.stage(0.02, TR("Preparing the exemplar"));
+        for (const PatchCell& cell : m_canvas.grid().cells()) {
+            m_search.prepare(compared(cell));
+            m_stitcher.prepare(cell.overlap);
+        }
+        if (m_request.initial)
+            m_canvas.fill(*m_request.initial);
+        m_context.stage(0.98 - kMapWeight, TR("Placing patches"));
+        m_canvas.grow(
+            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
+            [this] { m_context.preview(m_canvas.image()); });
+        const int patches = m_canvas.grid().count();
+        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
+        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
+        return result;
+    }
+
+private:
+    struct Workspace {
+        Image known;
+        PatchStitcher::Scratch stitch;
+        PatchSearch::Scratch search;
+    };
+
+    Footprint compared(const PatchCell& cell) const {
+        return m_request.initial ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
+    }
+
+    PatchPosition choose(const PatchCell& cell, Workspace& work) const {
+        const Random& random = m_context.random();
+        if (cell.overlap.none() && !m_request.initial)
+            return m_search.drawn(random.uniform(cell.column, cell.row));
+        m_search.compute(work.known, compared(cell), work.search, [this] { m_context.check(); });
+        const std::vector<PatchPosition> candidates = m_search.within(m_settings.tolerance, work.search);
+        return candidates[random.below(static_cast<std::uint32_t>(candidates.size()), cell.column, cell.row)];
+    }
+
+    void place(const PatchCell& cell) {
+        const auto work = m_pool.borrow([this] {
+            return Workspace{Image({m_settings.patch, m_settings.patch}, m_request.channels()),
+                             m_stitcher.scratch(), m_search.scratch()};
+        });
+        m_canvas.read(cell, work->known);
+        Image fresh(m_search.pixels(choose(cell, *work)));
+        m_stitcher.join(work->known, cell.overlap, fresh, work->stitch);
+        m_canvas.place(cell, fresh);
+    }
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    PatchSearch m_search;
+    PatchCanvas m_canvas;
+    PatchStitcher m_stitcher;
+    Pool<Workspace> m_pool;
+};
+
+void check(const Request& request, const Settings& settings) {
+    checkPatchRequest(request, settings.patch);
+}
+
+Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    const int overlap = settings.overlapPixels();
+    Estimate need;
+    need.bytes =
+        PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
+        patchSearchBytes(request, settings.patch, threads);
+    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
+                   patchSearchSeconds(request) * 1.5;
+    addEstimatedMap(request, need.bytes, need.seconds);
+    return need;
+}
+
+Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    return MidwayQuilter(request, settings, context).run();
+}
+
+} // namespace
+
+extern const Method self;
+const Method self = method<Settings>(
+    {.title = TR("Midway quilting"),
+     .summary =
+         TR("Quilting that bends patches to meet instead of cutting them: structures such as stripes are "
+            "drawn together along the overlap."),
+     .citation = "Raad, thesis 2016, algorithm 11",
+     .wraps = true,
+     .startsFromImage = true,
+     .usesMask = true,
+     .severalExemplars = true},
+    {field(&Settings::patch, "patch", TR("Patch size"))
+         .range(4, 256)
+         .unit("px")
+         .scaled(0.16)
+         .symbol("n")
+         .help(TR("Side of the squares that are copied: larger keeps larger structures whole, smaller varies "
+                  "more.")),
+     field(&Settings::overlap, "overlap", TR("Overlap"))
+         .range(0.02, 0.5)
+         .symbol("o")
+         .help(TR("Share of the patch that overlaps its neighbours: larger bends more gently.")),
+     field(&Settings::tolerance, "tolerance", TR("Tolerance"))
+         .range(0, 10)
+         .symbol("ε")
+         .help(TR("How much worse than the best a patch may fit and still be drawn: larger varies more.")),
+     field(&Settings::propagation, "propagation", TR("Propagation"))
+         .choices({{"linear", TR("Linear")}, {"progressive", TR("Progressive")}})
+         .group(TR("Advanced"))
+         .help(TR("Whether the bending fades out over the overlap, or lines pass into each other.")),
+     field(&Settings::color, "color", TR("Colour axes"))
+         .choices({{"rgb", TR("Channels")}, {"dct", TR("Cosine")}, {"pca", TR("Principal axes")}})
+         .group(TR("Advanced"))
+         .help(TR("Axes that are bent one by one; channels as they are may show false colours."))},
+    run, check, estimate);
+
+} // namespace texloom::midway_quilting

@@ -1,0 +1,70 @@
+#include "core/math/poisson.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace texloom::test {
+namespace {
+
+double laplacian(const ImageView& f, int x, int y, int c) {
+    double sum = 0;
+    for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+        if (x + dx >= 0 && y + dy >= 0 && x + dx < f.width && y + dy < f.height)
+            sum += static_cast<double>(f(x + dx, y + dy, c)) - static_cast<double>(f(x, y, c));
+    return sum;
+}
+
+TEST(Poisson, regionHasTheDivergenceInsideAndIsUntouchedOutside) {
+    const Image divergence = noise({40, 30}, 1), before = noise({40, 30}, 1, 2);
+    std::vector<std::uint8_t> unknown;
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x) // a disk, and a strip along the border
+            unknown.push_back((x - 20) * (x - 20) + (y - 15) * (y - 15) < 100 || x < 3 ? 1 : 0);
+    Image values = before;
+    PoissonRegion(unknown, {40, 30}).solve(divergence.view().plane(0), values.plane(0));
+    for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)
+            if (unknown[static_cast<std::size_t>(y * 40 + x)] != 0) {
+                EXPECT_NEAR(laplacian(values, x, y, 0), divergence(x, y, 0), 1e-5) << x << "," << y;
+            } else {
+                EXPECT_EQ(values(x, y, 0), before(x, y, 0));
+            }
+}
+
+TEST(Poisson, regionGivesAnImageBackFromItsOwnLaplacian) {
+    const Image image = blobs({33, 27}, 1);
+    Image divergence({33, 27}, 1), values = image;
+    std::vector<std::uint8_t> unknown(33 * 27, 1);
+    unknown[0] = 0;
+    for (int y = 0; y < 27; ++y)
+        for (int x = 0; x < 33; ++x) {
+            divergence(x, y, 0) = static_cast<float>(laplacian(image, x, y, 0));
+            if (x + y > 0)
+                values(x, y, 0) = 0;
+        }
+    PoissonRegion(unknown, {33, 27}).solve(divergence.view().plane(0), values.plane(0));
+    for (int y = 0; y < 27; ++y)
+        for (int x = 0; x < 33; ++x)
+            EXPECT_NEAR(values(x, y, 0), image(x, y, 0), 1e-4);
+}
+
+TEST(Poisson, cosinesSolveWholeImages) {
+    const Image image = blobs({70, 45}, 2);
+    Image divergence(image.size(), 2);
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y < 45; ++y)
+            for (int x = 0; x < 70; ++x)
+                divergence(x, y, c) = static_cast<float>(laplacian(image, x, y, c));
+    const Image found = solvePoisson(divergence, channelMeans(image));
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y < 45; ++y)
+            for (int x = 0; x < 70; ++x) {
+                EXPECT_NEAR(found(x, y, c), image(x, y, c), 1e-5);
+                EXPECT_NEAR(laplacian(found, x, y, c), divergence(x, y, c), 1e-5);
+            }
+}
+
+} // namespace
+} // namespace texloom::test
