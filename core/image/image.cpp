@@ -89,11 +89,12 @@ Image stacked(std::span<const ImageView> images) {
     return stack;
 }
 
-std::vector<double> channelMeans(const ImageView& image) {
+std::vector<double> channelMeans(const ImageView& image, const std::function<void()>& check) {
     std::vector<double> means(static_cast<std::size_t>(image.channels));
     for (int c = 0; c < image.channels; ++c) {
         double sum = 0;
         for (int y = 0; y < image.height; ++y) {
+            check();
             const float* row = image.plane(c).row(y);
             for (int x = 0; x < image.width; ++x)
                 sum += static_cast<double>(row[x]);

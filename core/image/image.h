@@ -3,6 +3,7 @@
 #include "core/image/size.h"
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -121,8 +122,9 @@ struct ValueRange {
 };
 ValueRange valueRange(const ImageView& image);
 
-/// The mean of each channel.
-std::vector<double> channelMeans(const ImageView& image);
+/// The mean of each channel. @param check called for every row; may throw.
+std::vector<double> channelMeans(
+    const ImageView& image, const std::function<void()>& check = [] {});
 
 /// Whether both have the same size, channels and, sample for sample, the same values.
 bool samePixels(const ImageView& a, const ImageView& b);

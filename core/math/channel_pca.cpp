@@ -60,7 +60,7 @@ Axes axesOf(const Eigen::MatrixXd& covariance) {
 } // namespace
 
 Eigen::MatrixXd channelCovariance(const ImageView& image, const std::function<void()>& check) {
-    const std::vector<double> means = channelMeans(image);
+    const std::vector<double> means = channelMeans(image, check);
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(image.channels, image.channels);
     for (int y = 0; y < image.height; ++y) {
         check();

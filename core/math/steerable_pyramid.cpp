@@ -98,7 +98,10 @@ void SteerablePyramid::makeFilters(int scale, bool last, const Check& check) {
     level.limit.assign(count, 0);
     if (scale == 0)
         m_high.assign(count, 0);
-    level.bands.assign(last ? 0 : static_cast<std::size_t>(m_orientations), std::vector<float>(count, 0));
+    for (int k = 0; k < m_orientations && !last; ++k) {
+        check();
+        level.bands.emplace_back(count, 0.0F);
+    }
     const double angular = angularScale(m_orientations);
     for (int column = 0; column < level.fft.columns(); ++column) {
         check();
@@ -142,56 +145,75 @@ void SteerablePyramid::backward(int scale, Complex* spectrum, float* image, cons
 
 namespace {
 
-/// to = from × filter, or to += from × filter × factor.
-void multiply(const Complex* from, const float* filter, Complex* to, std::size_t count) {
+/// Bins between two checks.
+constexpr std::size_t kPiece = std::size_t{1} << 19;
+
+/// to = from × filter.
+void multiply(const Complex* from, const std::vector<float>& filter, Complex* to,
+              const SteerablePyramid::Check& check) {
     const auto* p = reinterpret_cast<const float*>(from);
     auto* q = reinterpret_cast<float*>(to);
-    for (std::size_t i = 0; i < count; ++i) {
-        q[2 * i] = p[2 * i] * filter[i];
-        q[2 * i + 1] = p[2 * i + 1] * filter[i];
+    for (std::size_t first = 0; first < filter.size(); first += kPiece) {
+        check();
+        for (std::size_t i = first; i < std::min(filter.size(), first + kPiece); ++i) {
+            q[2 * i] = p[2 * i] * filter[i];
+            q[2 * i + 1] = p[2 * i + 1] * filter[i];
+        }
     }
 }
 
-void addProduct(const Complex* from, const float* filter, Complex factor, Complex* to, std::size_t count) {
+/// to += from × filter × factor.
+void addProduct(const Complex* from, const std::vector<float>& filter, Complex factor, Complex* to,
+                const SteerablePyramid::Check& check) {
     const auto* p = reinterpret_cast<const float*>(from);
     auto* q = reinterpret_cast<float*>(to);
     const float re = factor.real(), im = factor.imag();
-    for (std::size_t i = 0; i < count; ++i) {
-        q[2 * i] += (re * p[2 * i] - im * p[2 * i + 1]) * filter[i];
-        q[2 * i + 1] += (re * p[2 * i + 1] + im * p[2 * i]) * filter[i];
+    for (std::size_t first = 0; first < filter.size(); first += kPiece) {
+        check();
+        for (std::size_t i = first; i < std::min(filter.size(), first + kPiece); ++i) {
+            q[2 * i] += (re * p[2 * i] - im * p[2 * i + 1]) * filter[i];
+            q[2 * i + 1] += (re * p[2 * i + 1] + im * p[2 * i]) * filter[i];
+        }
+    }
+}
+
+void clear(Complex* spectrum, std::size_t count, const SteerablePyramid::Check& check) {
+    for (std::size_t first = 0; first < count; first += kPiece) {
+        check();
+        std::fill_n(spectrum + first, std::min(kPiece, count - first), Complex(0, 0));
     }
 }
 
 } // namespace
 
-void SteerablePyramid::takeHigh(const Complex* whole, Complex* high) const {
-    multiply(whole, m_high.data(), high, m_high.size());
+void SteerablePyramid::takeHigh(const Complex* whole, Complex* high, const Check& check) const {
+    multiply(whole, m_high, high, check);
 }
 
-void SteerablePyramid::addHigh(const Complex* high, Complex* whole) const {
-    addProduct(high, m_high.data(), 1, whole, m_high.size());
+void SteerablePyramid::addHigh(const Complex* high, Complex* whole, const Check& check) const {
+    addProduct(high, m_high, 1, whole, check);
 }
 
-void SteerablePyramid::limit(int scale, Complex* spectrum) const {
-    const std::vector<float>& filter = m_levels[static_cast<std::size_t>(scale)].limit;
-    multiply(spectrum, filter.data(), spectrum, filter.size());
+void SteerablePyramid::limit(int scale, Complex* spectrum, const Check& check) const {
+    multiply(spectrum, m_levels[static_cast<std::size_t>(scale)].limit, spectrum, check);
 }
 
-void SteerablePyramid::lower(int scale, const Complex* spectrum, Complex* next) const {
+void SteerablePyramid::lower(int scale, const Complex* spectrum, Complex* next, const Check& check) const {
     const Window window(size(scale + 1), size(scale));
-    std::fill_n(next, fft(scale + 1).spectrumSize(), Complex(0, 0));
+    clear(next, fft(scale + 1).spectrumSize(), check);
     for (int column = 0; column < window.columns; ++column) {
         const Complex* from = spectrum + at(scale, column);
         Complex* to = next + at(scale + 1, column);
         std::copy_n(from, window.top, to);
         std::copy_n(from + window.largeBottom, window.bottom, to + window.smallBottom);
     }
-    limit(scale + 1, next);
+    limit(scale + 1, next, check);
 }
 
-void SteerablePyramid::raise(int scale, const Complex* next, Complex* spectrum) const {
+void SteerablePyramid::raise(int scale, const Complex* next, Complex* spectrum, const Check& check) const {
     const Window window(size(scale + 1), size(scale));
     for (int column = 0; column < window.columns; ++column) {
+        check();
         const Complex* from = next + at(scale + 1, column);
         Complex* to = spectrum + at(scale, column);
         for (int row = 0; row < window.top; ++row)
@@ -202,25 +224,27 @@ void SteerablePyramid::raise(int scale, const Complex* next, Complex* spectrum) 
 }
 
 void SteerablePyramid::addFiltered(int scale, int orientation, const Complex* from, bool backwards,
-                                   Complex* to) const {
+                                   Complex* to, const Check& check) const {
     const Level& level = m_levels[static_cast<std::size_t>(scale)];
-    const std::vector<float>& filter = level.bands[static_cast<std::size_t>(orientation)];
-    addProduct(from, filter.data(), turn(m_orientations - 1, backwards), to, filter.size());
+    addProduct(from, level.bands[static_cast<std::size_t>(orientation)], turn(m_orientations - 1, backwards),
+               to, check);
 }
 
-void SteerablePyramid::takeBand(int scale, int orientation, const Complex* spectrum, Complex* band) const {
-    std::fill_n(band, fft(scale).spectrumSize(), Complex(0, 0));
-    addFiltered(scale, orientation, spectrum, false, band);
+void SteerablePyramid::takeBand(int scale, int orientation, const Complex* spectrum, Complex* band,
+                                const Check& check) const {
+    clear(band, fft(scale).spectrumSize(), check);
+    addFiltered(scale, orientation, spectrum, false, band, check);
 }
 
-void SteerablePyramid::addBand(int scale, int orientation, const Complex* band, Complex* spectrum) const {
-    addFiltered(scale, orientation, band, true, spectrum);
+void SteerablePyramid::addBand(int scale, int orientation, const Complex* band, Complex* spectrum,
+                               const Check& check) const {
+    addFiltered(scale, orientation, band, true, spectrum, check);
 }
 
 void SteerablePyramid::analyticBand(int scale, int orientation, const Complex* spectrum, Complex* image,
                                     const Check& check) const {
     const FftBuffer<Complex> band(fft(scale).spectrumSize());
-    takeBand(scale, orientation, spectrum, band.data());
+    takeBand(scale, orientation, spectrum, band.data(), check);
     layOneSided(scale, orientation, band.data(), scale, image, check);
 }
 
@@ -238,7 +262,7 @@ void SteerablePyramid::layOneSided(int scale, int orientation, const Complex* ha
     const Window window(size(halfScale), large);
     const double angle = kPi * orientation / m_orientations;
     const FftBuffer<Complex> whole(transform.spectrumSize());
-    std::fill_n(whole.data(), whole.size(), Complex(0, 0));
+    clear(whole.data(), whole.size(), check);
     std::vector<bool> filled(static_cast<std::size_t>(large.width), false);
     std::vector<float> alongY(static_cast<std::size_t>(size(halfScale).height));
     for (std::size_t row = 0; row < alongY.size(); ++row)
@@ -249,6 +273,7 @@ void SteerablePyramid::layOneSided(int scale, int orientation, const Complex* ha
                                    [](float a, float b) { return std::abs(a) < std::abs(b); })) +
         kNone;
     for (int column = 0; column < window.columns; ++column) {
+        check();
         const Complex* from = half + at(halfScale, column);
         const int opposite = column == 0 ? 0 : large.width - column;
         Complex* own = whole.data() + column * transform.columnStride();

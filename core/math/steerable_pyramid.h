@@ -29,7 +29,8 @@ namespace texloom {
 /// pixels, so that no frequency that passes the filters is lost or folded, and nothing is padded.
 ///
 /// A spectrum is in the layout of fft(scale) and divided by the number of samples: bin 0 holds the mean. All
-/// members are safe to be called from several threads.
+/// members are safe to be called from several threads. `check` is called every few milliseconds and may
+/// throw.
 class SteerablePyramid {
 public:
     using Complex = std::complex<float>;
@@ -64,20 +65,22 @@ public:
     void backward(int scale, Complex* spectrum, float* image, const Check& check) const;
 
     /// spectrum × H₀, for the high residual of the whole image.
-    void takeHigh(const Complex* whole, Complex* high) const;
+    void takeHigh(const Complex* whole, Complex* high, const Check& check) const;
     /// whole += high × H₀.
-    void addHigh(const Complex* high, Complex* whole) const;
+    void addHigh(const Complex* high, Complex* whole, const Check& check) const;
     /// In place × the low-pass filter that a scale's image went through: L₀ for scale 0, L for the others.
-    void limit(int scale, Complex* spectrum) const;
+    void limit(int scale, Complex* spectrum, const Check& check) const;
     /// The spectrum of the next scale: × L, and without what is beyond its reach.
-    void lower(int scale, const Complex* spectrum, Complex* next) const;
+    void lower(int scale, const Complex* spectrum, Complex* next, const Check& check) const;
     /// spectrum += next as it is, which belongs to the next scale: interpolation by zero padding.
-    void raise(int scale, const Complex* next, Complex* spectrum) const;
+    void raise(int scale, const Complex* next, Complex* spectrum, const Check& check) const;
     /// The spectrum of a real oriented band. Orientation k passes frequencies along the angle πk / K,
     /// measured from the x axis to the y axis, most.
-    void takeBand(int scale, int orientation, const Complex* spectrum, Complex* band) const;
+    void takeBand(int scale, int orientation, const Complex* spectrum, Complex* band,
+                  const Check& check) const;
     /// spectrum += band through the same filter backwards.
-    void addBand(int scale, int orientation, const Complex* band, Complex* spectrum) const;
+    void addBand(int scale, int orientation, const Complex* band, Complex* spectrum,
+                 const Check& check) const;
     /// The complex band whose real part is the real band and whose imaginary part is its Hilbert transform
     /// along the orientation, as an image of complexFft(scale).
     void analyticBand(int scale, int orientation, const Complex* spectrum, Complex* image,
@@ -99,7 +102,8 @@ private:
     };
 
     void makeFilters(int scale, bool last, const Check& check);
-    void addFiltered(int scale, int orientation, const Complex* from, bool backwards, Complex* to) const;
+    void addFiltered(int scale, int orientation, const Complex* from, bool backwards, Complex* to,
+                     const Check& check) const;
     void layOneSided(int scale, int orientation, const Complex* half, int halfScale, Complex* image,
                      const Check& check) const;
     std::size_t at(int scale, int column) const {

@@ -19,11 +19,11 @@ BandStack::BandStack(const SteerablePyramid& pyramid, JobContext& context)
 void BandStack::decompose(const PlaneView& image) {
     const auto check = [this] { m_context.check(); };
     m_pyramid.forward(0, image.data, m_spectra.front().data(), check);
-    m_pyramid.takeHigh(m_spectra.front().data(), m_parts.front().spectrum.data());
-    m_pyramid.limit(0, m_spectra.front().data());
+    m_pyramid.takeHigh(m_spectra.front().data(), m_parts.front().spectrum.data(), check);
+    m_pyramid.limit(0, m_spectra.front().data(), check);
     for (std::size_t scale = 0; scale + 1 < m_spectra.size(); ++scale) {
         check();
-        m_pyramid.lower(static_cast<int>(scale), m_spectra[scale].data(), m_spectra[scale + 1].data());
+        m_pyramid.lower(static_cast<int>(scale), m_spectra[scale].data(), m_spectra[scale + 1].data(), check);
     }
 }
 
@@ -35,7 +35,7 @@ void BandStack::analyse(const PlaneView& image, bool keep,
         Part& part = m_parts[static_cast<std::size_t>(index)];
         const SteerablePyramid::Complex* whole = m_spectra[static_cast<std::size_t>(part.scale)].data();
         if (part.orientation >= 0)
-            m_pyramid.takeBand(part.scale, part.orientation, whole, part.spectrum.data());
+            m_pyramid.takeBand(part.scale, part.orientation, whole, part.spectrum.data(), check);
         else if (part.orientation == kLow)
             std::copy_n(whole, part.spectrum.size(), part.spectrum.data());
         Image plane(m_pyramid.size(part.scale), 1);
@@ -53,16 +53,14 @@ void BandStack::synthesise(const PlaneSpan& image) {
         Spectrum& current = m_spectra[static_cast<std::size_t>(scale)];
         Spectrum& below = m_spectra[static_cast<std::size_t>(scale) + 1];
         std::fill_n(current.data(), current.size(), 0.0F);
-        m_pyramid.limit(scale + 1, below.data());
-        m_pyramid.raise(scale, below.data(), current.data());
-        for (const Part& part : m_parts) {
-            check();
+        m_pyramid.limit(scale + 1, below.data(), check);
+        m_pyramid.raise(scale, below.data(), current.data(), check);
+        for (const Part& part : m_parts)
             if (part.scale == scale && part.orientation >= 0)
-                m_pyramid.addBand(scale, part.orientation, part.spectrum.data(), current.data());
-        }
+                m_pyramid.addBand(scale, part.orientation, part.spectrum.data(), current.data(), check);
     }
-    m_pyramid.limit(0, m_spectra.front().data());
-    m_pyramid.addHigh(m_parts.front().spectrum.data(), m_spectra.front().data());
+    m_pyramid.limit(0, m_spectra.front().data(), check);
+    m_pyramid.addHigh(m_parts.front().spectrum.data(), m_spectra.front().data(), check);
     m_pyramid.backward(0, m_spectra.front().data(), image.data, check);
 }
 

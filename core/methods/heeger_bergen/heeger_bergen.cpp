@@ -36,7 +36,8 @@ class Synthesizer {
 public:
     Synthesizer(const Request& request, const Settings& settings, JobContext& context)
         : m_request(request), m_settings(settings), m_context(context),
-          m_exemplar(*request.exemplars.front().image), m_means(channelMeans(m_exemplar)),
+          m_exemplar(*request.exemplars.front().image),
+          m_means(channelMeans(m_exemplar, [&context] { context.check(); })),
           m_pca(channelCovariance(m_exemplar, [&context] { context.check(); })) {}
 
     Synthesis run();

@@ -115,23 +115,25 @@ double Autocorrelator::weight(int column) const {
     return column == 0 || 2 * column == m_pyramid.size(m_scale).width ? 1 : 2;
 }
 
-double Autocorrelator::power(const Complex* spectrum) const {
+double Autocorrelator::power(const Complex* spectrum, const Check& check) const {
     const RealFft2d& fft = m_pyramid.fft(m_scale);
     double sum = 0;
     for (int column = 0; column < fft.columns(); ++column) {
+        check();
         const auto* values = reinterpret_cast<const float*>(spectrum + column * fft.columnStride());
         sum += weight(column) * dot(values, values, 2 * static_cast<std::size_t>(fft.size().height));
     }
     return sum;
 }
 
-Eigen::MatrixXd Autocorrelator::measure(const Complex* spectrum) const {
+Eigen::MatrixXd Autocorrelator::measure(const Complex* spectrum, const Check& check) const {
     const RealFft2d& fft = m_pyramid.fft(m_scale);
     const auto height = static_cast<std::size_t>(fft.size().height);
     const int reach = 2 * m_reach;
     Eigen::MatrixXd lags = Eigen::MatrixXd::Zero(reach + 1, 2 * reach + 1);
     std::vector<float> powers(height);
     for (int column = 0; column < fft.columns(); ++column) {
+        check();
         const auto* bins = reinterpret_cast<const float*>(spectrum + column * fft.columnStride());
         for (std::size_t row = 0; row < height; ++row)
             powers[row] = bins[2 * row] * bins[2 * row] + bins[2 * row + 1] * bins[2 * row + 1];
@@ -185,8 +187,8 @@ Eigen::MatrixXd Autocorrelator::filterFor(const Eigen::MatrixXd& current,
     return kernel;
 }
 
-void Autocorrelator::impose(const Eigen::MatrixXd& current, const Eigen::MatrixXd& wanted,
-                            Complex* spectrum) const {
+void Autocorrelator::impose(const Eigen::MatrixXd& current, const Eigen::MatrixXd& wanted, Complex* spectrum,
+                            const Check& check) const {
     const double present = lagAt(current, 0, 0), variance = lagAt(wanted, 0, 0);
     if (!(present > 0))
         return;
@@ -196,6 +198,7 @@ void Autocorrelator::impose(const Eigen::MatrixXd& current, const Eigen::MatrixX
     std::vector<float> gains(height);
     const bool sound = kernel.allFinite();
     for (int column = 0; column < fft.columns() && sound; ++column) {
+        check();
         std::fill(gains.begin(), gains.end(), 0.0F);
         for (int dy = 0; dy <= m_reach; ++dy) {
             double even = kernel(dy, m_reach), odd = 0;
@@ -218,11 +221,14 @@ void Autocorrelator::impose(const Eigen::MatrixXd& current, const Eigen::MatrixX
             bins[2 * row + 1] *= gain;
         }
     }
-    const double now = power(spectrum);
+    const double now = power(spectrum, check);
     const auto scale = static_cast<float>(now > 0 ? std::sqrt(variance / now) : 0);
-    auto* values = reinterpret_cast<float*>(spectrum);
-    for (std::size_t i = 0; i < 2 * fft.spectrumSize(); ++i)
-        values[i] *= scale;
+    for (int column = 0; column < fft.columns(); ++column) {
+        check();
+        auto* bins = reinterpret_cast<float*>(spectrum + column * fft.columnStride());
+        for (std::size_t i = 0; i < 2 * height; ++i)
+            bins[i] *= scale;
+    }
 }
 
 } // namespace texloom::portilla_simoncelli

@@ -25,26 +25,28 @@ Eigen::MatrixXd leastMap(const Eigen::MatrixXd& current, const Eigen::MatrixXd& 
 Mixing mixingTo(const Eigen::MatrixXd& xx, const Eigen::MatrixXd& xy, const Eigen::MatrixXd& yy,
                 const Eigen::MatrixXd& wantedXx, const Eigen::MatrixXd& wantedXy);
 
-/// Autocorrelations of images of one scale of a pyramid, from and by their spectra. Lags are in units of
-/// 2^scale pixels whatever the sampling. A matrix of reach r has (r + 1) rows for dy = 0 … r and 2r + 1
-/// columns for dx = −r … r.
+/// Autocorrelations of images of one scale of a pyramid, from and by their spectra. `check` is called every
+/// few milliseconds and may throw. Lags are in units of 2^scale pixels whatever the sampling. A matrix of
+/// reach r has (r + 1) rows for dy = 0 … r and 2r + 1 columns for dx = −r … r.
 class Autocorrelator {
 public:
     using Complex = SteerablePyramid::Complex;
+    using Check = SteerablePyramid::Check;
 
     /// @param reach largest lag that is set; twice that is measured.
     Autocorrelator(const SteerablePyramid& pyramid, int scale, int reach);
 
     int reach() const { return m_reach; }
     /// Σ |X|² cos(ω · lag) for all lags up to 2 × reach.
-    Eigen::MatrixXd measure(const Complex* spectrum) const;
+    Eigen::MatrixXd measure(const Complex* spectrum, const Check& check) const;
     /// The central part for lags up to `reach`.
     static Eigen::MatrixXd central(const Eigen::MatrixXd& lags, int reach);
     /// Convolves with the zero-phase filter that gives the image the wanted autocorrelation (appendix A.5).
     /// @param current as measure() gave it. @param wanted of this reach or more.
-    void impose(const Eigen::MatrixXd& current, const Eigen::MatrixXd& wanted, Complex* spectrum) const;
+    void impose(const Eigen::MatrixXd& current, const Eigen::MatrixXd& wanted, Complex* spectrum,
+                const Check& check) const;
     /// Mean square of the image.
-    double power(const Complex* spectrum) const;
+    double power(const Complex* spectrum, const Check& check) const;
 
 private:
     double weight(int column) const;

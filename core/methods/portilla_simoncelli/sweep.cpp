@@ -44,7 +44,7 @@ Sweep::Sweep(const SteerablePyramid& pyramid, int components, int joint, const s
     const auto spectra = [&pyramid](int scale, int count) {
         std::vector<Spectrum> made;
         for (int i = 0; i < count; ++i)
-            made.push_back(pyramid.spectrum(scale));
+            made.emplace_back(pyramid.fft(scale).spectrumSize());
         return made;
     };
     const auto planes = [&pyramid](int count) {
@@ -133,12 +133,10 @@ void Sweep::decompose(const Image& components, int component) {
     const auto spectrum = [&](int scale) { return m_spectra[at(scale)][at(component)].data(); };
     m_pyramid.forward(0, components.view().plane(component).data, spectrum(0), m_check);
     spectrum(0)[0] = 0;
-    m_pyramid.takeHigh(spectrum(0), m_high[at(component)].data());
-    m_pyramid.limit(0, spectrum(0));
-    for (int scale = 0; scale < m_pyramid.scales(); ++scale) {
-        m_check();
-        m_pyramid.lower(scale, spectrum(scale), spectrum(scale + 1));
-    }
+    m_pyramid.takeHigh(spectrum(0), m_high[at(component)].data(), m_check);
+    m_pyramid.limit(0, spectrum(0), m_check);
+    for (int scale = 0; scale < m_pyramid.scales(); ++scale)
+        m_pyramid.lower(scale, spectrum(scale), spectrum(scale + 1), m_check);
 }
 
 /// One column of the low residuals' spectra, shifted to each neighbour: real parts, then imaginary parts.
@@ -272,7 +270,7 @@ void Sweep::splitLow(int scale, int component) {
             for (int row = 0; row < m_pyramid.size(last).height; ++row)
                 shifted.data()[offset + row] = bins[row] * factors[at(row)];
         }
-        m_pyramid.raise(scale, shifted.data(), raised.data());
+        m_pyramid.raise(scale, shifted.data(), raised.data(), m_check);
         m_pyramid.backward(scale, raised.data(), m_next[at(kNeighbours * component + j)].data(), m_check);
     }
 }
@@ -426,12 +424,13 @@ void Sweep::shapeMagnitude(int scale, int band) {
     const PlaneSpan magnitude = span(m_magnitudes[at(band)], scale);
     m_pyramid.forward(scale, magnitude.data, spectrum.data(), m_check);
     spectrum.data()[0] = 0;
-    const Eigen::MatrixXd lags = autocorrelator.measure(spectrum.data());
+    const Eigen::MatrixXd lags = autocorrelator.measure(spectrum.data(), m_check);
     measuredAt(scale).magnitudeAutocorrelations[at(band)] =
         Autocorrelator::central(lags, autocorrelator.reach());
     float mean = 0;
     if (m_wanted && m_settings.magnitudeAutocorrelation) {
-        autocorrelator.impose(lags, wantedAt(scale).magnitudeAutocorrelations[at(band)], spectrum.data());
+        autocorrelator.impose(lags, wantedAt(scale).magnitudeAutocorrelations[at(band)], spectrum.data(),
+                              m_check);
         m_pyramid.backward(scale, spectrum.data(), magnitude.data, m_check);
         mean = static_cast<float>(wantedAt(scale).magnitudeMeans[at(band)]);
     }
@@ -452,14 +451,16 @@ void Sweep::collect(int scale) {
         m_context.parallel(0, m_components, [&](int c) {
             const Spectrum &from = m_spectra[at(scale)][at(c)], &image = m_images[at(scale)][at(c)];
             for (int k = 0; k < orientations && scale > 0; ++k)
-                m_pyramid.takeBand(scale, k, from.data(), bandAt(scale, c * orientations + k).data());
+                m_pyramid.takeBand(scale, k, from.data(), bandAt(scale, c * orientations + k).data(),
+                                   m_check);
             std::copy_n(from.data(), from.size(), image.data());
-            m_pyramid.limit(scale, image.data());
+            m_pyramid.limit(scale, image.data(), m_check);
         });
         return;
     }
-    for (int c = 0; c < m_components; ++c)
+    m_context.parallel(0, m_components, [&](int c) {
         std::fill_n(m_images[at(scale)][at(c)].data(), m_images[at(scale)][at(c)].size(), Complex(0, 0));
+    });
     const auto together = static_cast<int>(m_bands[at(scale)].size());
     for (int first = 0; first < bands(); first += together) {
         const int last = std::min(bands(), first + together);
@@ -468,16 +469,15 @@ void Sweep::collect(int scale) {
         });
         m_context.parallel(0, m_components, [&](int c) {
             for (int k = 0; k < orientations; ++k)
-                if (const int band = c * orientations + k; band >= first && band < last) {
-                    m_check();
-                    m_pyramid.addBand(scale, k, bandAt(scale, band).data(),
-                                      m_images[at(scale)][at(c)].data());
-                }
+                if (const int band = c * orientations + k; band >= first && band < last)
+                    m_pyramid.addBand(scale, k, bandAt(scale, band).data(), m_images[at(scale)][at(c)].data(),
+                                      m_check);
         });
     }
     m_context.parallel(0, m_components, [&](int c) {
-        m_pyramid.limit(scale, m_images[at(scale)][at(c)].data());
-        m_pyramid.raise(scale, m_images[at(scale + 1)][at(c)].data(), m_images[at(scale)][at(c)].data());
+        m_pyramid.limit(scale, m_images[at(scale)][at(c)].data(), m_check);
+        m_pyramid.raise(scale, m_images[at(scale + 1)][at(c)].data(), m_images[at(scale)][at(c)].data(),
+                        m_check);
     });
 }
 
@@ -486,16 +486,16 @@ void Sweep::shapeImage(int scale, int component) {
     if (scale == m_pyramid.scales()) {
         const Spectrum& low = m_spectra[at(scale)][at(component)];
         std::copy_n(low.data(), low.size(), spectrum);
-        m_pyramid.limit(scale, spectrum);
+        m_pyramid.limit(scale, spectrum, m_check);
     }
     const Autocorrelator& autocorrelator = m_autocorrelators[at(scale)];
     const ImageStatistics* wanted = m_wanted ? &m_wanted->images[at(scale)][at(component)] : nullptr;
     ImageStatistics& measured = m_measured.images[at(scale)][at(component)];
-    const Eigen::MatrixXd lags = autocorrelator.measure(spectrum);
+    const Eigen::MatrixXd lags = autocorrelator.measure(spectrum, m_check);
     measured.autocorrelation = Autocorrelator::central(lags, autocorrelator.reach());
     const bool clear = wanted && wanted->variance() > kLeastVariance;
     if (wanted && m_settings.autocorrelation)
-        autocorrelator.impose(lags, wanted->autocorrelation, spectrum);
+        autocorrelator.impose(lags, wanted->autocorrelation, spectrum, m_check);
     const PlaneSpan plane = span(m_planes[at(component)], scale);
     m_pyramid.backward(scale, spectrum, plane.data, m_check);
     const Moments moments = momentsOf(plane, m_check);
@@ -517,20 +517,24 @@ void Sweep::finish(Image& components, int component) {
     const Autocorrelator& autocorrelator = m_autocorrelators.front();
     Complex* spectrum = m_images.front()[at(component)].data();
     const Spectrum& high = m_high[at(component)];
-    const double variance = autocorrelator.power(high.data());
+    const double variance = autocorrelator.power(high.data(), m_check);
     m_measured.highVariances[at(component)] = variance;
     if (m_wanted && m_settings.autocorrelation && variance > m_wanted->highVariances[at(component)]) {
         const auto factor = static_cast<float>(std::sqrt(m_wanted->highVariances[at(component)] / variance));
-        std::transform(high.data(), high.data() + high.size(), high.data(),
-                       [factor](Complex bin) { return factor * bin; });
+        for (int column = 0; column < m_pyramid.fft(0).columns(); ++column) {
+            m_check();
+            Complex* bins = high.data() + column * m_pyramid.fft(0).columnStride();
+            std::transform(bins, bins + m_pyramid.size(0).height, bins,
+                           [factor](Complex bin) { return factor * bin; });
+        }
     }
-    m_pyramid.addHigh(high.data(), spectrum);
-    const Eigen::MatrixXd lags = autocorrelator.measure(spectrum);
+    m_pyramid.addHigh(high.data(), spectrum, m_check);
+    const Eigen::MatrixXd lags = autocorrelator.measure(spectrum, m_check);
     m_measured.whole[at(component)].autocorrelation = Autocorrelator::central(lags, autocorrelator.reach());
     if (!m_wanted)
         return;
     if (m_settings.autocorrelation)
-        autocorrelator.impose(lags, m_wanted->whole[at(component)].autocorrelation, spectrum);
+        autocorrelator.impose(lags, m_wanted->whole[at(component)].autocorrelation, spectrum, m_check);
     m_pyramid.backward(0, spectrum, components.plane(component).data, m_check);
 }
 

@@ -89,7 +89,7 @@ Synthesis Synthesizer::run() {
         iterate(sweep, iteration);
     m_context.stage(0.02, TR("Measuring the result"));
     Synthesis result;
-    addFigures(measured(m_image, sweep), result);
+    addFigures(measured(m_image, m_components, sweep), result);
     m_image.shrink(m_request.size);
     result.image = std::move(m_image);
     result.curves = std::move(m_curves);
@@ -102,16 +102,14 @@ void Synthesizer::overRows(int height, const std::function<void(int first, int l
                        [&](int block) { body(block * kRows, std::min(height, (block + 1) * kRows)); });
 }
 
-Image Synthesizer::projected(const Image& image) const {
-    const std::vector<double> means = channelMeans(image);
-    Image components(image.size(), m_pca.components());
+void Synthesizer::project(const Image& image, Image& components) const {
+    const std::vector<double> means = channelMeans(image, m_check);
     overRows(image.height(),
              [&](int first, int last) { m_pca.project(image, means, first, last, components); });
-    return components;
 }
 
-Statistics Synthesizer::measured(const Image& image, Sweep& sweep) const {
-    Image components = projected(image);
+Statistics Synthesizer::measured(const Image& image, Image& components, Sweep& sweep) const {
+    project(image, components);
     Statistics statistics = sweep.run(components, nullptr, [](double, const std::vector<PlaneView>&) {});
     statistics.components.resize(static_cast<std::size_t>(components.channels()));
     statistics.channels.resize(static_cast<std::size_t>(image.channels()));
@@ -137,7 +135,8 @@ void Synthesizer::measureExemplars() {
                                            m_settings.orientations, m_check);
             Sweep sweep(pyramid, m_pca.components(), m_pca.leadingComponents(), m_reaches, m_settings,
                         m_context);
-            statistics = measured(image, sweep);
+            Image components(image.size(), m_pca.components());
+            statistics = measured(image, components, sweep);
         } else {
             for (int c = 0; c < image.channels(); ++c)
                 statistics.channels.push_back(momentsOf(image.view().plane(c), m_check));
@@ -178,6 +177,8 @@ Synthesis Synthesizer::constant() const {
 /// Beyond the output an initial image goes on as its mirror image, which has no jump.
 void Synthesizer::start() {
     m_image = Image(canvasFor(m_request, m_settings), m_request.channels());
+    m_check();
+    m_components = Image(m_image.size(), m_pca.components());
     if (m_request.initial) {
         const Image& initial = *m_request.initial;
         overRows(m_image.height(), [&](int first, int last) {
@@ -190,28 +191,28 @@ void Synthesizer::start() {
         return;
     }
     const std::vector<double> means = wantedMeans();
-    Image components(m_image.size(), m_pca.components());
     overRows(m_image.height(), [&](int first, int last) {
-        for (int c = 0; c < components.channels(); ++c)
+        for (int c = 0; c < m_components.channels(); ++c)
             for (int y = first; y < last; ++y)
                 for (int x = 0; x < m_image.width(); ++x)
-                    components(x, y, c) =
+                    m_components(x, y, c) =
                         static_cast<float>(m_context.random().normal(x, y, static_cast<std::uint32_t>(c)));
-        m_pca.unproject(components, means, first, last, m_image);
+        m_pca.unproject(m_components, means, first, last, m_image);
     });
 }
 
 void Synthesizer::iterate(Sweep& sweep, int iteration) {
     m_context.preview(m_image.view().crop(0, 0, m_request.size));
-    Image components = projected(m_image);
+    project(m_image, m_components);
     Statistics measured =
-        sweep.run(components, &m_wanted, [&](double share, const std::vector<PlaneView>& planes) {
+        sweep.run(m_components, &m_wanted, [&](double share, const std::vector<PlaneView>& planes) {
             show(iteration, 0.95 * share, planes);
         });
-    shapeComponents(components, measured);
+    shapeComponents(measured);
+    decorrelate();
     const std::vector<double> means = wantedMeans();
     overRows(m_image.height(),
-             [&](int first, int last) { m_pca.unproject(components, means, first, last, m_image); });
+             [&](int first, int last) { m_pca.unproject(m_components, means, first, last, m_image); });
     shapeChannels(measured);
     const Deviations left = deviations(measured, m_wanted);
     for (std::size_t group = 0; group < kGroups; ++group)
@@ -219,35 +220,37 @@ void Synthesizer::iterate(Sweep& sweep, int iteration) {
     m_context.progress((iteration + 1.0) / m_settings.iterations);
 }
 
-/// Moments of each component, and none correlated with another.
-void Synthesizer::shapeComponents(Image& components, Statistics& measured) {
+void Synthesizer::shapeComponents(Statistics& measured) {
     measured.components.resize(m_wanted.components.size());
-    m_context.parallel(0, components.channels(), [&](int c) {
+    m_context.parallel(0, m_components.channels(), [&](int c) {
         const auto nth = static_cast<std::size_t>(c);
-        const PlaneSpan plane = components.plane(c);
-        const Moments& wanted = m_wanted.components[nth];
+        const PlaneSpan plane = m_components.plane(c);
         measured.components[nth] = momentsOf(plane, m_check);
-        if (m_settings.marginals) {
-            Moments shape = wanted;
-            shape.mean = 0;
-            shape.smallest = -std::numeric_limits<double>::infinity();
-            shape.largest = std::numeric_limits<double>::infinity();
-            imposeMoments(plane, measured.components[nth], shape, m_check);
-        }
+        if (!m_settings.marginals)
+            return;
+        Moments wanted = m_wanted.components[nth];
+        wanted.mean = 0;
+        wanted.smallest = -std::numeric_limits<double>::infinity();
+        wanted.largest = std::numeric_limits<double>::infinity();
+        imposeMoments(plane, measured.components[nth], wanted, m_check);
     });
-    if (components.channels() == 1 || !m_settings.crossChannel)
+}
+
+/// Components are not correlated in the exemplar.
+void Synthesizer::decorrelate() {
+    if (m_components.channels() == 1 || !m_settings.crossChannel)
         return;
-    const Eigen::MatrixXd covariance = channelCovariance(components, m_check);
+    const Eigen::MatrixXd covariance = channelCovariance(m_components, m_check);
     const Eigen::MatrixXf map =
         leastMap(covariance, Eigen::MatrixXd::Identity(covariance.rows(), covariance.cols())).cast<float>();
-    overRows(components.height(), [&](int first, int last) {
-        Eigen::VectorXf pixel(components.channels());
+    overRows(m_components.height(), [&](int first, int last) {
+        Eigen::VectorXf pixel(m_components.channels());
         for (int y = first; y < last; ++y)
-            for (int x = 0; x < components.width(); ++x) {
-                for (int c = 0; c < components.channels(); ++c)
-                    pixel(c) = components(x, y, c);
-                for (int c = 0; c < components.channels(); ++c)
-                    components(x, y, c) = map.row(c).dot(pixel);
+            for (int x = 0; x < m_components.width(); ++x) {
+                for (int c = 0; c < m_components.channels(); ++c)
+                    pixel(c) = m_components(x, y, c);
+                for (int c = 0; c < m_components.channels(); ++c)
+                    m_components(x, y, c) = map.row(c).dot(pixel);
             }
     });
 }

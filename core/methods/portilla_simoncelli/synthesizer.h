@@ -26,15 +26,16 @@ public:
 
 private:
     void measureExemplars();
-    Statistics measured(const Image& image, Sweep& sweep) const;
+    Statistics measured(const Image& image, Image& components, Sweep& sweep) const;
     void start();
     void iterate(Sweep& sweep, int iteration);
-    void shapeComponents(Image& components, Statistics& measured);
+    void shapeComponents(Statistics& measured);
+    void decorrelate();
     void shapeChannels(Statistics& measured);
     void show(int iteration, double share, const std::vector<PlaneView>& components);
     void addFigures(const Statistics& result, Synthesis& synthesis) const;
     Synthesis constant() const;
-    Image projected(const Image& image) const;
+    void project(const Image& image, Image& components) const;
     void overRows(int height, const std::function<void(int first, int last)>& body) const;
     std::vector<double> wantedMeans() const;
 
@@ -47,7 +48,7 @@ private:
     ChannelPca m_pca;
     std::vector<int> m_reaches;
     Statistics m_wanted;
-    Image m_image; ///< channels of the canvas
+    Image m_image, m_components; ///< channels and components of the canvas
     std::vector<Curve> m_curves;
 };
 

@@ -159,6 +159,7 @@ Estimate estimate(const Request& request, const Settings&, int) {
     Estimate need;
     need.bytes = Image::bytesFor(torus, request.channels()) + 2 * fft.spectrumSize() * sizeof(Complex) +
                  Spot::bytesFor(request.exemplars.front().image->size(), request.channels());
+    need.bytes += need.bytes / 16; // plans, threads and what the allocator keeps back
     const auto pixels = static_cast<double>(torus.area());
     need.seconds = pixels * (3e-8 + request.channels() * (1e-8 + 6e-10 * std::log2(pixels)));
     return need;

@@ -38,7 +38,7 @@ double sumOfSquares(const PlaneView& plane) {
 Spot::Spot(const ImageView& exemplar, Size torus, const Settings& settings,
            const std::function<void()>& check)
     : m_values(settings.periodic ? periodicComponent(exemplar, check) : Image(exemplar)), m_torus(torus),
-      m_means(channelMeans(exemplar)) {
+      m_means(channelMeans(exemplar, check)) {
     for (int c = 0; c < m_values.channels(); ++c) {
         check();
         const PlaneSpan plane = m_values.plane(c);

@@ -34,18 +34,18 @@ Parts analysed(const SteerablePyramid& pyramid, const Image& image) {
     Spectrum current = pyramid.spectrum(0);
     pyramid.forward(0, image.plane(0).data, current.data(), uninterrupted);
     const Spectrum high = pyramid.spectrum(0);
-    pyramid.takeHigh(current.data(), high.data());
+    pyramid.takeHigh(current.data(), high.data(), uninterrupted);
     parts.high = imageOf(pyramid, 0, high);
-    pyramid.limit(0, current.data());
+    pyramid.limit(0, current.data(), uninterrupted);
     for (int scale = 0; scale < pyramid.scales(); ++scale) {
         parts.bands.emplace_back();
         for (int k = 0; k < pyramid.orientations(); ++k) {
             const Spectrum band = pyramid.spectrum(scale);
-            pyramid.takeBand(scale, k, current.data(), band.data());
+            pyramid.takeBand(scale, k, current.data(), band.data(), uninterrupted);
             parts.bands.back().push_back(imageOf(pyramid, scale, band));
         }
         Spectrum next = pyramid.spectrum(scale + 1);
-        pyramid.lower(scale, current.data(), next.data());
+        pyramid.lower(scale, current.data(), next.data(), uninterrupted);
         current = std::move(next);
     }
     parts.low = imageOf(pyramid, pyramid.scales(), current);
@@ -61,20 +61,20 @@ Spectrum spectrumOf(const SteerablePyramid& pyramid, int scale, const Image& ima
 Image synthesised(const SteerablePyramid& pyramid, const Parts& parts) {
     Spectrum current = spectrumOf(pyramid, pyramid.scales(), parts.low);
     for (int scale = pyramid.scales() - 1; scale >= 0; --scale) {
-        pyramid.limit(scale + 1, current.data());
+        pyramid.limit(scale + 1, current.data(), uninterrupted);
         Spectrum above = pyramid.spectrum(scale);
-        pyramid.raise(scale, current.data(), above.data());
+        pyramid.raise(scale, current.data(), above.data(), uninterrupted);
         for (int k = 0; k < pyramid.orientations(); ++k)
             pyramid.addBand(
                 scale, k,
                 spectrumOf(pyramid, scale,
                            parts.bands[static_cast<std::size_t>(scale)][static_cast<std::size_t>(k)])
                     .data(),
-                above.data());
+                above.data(), uninterrupted);
         current = std::move(above);
     }
-    pyramid.limit(0, current.data());
-    pyramid.addHigh(spectrumOf(pyramid, 0, parts.high).data(), current.data());
+    pyramid.limit(0, current.data(), uninterrupted);
+    pyramid.addHigh(spectrumOf(pyramid, 0, parts.high).data(), current.data(), uninterrupted);
     return imageOf(pyramid, 0, current);
 }
 
@@ -187,7 +187,7 @@ TEST(SteerablePyramid, analyticBandHasTheBandAsRealPartAndOneSideOfTheSpectrum) 
         const Image image = noise(size, 1);
         const Parts parts = analysed(pyramid, image);
         const Spectrum spectrum = spectrumOf(pyramid, 0, image);
-        pyramid.limit(0, spectrum.data());
+        pyramid.limit(0, spectrum.data(), uninterrupted);
         for (int k = 0; k < orientations; ++k) {
             const ComplexFft2d& fft = pyramid.complexFft(0);
             const FftBuffer<Complex> complex(fft.imageSize());
