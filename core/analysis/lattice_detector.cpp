@@ -341,6 +341,7 @@ Detector::Rated Detector::rated(const Lattice& lattice) const {
 /// scatter: chance lattices, of which the best of very many is looked at, have few multiples.
 double Detector::confidence(const Rated& rated) const {
     constexpr int kSteps = 4;
+    constexpr double kStep = 1.0 / kSteps;
     double on = 0, off = 0, squares = 0;
     int count = 0, between = 0;
     const Lattice& lattice = rated.fitted;
@@ -350,7 +351,8 @@ double Detector::confidence(const Rated& rated) const {
         on += static_cast<double>(summit(p, 1).height);
         ++count;
         for (int i = 1; i < kSteps * kSteps; ++i) {
-            const Vec2 beside = lattice.at(a + i % kSteps / double(kSteps), b + i / kSteps / double(kSteps));
+            const int right = i % kSteps, down = i / kSteps;
+            const Vec2 beside = lattice.at(a + kStep * right, b + kStep * down);
             if (!inside(beside, 2))
                 continue;
             const auto height = static_cast<double>(summit(beside, 1).height);

@@ -250,10 +250,11 @@ void Filler::paintGap(const Gap& gap) {
         if (toY < m_part.y || toY >= m_part.bottom())
             continue;
         for (int x = 0; x < patch; ++x) {
+            const std::size_t index =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(patch) + static_cast<std::size_t>(x);
             const int toX =
                 m_request.wrap.x ? ((at.x + x) % whole.width + whole.width) % whole.width : at.x + x;
-            if (toX < m_part.x || toX >= m_part.right() ||
-                gap.keep[static_cast<std::size_t>(y * patch + x)] != 0)
+            if (toX < m_part.x || toX >= m_part.right() || gap.keep[index] != 0)
                 continue;
             paint(toX, toY, {gap.patch.x + x - toX, gap.patch.y + y - toY});
         }
@@ -271,12 +272,13 @@ struct Share {
 Share shareOf(const Axis& axis, int pixel, int width) {
     const int index = axis.at(pixel);
     const int begin = axis.start(index), end = axis.start(index + 1);
+    const int before = width / 2; // of the band, on the first block
     const auto alpha = [&](int edge) {
-        return 1 - static_cast<float>(pixel - (edge - width / 2) + 1) / static_cast<float>(width + 1);
+        return 1 - static_cast<float>(pixel - edge + before + 1) / static_cast<float>(width + 1);
     };
-    if (pixel < begin + width - width / 2)
+    if (pixel < begin + width - before)
         return {index - 1, index, alpha(begin)};
-    if (pixel >= end - width / 2)
+    if (pixel >= end - before)
         return {index, index + 1, alpha(end)};
     return {index, index, 1};
 }

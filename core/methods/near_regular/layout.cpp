@@ -59,7 +59,8 @@ int Axis::at(int pixel) const {
 }
 
 double Axis::evenness() const {
-    return wraps() ? static_cast<double>(m_length / m_count) / m_block : 1.0;
+    const int shortest = wraps() ? m_length / m_count : m_block;
+    return static_cast<double>(shortest) / m_block;
 }
 
 Layout::Layout(Size output, const Wrap& wrap, int block, int border)

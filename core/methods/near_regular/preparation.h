@@ -29,7 +29,6 @@ struct Rectification {
 Rectification rectification(const Lattice& lattice, Size exemplar);
 
 /// The exemplar resampled, by Catmull and Rom's cubic.
-Image rectified(const ImageView& exemplar, const Rectification& rectification,
-                const std::function<void()>& check);
+Image rectified(const ImageView& exemplar, const Rectification& by, const std::function<void()>& check);
 
 } // namespace texloom::near_regular

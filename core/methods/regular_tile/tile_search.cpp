@@ -80,8 +80,9 @@ public:
             if (y + span.y < m_area.y || y + span.y >= m_area.bottom() || x + span.from < m_area.x ||
                 x + span.to > m_area.right())
                 return std::numeric_limits<double>::infinity();
-            const std::vector<double>& row = m_sums[static_cast<std::size_t>(y + span.y)];
-            sum += row[static_cast<std::size_t>(x + span.to)] - row[static_cast<std::size_t>(x + span.from)];
+            const int at = y + span.y, from = x + span.from, to = x + span.to;
+            const std::vector<double>& row = m_sums[static_cast<std::size_t>(at)];
+            sum += row[static_cast<std::size_t>(to)] - row[static_cast<std::size_t>(from)];
         }
         return sum;
     }
