@@ -150,7 +150,10 @@ void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& 
 void BlendBand::change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
                        int channel, Propagation propagation) {
     const auto length = static_cast<std::size_t>(lines.length);
-    const double mass = massOf(middle);
+    // The source draws every line's mass to that of the middle (eq. 4.8), which shows as a band of one
+    // brightness; here the lines change in the proportion in which the one on the curve does.
+    const double edge = massOf({lines.line(0, channel), length});
+    const double gain = edge > 0 ? massOf(middle) / edge : 1;
     const int last = lines.count - 1;
     const std::vector<float> border(lines.line(last, channel), lines.line(last, channel) + length);
     for (int distance = 0; distance <= last; ++distance) {
@@ -166,7 +169,7 @@ void BlendBand::change(Lines& lines, const std::vector<double>& places, const st
             std::vector<double> faded;
             for (std::size_t i = 0; i <= length; ++i)
                 faded.push_back(fade * static_cast<double>(i) + (1 - fade) * places[i]);
-            fresh = deformed(old, faded, fade * massOf(old) + (1 - fade) * mass);
+            fresh = deformed(old, faded, massOf(old) * (fade + (1 - fade) * gain));
         }
         for (std::size_t i = 0; i < length; ++i)
             line[i] = distance == last ? 0 : fresh[i] - line[i];

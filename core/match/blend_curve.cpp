@@ -91,7 +91,12 @@ BlendCurve::Place BlendCurve::placeOn(const Piece& piece, const Point& point) co
         return {piece.start + x * piece.dx + y * piece.dy, y * piece.dx - x * piece.dy};
     // From the centre, the arc starts on the left of its direction and turns right.
     const double left = x * piece.dy - y * piece.dx, ahead = x * piece.dx + y * piece.dy;
-    return {piece.start + piece.radius * std::atan2(ahead, left), piece.radius - std::hypot(x, y)};
+    if (left >= 0 && ahead >= 0)
+        return {piece.start + piece.radius * std::atan2(ahead, left), piece.radius - std::hypot(x, y)};
+    // Beyond the centre one of the ends is nearest.
+    const double toStart = std::hypot(left - piece.radius, ahead);
+    const double toEnd = std::hypot(left, ahead - piece.radius);
+    return toStart <= toEnd ? Place{piece.start, toStart} : Place{piece.start + piece.length, toEnd};
 }
 
 BlendCurve::Place BlendCurve::placeOf(const Point& point) const {

@@ -1,0 +1,159 @@
+#include "core/base/error.h"
+#include "core/match/blend.h"
+#include "core/match/patch_stitch.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace texloom::test {
+namespace {
+
+constexpr Size kSize{90, 80};
+constexpr int kBand = 12;
+
+std::vector<BlendCurve> curves() {
+    return {BlendCurve::horizontal(kSize, 37), BlendCurve::vertical(kSize, 41),
+            BlendCurve::circular(kSize, 45)};
+}
+
+std::vector<BlendOptions> ways() {
+    std::vector<BlendOptions> all = {{BlendMethod::Cut, kBand, {}}, {BlendMethod::Poisson, kBand, {}}};
+    for (const Propagation propagation : {Propagation::Linear, Propagation::Progressive})
+        for (const BlendColor color : {BlendColor::Rgb, BlendColor::Dct, BlendColor::Pca})
+            all.push_back({BlendMethod::Midway, kBand, {propagation, color}});
+    return all;
+}
+
+TEST(Blend, nothingChangesBeyondTheBand) {
+    const Image a = blobs(kSize, 3, 1), b = blobs(kSize, 3, 2);
+    for (const BlendCurve& curve : curves())
+        for (const BlendOptions& way : ways()) {
+            const Image result = blend(a, b, curve, way);
+            for (int y = 0; y < kSize.height; ++y)
+                for (int x = 0; x < kSize.width; ++x) {
+                    const double across = curve.placeOf({x + 0.5, y + 0.5}).across;
+                    if (std::abs(across) < kBand)
+                        continue;
+                    ASSERT_EQ(result(x, y, 1), (across < 0 ? a : b)(x, y, 1)) << x << "," << y;
+                }
+        }
+}
+
+TEST(Blend, anImageWithItselfStaysAsItIs) {
+    const Image a = blobs(kSize, 3, 1);
+    for (const BlendCurve& curve : curves())
+        for (const BlendOptions& way : ways()) {
+            if (way.midway.propagation == Propagation::Progressive)
+                continue; // it draws the band anew from its borders
+            const Image result = blend(a, a, curve, way);
+            for (int y = 0; y < kSize.height; ++y)
+                for (int x = 0; x < kSize.width; ++x)
+                    ASSERT_NEAR(result(x, y, 2), a(x, y, 2), 2e-5)
+                        << x << "," << y << " method " << static_cast<int>(way.method) << " colour "
+                        << static_cast<int>(way.midway.color);
+        }
+}
+
+/// Stripes across the curve, those of the second picture shifted.
+Image stripes(int shift) {
+    Image image(kSize, 1);
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x)
+            image(x, y, 0) = x >= 30 + shift && x < 40 + shift ? 1.0F : 0.0F;
+    return image;
+}
+
+TEST(Blend, midwayBringsShiftedStripesTogetherHalfWay) {
+    for (const Propagation propagation : {Propagation::Linear, Propagation::Progressive}) {
+        const Image result = blend(stripes(0), stripes(8), BlendCurve::horizontal(kSize, 40),
+                                   {BlendMethod::Midway, kBand, {propagation, BlendColor::Rgb}});
+        const auto centre = [&](int y) {
+            double sum = 0, mass = 0;
+            for (int x = 0; x < kSize.width; ++x) {
+                sum += (x + 0.5) * static_cast<double>(result(x, y, 0));
+                mass += static_cast<double>(result(x, y, 0));
+            }
+            EXPECT_NEAR(mass, 10, 1e-3) << "row " << y;
+            return sum / mass;
+        };
+        EXPECT_NEAR(centre(40), 39, 0.01);
+        EXPECT_NEAR(centre(40 - kBand), 35, 0.01);
+        EXPECT_NEAR(centre(40 - kBand / 2), 37, 0.3);
+        EXPECT_NEAR(centre(40 + kBand / 2), 41, 0.3);
+        EXPECT_NEAR(centre(40 + kBand), 43, 0.01);
+    }
+}
+
+TEST(Blend, midwayLinesOfBothSidesAgreeOnTheCurve) {
+    // With the curve on row 37, that row is the same whichever picture lies above, if both have the least
+    // value.
+    Image a = blobs(kSize, 3, 1), b = blobs(kSize, 3, 2);
+    for (int c = 0; c < 3; ++c)
+        a(5, 37, c) = b(5, 37, c) = -1;
+    const BlendOptions way{BlendMethod::Midway, kBand, {Propagation::Linear, BlendColor::Rgb}};
+    const Image one = blend(a, b, BlendCurve::horizontal(kSize, 37), way);
+    const Image other = blend(b, a, BlendCurve::horizontal(kSize, 37), way);
+    for (int x = 0; x < kSize.width; ++x)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(one(x, 37, c), other(x, 37, c), 2e-5) << x;
+}
+
+TEST(Blend, poissonHidesAStepOfBrightness) {
+    Image a = blobs(kSize, 1, 1), b = a;
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x)
+            b(x, y, 0) += 1;
+    const Image result = blend(a, b, BlendCurve::horizontal(kSize, 40), {BlendMethod::Poisson, kBand, {}});
+    for (int y = 41 - kBand; y < 40 + kBand; ++y)
+        for (int x = 0; x < kSize.width; ++x)
+            EXPECT_NEAR(result(x, y, 0) - a(x, y, 0), (y - 40.0 + kBand) / (2 * kBand), 1e-3) << y;
+}
+
+TEST(Blend, imagesThatDifferInSizeAreRefused) {
+    EXPECT_THROW(blend(blobs({20, 20}, 3), blobs({20, 21}, 3), BlendCurve::horizontal({20, 20}, 9), {}),
+                 UsageError);
+    EXPECT_THROW(blend(blobs({20, 20}, 3), blobs({20, 20}, 1), BlendCurve::horizontal({20, 20}, 9), {}),
+                 UsageError);
+}
+
+TEST(BlendCurve, placesAndPointsAreInverse) {
+    std::vector<BlendCurve> all = curves();
+    for (const Overlap& overlap :
+         {Overlap{8, 8, 0, 0}, Overlap{8, 6, 8, 0}, Overlap{8, 8, 8, 8}, Overlap{8, 0, 8, 0}})
+        for (const BlendCurve& curve : BlendCurve::around(overlap, 32))
+            all.push_back(curve);
+    for (const BlendCurve& curve : all)
+        for (double along = 0.3; along < curve.length(); along += 1.7)
+            for (const double across : {-2.0, 0.0, 1.5}) {
+                const BlendCurve::Place place = curve.placeOf(curve.pointAt({along, across}));
+                EXPECT_NEAR(place.along, along, 1e-6);
+                EXPECT_NEAR(place.across, across, 1e-6);
+            }
+}
+
+TEST(PatchStitcher, oldPixelsBeyondTheOverlapAreNeverUsed) {
+    constexpr int kPatch = 24;
+    for (const PatchStitch stitch : {PatchStitch::Cut, PatchStitch::SmoothCut, PatchStitch::Average,
+                                     PatchStitch::None, PatchStitch::Poisson, PatchStitch::Midway})
+        for (const Overlap& overlap : {Overlap{8, 0, 0, 0}, Overlap{0, 7, 0, 0}, Overlap{8, 8, 0, 0},
+                                       Overlap{12, 12, 0, 0}, Overlap{6, 0, 6, 0}, Overlap{6, 8, 6, 0},
+                                       Overlap{6, 6, 7, 7}, Overlap{0, 6, 0, 6}, Overlap{2, 2, 0, 0}}) {
+            Image old = blobs({kPatch, kPatch}, 3, 4), fresh = blobs({kPatch, kPatch}, 3, 5);
+            for (int y = 0; y < kPatch; ++y)
+                for (int x = 0; x < kPatch; ++x)
+                    if (!overlap.contains(x, y, kPatch))
+                        old(x, y, 1) = 1000;
+            PatchStitcher stitcher(stitch, kPatch);
+            stitcher.prepare(overlap);
+            PatchStitcher::Scratch scratch = stitcher.scratch();
+            stitcher.join(old, overlap, fresh, scratch);
+            EXPECT_LT(valueRange(fresh).largest, 20)
+                << static_cast<int>(stitch) << " overlap " << overlap.left << overlap.top << overlap.right
+                << overlap.bottom;
+        }
+}
+
+} // namespace
+} // namespace texloom::test
