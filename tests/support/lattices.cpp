@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace texloom::test {
 
@@ -17,22 +18,37 @@ double normal(const Random& random, int x, int y, std::uint32_t n) {
 }
 
 /// A sum of waves over the tile, none of which is left out, so that no smaller tile will do.
-double figure(const Random& random, Vec2 at, int channel) {
-    double sum = 0;
-    for (int i = 0; i <= 3; ++i)
-        for (int j = i == 0 ? 1 : -3; j <= 3; ++j) {
-            const double strength = (0.3 + random.uniform(i, j, 1)) / (i * i + j * j);
-            const double phase = random.uniform(i, j, 2) + 0.05 * channel;
-            sum += strength * std::sin(kTurn * (i * at.x + j * at.y + phase));
-        }
-    return sum;
-}
+class Figure {
+public:
+    explicit Figure(const Random& random) {
+        for (int i = 0; i <= 3; ++i)
+            for (int j = i == 0 ? 1 : -3; j <= 3; ++j)
+                m_waves.push_back(
+                    {i, j, (0.3 + random.uniform(i, j, 1)) / (i * i + j * j), random.uniform(i, j, 2)});
+    }
+
+    double at(Vec2 point, int channel) const {
+        double sum = 0;
+        for (const Wave& wave : m_waves)
+            sum += wave.strength *
+                   std::sin(kTurn * (wave.i * point.x + wave.j * point.y + wave.phase + 0.05 * channel));
+        return sum;
+    }
+
+private:
+    struct Wave {
+        int i, j;
+        double strength, phase;
+    };
+    std::vector<Wave> m_waves;
+};
 
 } // namespace
 
 Image regularTexture(Size size, int channels, const Lattice& lattice, const Regularity& regularity,
                      std::uint64_t seed) {
     const Random random(seed);
+    const Figure figure(random);
     constexpr double kContrast = 0.2;
     Image image(size, channels);
     for (int c = 0; c < channels; ++c)
@@ -46,10 +62,12 @@ Image regularTexture(Size size, int channels, const Lattice& lattice, const Regu
                     random.uniform(static_cast<int>(tile.x), static_cast<int>(tile.y), n) - 0.5;
                 const bool joint = within.x < 0.12 || within.y < 0.12;
                 const double texture =
-                    joint ? -1.5 : figure(random, within, c) + 3.4 * regularity.colourChange * change;
+                    joint ? -1.5 : figure.at(within, c) + 3.4 * regularity.colourChange * change;
                 const double light = regularity.ramp * (double(x) / size.width + double(y) / size.height - 1);
-                const double noise = std::sqrt(regularity.noise) *
-                                     normal(random, x, y, 20 + 2 * static_cast<std::uint32_t>(c));
+                const double noise = regularity.noise == 0
+                                         ? 0
+                                         : std::sqrt(regularity.noise) *
+                                               normal(random, x, y, 20 + 2 * static_cast<std::uint32_t>(c));
                 image(x, y, c) = static_cast<float>(0.5 + kContrast * (texture + light + noise));
             }
     return image;
