@@ -55,6 +55,10 @@ float rampAt(int at, int width) {
     return width > 1 ? 1 - static_cast<float>(at) / static_cast<float>(width - 1) : 0.5F;
 }
 
+std::array<int, 4> keyOf(const Overlap& overlap) {
+    return {overlap.left, overlap.top, overlap.right, overlap.bottom};
+}
+
 } // namespace
 
 double cutWeights(const ImageView& old, const ImageView& fresh, const Overlap& overlap, int softness,
@@ -101,7 +105,8 @@ PatchStitcher::PatchStitcher(PatchStitch stitch, int patch, const MidwayOptions&
     : m_stitch(stitch), m_patch(patch), m_midway(midway) {}
 
 void PatchStitcher::prepare(const Overlap& overlap) {
-    const auto [at, missing] = blends() ? m_bands.try_emplace(overlap) : std::pair(m_bands.end(), false);
+    const auto [at, missing] =
+        blends() ? m_bands.try_emplace(keyOf(overlap)) : std::pair(m_bands.end(), false);
     if (!missing)
         return;
     int narrowest = m_patch;
@@ -119,7 +124,7 @@ void PatchStitcher::prepare(const Overlap& overlap) {
 }
 
 void PatchStitcher::blend(const ImageView& old, const Overlap& overlap, Image& fresh) const {
-    for (const BlendBand& band : m_bands.at(overlap)) {
+    for (const BlendBand& band : m_bands.at(keyOf(overlap))) {
         Image joined(old);
         if (m_stitch == PatchStitch::Poisson)
             band.poisson(old, fresh, joined);

@@ -5,6 +5,7 @@
 #include "core/match/blend.h"
 #include "core/match/patch_distances.h"
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -61,7 +62,8 @@ private:
     PatchStitch m_stitch;
     int m_patch;
     MidwayOptions m_midway;
-    std::map<Overlap, std::vector<BlendBand>> m_bands;
+    /// By the overlap's widths: left, top, right, bottom.
+    std::map<std::array<int, 4>, std::vector<BlendBand>> m_bands;
 };
 
 } // namespace texloom

@@ -74,7 +74,7 @@ void PatchTree::learnAxes(std::span<const Interleaved* const> images, int channe
                });
     const PrincipalAxes principal = principalAxes(samples, dimension, std::min(kAxes, dimension));
     const auto row = static_cast<std::size_t>(m_patch * m_pixel);
-    m_weights.assign(row * static_cast<std::size_t>(2 * m_patch), Vector{});
+    m_weights.assign(row * 2 * static_cast<std::size_t>(m_patch), Vector{});
     for (int a = 0; a < principal.count(); ++a)
         for (int i = 0; i < dimension; ++i) {
             const int c = i % used, x = i / used % m_patch, y = i / used / m_patch;
