@@ -73,7 +73,7 @@ void PatchTree::learnAxes(std::span<const Interleaved* const> images, int channe
                                    pixels[y * images[source.exemplar]->stride() + x * m_pixel + c]));
                });
     const PrincipalAxes principal = principalAxes(samples, dimension, std::min(kAxes, dimension));
-    const auto row = static_cast<std::size_t>(m_patch * m_pixel);
+    const auto row = static_cast<std::size_t>(m_patch) * static_cast<std::size_t>(m_pixel);
     m_weights.assign(row * 2 * static_cast<std::size_t>(m_patch), Vector{});
     for (int a = 0; a < principal.count(); ++a)
         for (int i = 0; i < dimension; ++i) {
