@@ -63,6 +63,12 @@ std::vector<Param> params() {
         field(&Settings::iterations, "iterations", TR("Iterations"))
             .range(1, 500)
             .help(TR("Rounds over all statistics: more bring them closer to the exemplar's.")),
+        field(&Settings::momentum, "momentum", TR("Momentum"))
+            .range(0, 1)
+            .group(TR("Advanced"))
+            .help(TR(
+                "Share of each round's change that is added once more: some brings the statistics closer in "
+                "fewer rounds.")),
         field(&Settings::weight, "weight", TR("Weight of the second exemplar"))
             .range(0, 1)
             .help(TR("With two exemplars, how far the statistics go from the first to the second.")),

@@ -73,6 +73,14 @@ Synthesizer::Synthesizer(const Request& request, const Settings& settings, JobCo
       m_reaches(commonReaches(request, settings)) {
     for (std::size_t group = 0; group < kGroups; ++group)
         m_curves.push_back({titleOf(static_cast<Group>(group)), {}});
+    if (m_pca.components() == 0)
+        return;
+    const Size canvas = canvasFor(request, settings);
+    m_components = Image(canvas, m_pca.components());
+    m_check();
+    m_image = Image(canvas, request.channels());
+    m_check();
+    m_result = Image(canvas, request.channels());
 }
 
 Synthesis Synthesizer::run() {
@@ -89,9 +97,9 @@ Synthesis Synthesizer::run() {
         iterate(sweep, iteration);
     m_context.stage(0.02, TR("Measuring the result"));
     Synthesis result;
-    addFigures(measured(m_image, m_components, sweep), result);
-    m_image.shrink(m_request.size);
-    result.image = std::move(m_image);
+    addFigures(measured(m_result, m_components, sweep), result);
+    m_result.shrink(m_request.size);
+    result.image = std::move(m_result);
     result.curves = std::move(m_curves);
     m_context.progress(1);
     return result;
@@ -176,16 +184,13 @@ Synthesis Synthesizer::constant() const {
 
 /// Beyond the output an initial image goes on as its mirror image, which has no jump.
 void Synthesizer::start() {
-    m_image = Image(canvasFor(m_request, m_settings), m_request.channels());
-    m_check();
-    m_components = Image(m_image.size(), m_pca.components());
     if (m_request.initial) {
         const Image& initial = *m_request.initial;
         overRows(m_image.height(), [&](int first, int last) {
             for (int c = 0; c < initial.channels(); ++c)
                 for (int y = first; y < last; ++y)
                     for (int x = 0; x < m_image.width(); ++x)
-                        m_image(x, y, c) =
+                        m_image(x, y, c) = m_result(x, y, c) =
                             initial(mirrored(x, initial.width()), mirrored(y, initial.height()), c);
         });
         return;
@@ -198,11 +203,12 @@ void Synthesizer::start() {
                     m_components(x, y, c) =
                         static_cast<float>(m_context.random().normal(x, y, static_cast<std::uint32_t>(c)));
         m_pca.unproject(m_components, means, first, last, m_image);
+        m_pca.unproject(m_components, means, first, last, m_result);
     });
 }
 
 void Synthesizer::iterate(Sweep& sweep, int iteration) {
-    m_context.preview(m_image.view().crop(0, 0, m_request.size));
+    m_context.preview(m_result.view().crop(0, 0, m_request.size));
     project(m_image, m_components);
     Statistics measured =
         sweep.run(m_components, &m_wanted, [&](double share, const std::vector<PlaneView>& planes) {
@@ -214,10 +220,27 @@ void Synthesizer::iterate(Sweep& sweep, int iteration) {
     overRows(m_image.height(),
              [&](int first, int last) { m_pca.unproject(m_components, means, first, last, m_image); });
     shapeChannels(measured);
+    stepOn();
     const Deviations left = deviations(measured, m_wanted);
     for (std::size_t group = 0; group < kGroups; ++group)
         m_curves[group].values.push_back(left[group]);
     m_context.progress((iteration + 1.0) / m_settings.iterations);
+}
+
+/// Goes on from the result the way that the iteration went, as the authors' code does.
+void Synthesizer::stepOn() {
+    const auto share = static_cast<float>(m_settings.momentum);
+    overRows(m_image.height(), [&](int first, int last) {
+        for (int c = 0; c < m_image.channels(); ++c)
+            for (int y = first; y < last; ++y) {
+                float *ahead = m_image.plane(c).row(y), *result = m_result.plane(c).row(y);
+                for (int x = 0; x < m_image.width(); ++x) {
+                    const float now = ahead[x];
+                    ahead[x] += share * (now - result[x]);
+                    result[x] = now;
+                }
+            }
+    });
 }
 
 void Synthesizer::shapeComponents(Statistics& measured) {

@@ -31,6 +31,7 @@ private:
     void iterate(Sweep& sweep, int iteration);
     void shapeComponents(Statistics& measured);
     void decorrelate();
+    void stepOn();
     void shapeChannels(Statistics& measured);
     void show(int iteration, double share, const std::vector<PlaneView>& components);
     void addFigures(const Statistics& result, Synthesis& synthesis) const;
@@ -49,6 +50,7 @@ private:
     std::vector<int> m_reaches;
     Statistics m_wanted;
     Image m_image, m_components; ///< channels and components of the canvas
+    Image m_result;              ///< of the last iteration; m_image is a step ahead of it
     std::vector<Curve> m_curves;
 };
 

@@ -52,7 +52,8 @@ double deviation(const Synthesis& synthesis, Group group) {
     return figure(synthesis, "Deviation, " + titleOf(group));
 }
 
-/// Overlapping discs of random size and brightness, which wrap: many small edges, as in gravel.
+/// Overlapping discs of random size and brightness, which wrap, under some grain: many small edges, as in
+/// gravel.
 Image gravel(Size size, int channels, std::uint64_t seed) {
     const Random random(seed);
     Image image = constant(size, channels, 0.5F);
@@ -72,6 +73,11 @@ Image gravel(Size size, int channels, std::uint64_t seed) {
                               c) = shade;
         }
     }
+    const Image grain = noise(size, channels, seed + 1);
+    for (int c = 0; c < channels; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                image(x, y, c) += 0.4F * grain(x, y, c);
     return image;
 }
 
