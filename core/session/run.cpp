@@ -58,11 +58,12 @@ std::shared_ptr<const Image> withMeans(const Image& initial, const Image& exempl
     if (initial.channels() >= exemplar.channels())
         return std::make_shared<const Image>(initial);
     Image missing(initial.size(), exemplar.channels() - initial.channels());
-    const std::vector<double> means = channelMeans(exemplar);
+    const std::vector<double> means =
+        channelMeans(exemplar.view().channelRange(initial.channels(), missing.channels()));
     for (int c = 0; c < missing.channels(); ++c)
         for (int y = 0; y < missing.height(); ++y)
             std::fill_n(missing.plane(c).row(y), missing.width(),
-                        static_cast<float>(means[static_cast<std::size_t>(initial.channels() + c)]));
+                        static_cast<float>(means[static_cast<std::size_t>(c)]));
     const std::array<ImageView, 2> parts = {initial, missing};
     return std::make_shared<const Image>(stacked(parts));
 }

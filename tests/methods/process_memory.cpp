@@ -9,7 +9,8 @@
 namespace texloom::test {
 
 std::optional<std::uint64_t> peakGrowth(const std::function<void()>& work) {
-    // Large blocks go back to the system when they are freed, and are not taken from what an earlier run left.
+    // Large blocks go back to the system when they are freed, and are not taken from what an earlier run
+    // left.
     ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
     ::malloc_trim(0);
     std::ofstream reset("/proc/self/clear_refs");

@@ -56,7 +56,7 @@ ExemplarScales exemplarScales(const Exemplar& exemplar, int scales, const std::f
 }
 
 ScaleSampler::ScaleSampler(const std::vector<ExemplarScales>& exemplars, int scale, const Settings& settings,
-                           Size size, Wrap wrap, Image low, JobContext& context)
+                           Size size, Wrap wrap, const Image& low, JobContext& context)
     : m_scale(scale), m_settings(settings), m_context(context),
       m_canvas(size, wrap, exemplars.front().front().image.channels(), settings.patch,
                settings.overlapPixels()),

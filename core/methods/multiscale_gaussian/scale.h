@@ -35,7 +35,7 @@ public:
     /// @param scale 0 is the finest. @param size of the output at this scale. @param low v_k, the coarser
     /// scale's result zoomed in; empty at the coarsest scale.
     ScaleSampler(const std::vector<ExemplarScales>& exemplars, int scale, const Settings& settings, Size size,
-                 Wrap wrap, Image low, JobContext& context);
+                 Wrap wrap, const Image& low, JobContext& context);
 
     int patches() const { return m_canvas.grid().count(); }
     Image run();

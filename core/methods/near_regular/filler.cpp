@@ -88,9 +88,8 @@ void Filler::readBorder(const Gap& gap, Workspace& work) const {
     const int patch = m_layout.patch();
     const Overlap border = borderOf(gap.cell);
     const Point at = corner(gap.cell);
-    const auto& [column, row] = gap.cell;
     const auto shift = [&](int right, int down) {
-        const Cell cell{column + right, row + down};
+        const Cell cell{gap.cell.column + right, gap.cell.row + down};
         return shiftOf(cell, m_sampler.drawn(cell));
     };
     const Shift left = shift(-1, 0), right = shift(1, 0), top = shift(0, -1), bottom = shift(0, 1);
@@ -104,10 +103,10 @@ void Filler::readBorder(const Gap& gap, Workspace& work) const {
                 continue;
             const Cell from =
                 m_layout.sampledAt(at.x + x, at.y + y, {columns[static_cast<std::size_t>(x)], ownRow});
-            const Shift& by = from.column < column   ? left
-                              : from.column > column ? right
-                              : from.row < row       ? top
-                                                     : bottom;
+            const Shift& by = from.column < gap.cell.column   ? left
+                              : from.column > gap.cell.column ? right
+                              : from.row < gap.cell.row       ? top
+                                                              : bottom;
             for (int c = 0; c < m_plan.exemplar.channels; ++c)
                 work.known(x, y, c) = m_plan.exemplar(at.x + x + by.x, at.y + y + by.y, c);
         }

@@ -2,6 +2,7 @@
 
 #include "core/image/size.h"
 
+#include <utility>
 #include <vector>
 
 namespace texloom::near_regular {
@@ -38,7 +39,10 @@ struct Cell {
     int column = 0, row = 0;
 
     bool sampled() const { return ((column + row) & 1) == 0; }
-    friend auto operator<=>(const Cell&, const Cell&) = default;
+    friend bool operator==(const Cell&, const Cell&) = default;
+    friend bool operator<(const Cell& a, const Cell& b) {
+        return std::pair(a.column, a.row) < std::pair(b.column, b.row);
+    }
 };
 
 /// All blocks of an output, and the patches that fill them: squares of one side, which reach beyond the block
