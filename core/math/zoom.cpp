@@ -107,8 +107,7 @@ Image blurredRows(const ImageView& image, const std::vector<float>& kernel, bool
         for (int y = 0; y < image.height; ++y) {
             check();
             for (int x = -reach; x < image.width + reach; ++x)
-                padded.data()[x + reach] =
-                    image.plane(c).row(y)[reflected(x, image.width, wraps)];
+                padded.data()[x + reach] = image.plane(c).row(y)[reflected(x, image.width, wraps)];
             convolveRow(padded.data(), kernel, soft.plane(c).row(y), image.width);
         }
     return soft;

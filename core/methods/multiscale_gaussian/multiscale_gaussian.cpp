@@ -93,7 +93,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
         Image low;
         if (scale + 1 < settings.scales)
             low = zoomedIn(coarser, size, request.wrap, check);
-        ScaleSampler sampler(exemplars, scale, settings, size, request.wrap, std::move(low), context);
+        ScaleSampler sampler(exemplars, scale, settings, size, request.wrap, low, context);
         patches += sampler.patches();
         coarser = sampler.run();
     }
