@@ -100,12 +100,17 @@ void check(const Request& request, const Settings& settings) {
     checkPatchRequest(request, settings.patch);
 }
 
+/// What sorting and moving the mass of one patch's lines takes on a thread, with room for the allocator's
+/// own.
+constexpr std::uint64_t kScratchBytes = 4ULL << 20;
+
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const int overlap = settings.overlapPixels();
     Estimate need;
     need.bytes =
         PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads);
+        patchSearchBytes(request, settings.patch, threads) +
+        static_cast<std::uint64_t>(threads) * kScratchBytes;
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
                    patchSearchSeconds(request) * 1.5;
     addEstimatedMap(request, need.bytes, need.seconds);
