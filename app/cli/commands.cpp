@@ -308,29 +308,35 @@ void listMethods(const std::string& id, bool json) {
             printPreset(preset);
 }
 
-void synth(const SynthOptions& options) {
-    RunInput input = inputFor(options);
-    input.threads = options.out.threads;
-    execute(planRun(input, memoryLimit(options.out), true), input.exemplars.front().image, options.out);
-}
-
-void runRecipe(const RunOptions& options) {
-    RunInput input = loadRecipe(readRecipe(options.recipe), [](const fs::path& file) {
+RunInput loadAndWarn(const Recipe& recipe) {
+    return loadRecipe(recipe, [](const fs::path& file) {
         fmt::print(messages(),
                    "texloom-cli: {} is not the file that the recipe was made with; the result will differ.\n",
                    file.string());
     });
-    input.threads = options.out.threads;
-    RunPlan plan = planRun(input, memoryLimit(options.out), true);
+}
+
+void runInput(RunInput input, const OutputOptions& out) {
+    input.threads = out.threads;
+    execute(planRun(input, memoryLimit(out), true), input.exemplars.front().image, out);
+}
+
+void synth(const SynthOptions& options) {
+    runInput(inputFor(options), options.out);
+}
+
+void runRecipe(const RunOptions& options) {
+    RunInput input = loadAndWarn(readRecipe(options.recipe));
     OutputOptions out = options.out;
     if (out.output.empty()) {
+        input.threads = out.threads;
         Result unnamed;
-        unnamed.plan = plan;
+        unnamed.plan = planRun(input, memoryLimit(out), true);
         out.output = unnamed.fileName() + ".png";
         if (fs::exists(out.output))
             fail("{} is there already; name the output with -o.", out.output.string());
     }
-    execute(std::move(plan), input.exemplars.front().image, out);
+    runInput(std::move(input), out);
 }
 
 void applyMap(const ApplyOptions& options) {

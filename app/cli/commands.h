@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/session/run.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -54,6 +56,11 @@ struct LatticeOptions {
     std::filesystem::path picture; ///< file for the autocorrelation, or empty
     bool json = false;
 };
+
+/// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
+void runInput(RunInput input, const OutputOptions& out);
+/// loadRecipe() that tells of files that have changed.
+RunInput loadAndWarn(const Recipe& recipe);
 
 /// Each does one command. @throws Error, UsageError, Cancelled
 void listMethods(const std::string& id, bool json);

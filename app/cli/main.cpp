@@ -1,4 +1,5 @@
 #include "app/cli/analyze_statistics.h"
+#include "app/cli/batch_command.h"
 #include "app/cli/blend_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
@@ -135,6 +136,7 @@ int run(int argc, char** argv) {
     addMethods(app);
     addSynth(app);
     addRun(app);
+    cli::addBatch(app);
     addApply(app);
     cli::addBlend(app);
     addAnalyze(app);
@@ -143,9 +145,9 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return complain(
-                "Name a command: methods, synth, run, apply, blend or analyze. See texloom-cli --help.",
-                Usage);
+            return complain("Name a command: methods, synth, run, batch, apply, blend or analyze. See "
+                            "texloom-cli --help.",
+                            Usage);
         return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)

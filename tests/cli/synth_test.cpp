@@ -57,7 +57,7 @@ TEST_F(Cli, SaysItsVersion) {
 
 TEST_F(Cli, ExplainsItselfInHelp) {
     const std::string help = run({"--help"});
-    for (const char* command : {"methods", "synth", "run", "apply", "blend", "analyze"})
+    for (const char* command : {"methods", "synth", "run", "batch", "apply", "blend", "analyze"})
         EXPECT_THAT(help, HasSubstr(command));
     EXPECT_THAT(run({"synth", "--help"}), HasSubstr("--wrap"));
 }

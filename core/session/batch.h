@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/io/recipe.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texloom {
+
+/// One run of a batch: a recipe and the files to write.
+struct BatchItem {
+    Recipe recipe;
+    std::string problem; ///< why there is no recipe, in one sentence; empty if there is one
+    std::string cell;    ///< "patch=32, seed=7": the place in its sweep, or empty
+    std::filesystem::path output;
+    std::vector<std::filesystem::path> maps;
+    std::filesystem::path report; ///< or empty
+    std::string depth;            ///< "8", "16", "half", "float", or empty for the exemplar's
+    std::string space;            ///< or empty for what the format's users expect
+    bool sidecar = true;
+
+    /// "run 3 (patch=32, seed=7)" for messages. @param number from 1 in the whole batch.
+    std::string label(std::size_t number) const;
+};
+
+/// Many recipes in one file, in their order. The JSON text is
+/// `{"batch": 1, "runs": [{"recipe": …, "output": …, "sweep": {…}, "seeds": "held", …}]}`: a recipe is a
+/// file's name or stands there whole; names of outputs are templates (see expandName()) of $name, $method,
+/// $seed, $w, $h, $size, $index and each swept word; a sweep gives lists of values to parameters ("patch", or
+/// "METHOD.name" for methods that follow), "seed" and "size", of which all combinations are made, the last
+/// one fastest; with "seeds": "varied" each combination has a seed of its own.
+struct Batch {
+    /// Version of the format that this build writes and the newest it reads.
+    static constexpr int kFormat = 1;
+
+    std::vector<BatchItem> items;
+
+    /// A recipe that cannot be read becomes its items' problem, so that the number of items depends on this
+    /// text alone.
+    /// @param folder against which relative paths are taken.
+    /// @throws UsageError that names the wrong field, or two items that would write the same file.
+    static Batch fromJson(std::string_view text, const std::filesystem::path& folder);
+};
+
+/// One of several equal shares of a batch: every count-th item, from `index` on.
+struct Shard {
+    std::size_t index = 0; ///< from 0
+    std::size_t count = 1;
+
+    bool holds(std::size_t item) const { return item % count == index; }
+    /// From "3/8". @throws UsageError
+    static Shard parse(std::string_view text);
+};
+
+} // namespace texloom

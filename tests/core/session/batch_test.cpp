@@ -1,0 +1,120 @@
+#include "core/base/error.h"
+#include "core/session/batch.h"
+#include "core/session/name_template.h"
+#include "tests/core/refusal.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+namespace texloom::test {
+
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kRecipe =
+    R"({"texloom": 1, "method": "quilting", "parameters": {"patch": 12}, "exemplars": [{"file": "bark.png"}],
+        "size": [64, 60], "seed": 5})";
+
+Batch batchOf(const std::string& runs) {
+    return Batch::fromJson(R"({"batch": 1, "runs": [)" + runs + "]}", "/data");
+}
+
+Batch sweep(const std::string& axes, const std::string& more = "") {
+    return batchOf(R"({"recipe": )" + kRecipe + R"(, "output": "$name_$index.png", "sweep": )" + axes + more +
+                   "}");
+}
+
+} // namespace
+
+TEST(NameTemplate, ExpandsWordsAndDropsEmptyOnes) {
+    const NameWords words = {{"name", "bark"}, {"map", ""}, {"w", "512"}, {"quilting.patch", "32"}};
+    EXPECT_EQ(expandName("$name_$map_$w", words), "bark_512");
+    EXPECT_EQ(expandName("${name}s-${quilting.patch}$$", words), "barks-32$");
+    EXPECT_EQ(expandName("$name_$map", words), "bark");
+    EXPECT_THAT([&] { expandName("$nam", words); }, usageRefusal("$name"));
+    EXPECT_THAT([&] { expandName("50$", words); }, usageRefusal("$$"));
+    EXPECT_THAT([&] { expandName("${name", words); }, usageRefusal("$$"));
+}
+
+TEST(Batch, ReadsARecipeWithItsOutputs) {
+    const Batch batch = batchOf(R"({"recipe": )" + kRecipe +
+                                R"(, "output": "out/$name_$method_s$seed_$size.tif", "maps": ["$name.exr"],
+                                    "report": "$index.json", "depth": "16", "sidecar": false})");
+    ASSERT_EQ(batch.items.size(), 1U);
+    const BatchItem& item = batch.items.front();
+    EXPECT_EQ(item.problem, "");
+    EXPECT_EQ(item.output, "/data/out/bark_quilting_s5_64x60.tif");
+    EXPECT_EQ(item.maps.front(), "/data/bark.exr");
+    EXPECT_EQ(item.report, "/data/1.json");
+    EXPECT_EQ(item.depth, "16");
+    EXPECT_FALSE(item.sidecar);
+    EXPECT_EQ(item.recipe.exemplars.front().image.path, "/data/bark.png");
+}
+
+TEST(Batch, SweepsThroughEveryCombination) {
+    const Batch batch = sweep(R"({"patch": [8, 16], "stitch": ["cut", "smooth-cut"], "size": [[32, 32]]})");
+    ASSERT_EQ(batch.items.size(), 4U);
+    std::set<std::string> cells;
+    for (const BatchItem& item : batch.items) {
+        EXPECT_EQ(item.problem, "");
+        EXPECT_EQ(item.recipe.seed, 5U);
+        EXPECT_EQ(item.recipe.size, (Size{32, 32}));
+        cells.insert(item.cell);
+    }
+    EXPECT_EQ(cells.size(), 4U);
+    EXPECT_EQ(batch.items[1].cell, "patch=8, stitch=smooth-cut, size=32x32");
+    EXPECT_EQ(std::get<int>(batch.items[2].recipe.parameters.at("patch")), 16);
+}
+
+TEST(Batch, VariesTheSeedsOfASweepWhenAsked) {
+    const Batch batch = sweep(R"({"patch": [8, 16, 24]})", R"(, "seeds": "varied")");
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(batch.items[i].recipe.seed, 5 + i);
+}
+
+TEST(Batch, ABrokenRunIsItsOwnProblem) {
+    const Batch batch = batchOf(R"({"recipe": "missing.json", "output": "a.png", "sweep": {"patch": [1, 2]}},
+                                   {"recipe": )" +
+                                kRecipe + R"(, "output": "b.png"})");
+    ASSERT_EQ(batch.items.size(), 3U);
+    EXPECT_THAT(batch.items[1].problem, HasSubstr("missing.json"));
+    EXPECT_EQ(batch.items[2].problem, "");
+    EXPECT_THAT(sweep(R"({"patch": [8, 9999]})").items[1].problem, HasSubstr("9999"));
+    EXPECT_THAT(sweep(R"({"pitch": [8]})").items[0].problem, HasSubstr("patch"));
+}
+
+TEST(Batch, RefusesWhatCannotBeMeant) {
+    EXPECT_THAT([] { Batch::fromJson("[]", "/"); }, usageRefusal("object"));
+    EXPECT_THAT([] { Batch::fromJson(R"({"batch": 2, "runs": []})", "/"); }, usageRefusal("newer"));
+    EXPECT_THAT([] { batchOf(R"({"recipe": "a.json", "output": "a.png", "sweeps": {}})"); },
+                usageRefusal("sweeps"));
+    EXPECT_THAT([] { sweep(R"({"patch": []})"); }, usageRefusal("patch"));
+    EXPECT_THAT([] { sweep(R"({"patch": [8]})", R"(, "seeds": "random")"); }, usageRefusal("varied"));
+    EXPECT_THAT(
+        [] { batchOf(R"({"recipe": )" + kRecipe + R"(, "output": "a.png", "sweep": {"patch": [8, 9]}})"); },
+        usageRefusal("both write /data/a.png"));
+    std::string many = "[0";
+    for (int i = 1; i < 400; ++i)
+        many += "," + std::to_string(i);
+    EXPECT_THAT([&] { sweep(R"({"patch": )" + many + R"(], "seed": )" + many + "]}"); },
+                usageRefusal("100,000"));
+}
+
+TEST(Shard, PartitionsEveryBatchExactly) {
+    for (const std::size_t items : {1U, 7U, 24U})
+        for (const std::size_t count : {1U, 2U, 5U, 30U}) {
+            std::vector<int> taken(items, 0);
+            for (std::size_t i = 1; i <= count; ++i) {
+                const Shard shard = Shard::parse(std::to_string(i) + "/" + std::to_string(count));
+                for (std::size_t item = 0; item < items; ++item)
+                    taken[item] += shard.holds(item) ? 1 : 0;
+            }
+            EXPECT_EQ(taken, std::vector<int>(items, 1));
+        }
+    for (const char* text : {"", "3", "0/4", "5/4", "1/0", "-1/4", "1/4x", "a/b"})
+        EXPECT_THROW(Shard::parse(text), UsageError) << text;
+}
+
+} // namespace texloom::test
