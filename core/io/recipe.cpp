@@ -4,6 +4,8 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/color/color_pipeline.h"
+#include "core/image/map_role.h"
+#include "core/io/edit_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 
@@ -25,6 +27,8 @@ Json fileJson(const RecipeFile& file, const fs::path& folder) {
                  {"space", file.space}};
     if (!file.hash.empty())
         json["sha1"] = file.hash;
+    if (!file.role.empty())
+        json["role"] = file.role;
     return json;
 }
 
@@ -39,6 +43,9 @@ RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
     if (!file.space.empty())
         color::findSpace(file.space);
     file.hash = field.has("sha1") ? field.at("sha1").text() : "";
+    file.role = field.has("role") ? field.at("role").text() : "";
+    if (!file.role.empty())
+        mapRoleFrom(file.role);
     return file;
 }
 
@@ -48,13 +55,15 @@ Json exemplarJson(const RecipeExemplar& exemplar, const fs::path& folder) {
         json["mask"] = fileJson(*exemplar.mask, folder);
     for (const RecipeFile& companion : exemplar.companions)
         json["companions"].push_back(fileJson(companion, folder));
+    if (!exemplar.edits.empty())
+        json["edits"] = texloom::toJson(exemplar.edits);
     return json;
 }
 
 RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
     RecipeExemplar exemplar;
     exemplar.image = fileFrom(field, folder);
-    field.only({"file", "space", "sha1", "mask", "companions"});
+    field.only({"file", "space", "sha1", "mask", "companions", "edits"});
     if (field.has("mask"))
         exemplar.mask = fileFrom(field.at("mask"), folder);
     if (field.has("companions")) {
@@ -63,6 +72,8 @@ RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
         for (std::size_t i = 0; i < companions.size(); ++i)
             exemplar.companions.push_back(fileFrom(companions.at(i), folder));
     }
+    if (field.has("edits"))
+        exemplar.edits = editsFrom(field.at("edits"));
     return exemplar;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/value.h"
+#include "core/image/exemplar_edit.h"
 #include "core/image/size.h"
 
 #include <cstdint>
@@ -20,12 +21,15 @@ struct RecipeFile {
         path;          ///< absolute in memory; relative to the recipe's folder in JSON where that is possible
     std::string space; ///< id of the colour space that its values are in; "raw" for data
     std::string hash;  ///< SHA-1 of its bytes, or empty
+    /// Of companion maps, the id of what they hold; empty: as the file's name says.
+    std::string role = {};
 };
 
 struct RecipeExemplar {
     RecipeFile image;
     std::optional<RecipeFile> mask;
     std::vector<RecipeFile> companions;
+    ExemplarEdits edits = {}; ///< made in order, on mask and companions, too
 };
 
 /// A method that takes up what the one before it made.

@@ -11,6 +11,7 @@ namespace {
 ExemplarFile load(const std::filesystem::path& path, const std::string& space) {
     LoadedImage loaded = readImage(path);
     ExemplarFile file{path, space.empty() ? loaded.info.space : space, fileHash(path), loaded.info, nullptr};
+    file.role = mapNameFrom(file.name()).role;
     color::toWorking(loaded.image, file.space);
     file.image = std::make_shared<const Image>(std::move(loaded.image));
     return file;

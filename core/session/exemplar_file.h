@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/image/map_role.h"
 #include "core/io/image_file.h"
 #include "core/methods/synthesis.h"
 
@@ -16,6 +17,7 @@ struct ExemplarFile {
     std::string hash;
     ImageFileInfo info;
     std::shared_ptr<const Image> image;
+    MapRole role = MapRole::Other; ///< what the file's name says that it holds, or the user
 
     /// File name without its extension, as labels show it.
     std::string name() const { return path.stem().string(); }

@@ -5,6 +5,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/image/normal_map.h"
+#include "core/session/edited_exemplar.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +20,11 @@ namespace texloom {
 namespace {
 
 RecipeFile recipeFile(const ExemplarFile& file) {
-    return {file.path, file.space, file.hash};
+    return {file.path, file.space, file.hash, {}};
+}
+
+RecipeFile companionFile(const ExemplarFile& file) {
+    return {file.path, file.space, file.hash, std::string(mapRoleId(file.role))};
 }
 
 Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
@@ -38,7 +44,8 @@ Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
         if (exemplar.mask)
             entry.mask = recipeFile(*exemplar.mask);
         for (const ExemplarFile& companion : exemplar.companions)
-            entry.companions.push_back(recipeFile(companion));
+            entry.companions.push_back(companionFile(companion));
+        entry.edits = exemplar.edits;
     }
     if (input.initial)
         recipe.initial = recipeFile(*input.initial);
@@ -95,11 +102,7 @@ void checkCompanions(const RunInput& input) {
                       input.exemplars.front().image.name(), count, exemplar.image.name(),
                       exemplar.companions.size());
         for (const ExemplarFile& companion : exemplar.companions)
-            if (companion.image->size() != exemplar.image.image->size())
-                failUsage("The companion {} is {} × {} px, but {} is {} × {} px; they must be alike.",
-                          companion.name(), companion.info.size.width, companion.info.size.height,
-                          exemplar.image.name(), exemplar.image.info.size.width,
-                          exemplar.image.info.size.height);
+            checkSizeLike(exemplar.image, companion, "companion");
     }
 }
 
@@ -168,6 +171,8 @@ void unstack(Result& result, const RunPlan& plan) {
     result.synthesis.image = Image(made.view().channelRange(0, first));
     for (const ExemplarFile& companion : plan.companions.front()) {
         result.companions.emplace_back(made.view().channelRange(first, companion.image->channels()));
+        if (isNormal(companion.role)) // methods blend vectors as they blend colours
+            renormalize(result.companions.back());
         first += companion.image->channels();
     }
 }
@@ -276,8 +281,12 @@ RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::fi
         exemplar.image = loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space), changed);
         if (entry.mask)
             exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path), changed);
-        for (const RecipeFile& companion : entry.companions)
+        for (const RecipeFile& companion : entry.companions) {
             exemplar.companions.push_back(loadNamed(companion, loadData(companion.path), changed));
+            if (!companion.role.empty())
+                exemplar.companions.back().role = mapRoleFrom(companion.role);
+        }
+        exemplar = edited(exemplar, entry.edits);
     }
     if (recipe.initial)
         input.initial =

@@ -18,6 +18,8 @@ struct RunExemplar {
     ExemplarFile image;
     std::optional<ExemplarFile> mask;
     std::vector<ExemplarFile> companions; ///< of the exemplar's size; they get the result's layout
+    /// What was done to the files' pixels to make the images here; see edited().
+    ExemplarEdits edits = {};
 };
 
 /// What someone asked for.

@@ -3,6 +3,7 @@
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
 #include "core/io/recipe.h"
+#include "core/session/batch.h"
 #include "tests/fuzz/damage.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"
@@ -165,6 +166,8 @@ TEST(Fuzz, RecipesAreReadOrRefused) {
     recipe.method = "quilting";
     recipe.parameters = {{"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
     recipe.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, RecipeFile{"/a/mask.png", "raw", ""}, {}}};
+    recipe.exemplars.front().edits = {CropEdit{{1, 2, {30, 40}}}, RotateEdit{-12.5},
+                                      RectifyEdit{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}}, {}}, FlattenEdit{}};
     recipe.size = {512, 256};
     recipe.seed = 18446744073709551615ULL;
     const std::vector<std::string> originals = {
@@ -172,6 +175,14 @@ TEST(Fuzz, RecipesAreReadOrRefused) {
         R"([[[{"a":[1e400,"\ud800",null]}]]])"};
     fuzz("recipe", originals, 20 * iterations(),
          [&](const std::string& text) { Recipe::fromJson(text, "/a"); });
+}
+
+TEST(Fuzz, BatchesAreReadOrRefused) {
+    const std::vector<std::string> originals = {
+        R"({"batch":1,"runs":[{"recipe":{"texloom":1,"method":"quilting","exemplars":[{"file":"a"}],"size":[9,9]},
+            "output":"$name_${patch}_$w.png","sweep":{"patch":[8,12],"seed":[1,2]},"seeds":"varied"}]})",
+        R"({"batch":1,"runs":[{"recipe":"gone.json","output":"${a}$$.png","maps":["m.exr"],"depth":"half"}]})"};
+    fuzz("batch", originals, 10 * iterations(), [](const std::string& text) { Batch::fromJson(text, "/a"); });
 }
 
 TEST(Fuzz, RecipesInFilesAreReadOrRefused) {

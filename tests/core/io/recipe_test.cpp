@@ -28,7 +28,14 @@ Recipe fullRecipe() {
     bark.image = {"/project/images/bark ü.png", "srgb", "A0B1"};
     bark.mask = RecipeFile{"/project/recipes/mask.png", "raw", "C2"};
     bark.companions = {{"/project/images/bark_normal.png", "raw", "D3"},
-                       {"/elsewhere/height.exr", "raw", ""}};
+                       {"/elsewhere/height.exr", "raw", "", "height"}};
+    bark.edits = {CropEdit{{1, 2, {30, 40}}},
+                  RotateEdit{-12.5},
+                  FlipEdit{FlipEdit::Axis::Vertical},
+                  RectifyEdit{{{{0.5, 1}, {20, 0}, {21, 30.25}, {0, 31}}}, {64, 128}},
+                  RectifyEdit{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}}, {}},
+                  FlattenEdit{FlattenEdit::Model::Smooth, 0.125, 2, 0.75},
+                  FlattenEdit{FlattenEdit::Model::Polynomial, 0.25, 3, 1}};
     RecipeExemplar moss;
     moss.image = {"/project/images/moss.exr", "linear", ""};
     recipe.exemplars = {bark, moss};
@@ -44,6 +51,7 @@ void expectSame(const RecipeFile& a, const RecipeFile& b) {
     EXPECT_EQ(a.path, b.path);
     EXPECT_EQ(a.space, b.space);
     EXPECT_EQ(a.hash, b.hash);
+    EXPECT_EQ(a.role, b.role);
 }
 
 void expectSame(const Recipe& a, const Recipe& b) {
@@ -65,6 +73,7 @@ void expectSame(const Recipe& a, const Recipe& b) {
         ASSERT_EQ(a.exemplars[i].mask.has_value(), b.exemplars[i].mask.has_value());
         if (a.exemplars[i].mask)
             expectSame(*a.exemplars[i].mask, *b.exemplars[i].mask);
+        EXPECT_EQ(a.exemplars[i].edits, b.exemplars[i].edits);
         ASSERT_EQ(a.exemplars[i].companions.size(), b.exemplars[i].companions.size());
         for (std::size_t k = 0; k < a.exemplars[i].companions.size(); ++k)
             expectSame(a.exemplars[i].companions[k], b.exemplars[i].companions[k]);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace texloom {
+
+/// What a picture of a material holds.
+enum class MapRole {
+    Other,
+    Color,
+    NormalGl, ///< a normal map whose green points up, as OpenGL, Blender and Unity have it
+    NormalDx, ///< one whose green points down, as DirectX and Unreal have it
+    Roughness,
+    Metallic,
+    Occlusion,
+    Opacity,
+    Height,
+};
+
+inline bool isNormal(MapRole role) {
+    return role == MapRole::NormalGl || role == MapRole::NormalDx;
+}
+
+struct MapRoleInfo {
+    MapRole role;
+    std::string id;    ///< kebab-case, as recipes write it
+    std::string title; ///< as the window shows it
+};
+
+/// All of them, in the order of the enumeration.
+const std::vector<MapRoleInfo>& mapRoles();
+std::string_view mapRoleId(MapRole role);
+/// @throws UsageError that lists the known ids.
+MapRole mapRoleFrom(std::string_view id);
+
+/// A file's name (without its extension) taken apart by the suffixes that libraries of materials use, in any
+/// case: "Bark_NORMAL-dx" is "Bark" with a normal map of DirectX.
+struct MapName {
+    std::string base;
+    MapRole role = MapRole::Other;
+};
+MapName mapNameFrom(const std::string& stem);
+
+} // namespace texloom
