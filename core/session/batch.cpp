@@ -51,7 +51,7 @@ std::string textOr(const JsonField& field, const std::string& key, const std::st
 }
 
 std::string choiceOr(const JsonField& field, const std::string& key, const std::vector<std::string>& known) {
-    const std::string text = textOr(field, key, known.front());
+    std::string text = textOr(field, key, known.front());
     if (std::find(known.begin(), known.end(), text) == known.end())
         field.at(key).wrong(fmt::format("one of {}", listText({known.begin(), known.end()})));
     return text;
