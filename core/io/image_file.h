@@ -36,6 +36,7 @@ enum class Depth { Bits8, Bits16, Half, Float };
 struct WriteOptions {
     Depth depth = Depth::Bits8;
     std::string space = "srgb"; ///< written into the file's metadata; the pixels are not converted
+    bool compressed = true;     ///< without loss; only a TIFF can do without, which is much quicker
     std::string recipe;         ///< embedded in PNG, EXR and, up to 64 KiB, TIFF; empty for none
     /// Further text attributes by name, such as "texloom:exemplars".
     std::vector<std::pair<std::string, std::string>> attributes;

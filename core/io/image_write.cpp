@@ -94,7 +94,7 @@ OIIO::ImageSpec specFor(Size size, int channels, const Format& format, const Wri
     if (format.name == "openexr")
         spec.attribute("compression", "zip");
     if (format.name == "tiff")
-        spec.attribute("compression", "zip");
+        spec.attribute("compression", options.compressed ? "zip" : "none");
     const bool fits = format.name != "tiff" || options.recipe.size() < kLongestTiffText;
     if (!options.recipe.empty() && fits)
         spec.attribute(format.name == "tiff" ? "ImageDescription" : "texloom:recipe", options.recipe);

@@ -257,6 +257,10 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     return plan;
 }
 
+void checkMemory(const RunPlan& plan) {
+    checkMemory(plan.estimate, plan.request, availableMemory());
+}
+
 RunPlan RunPlan::strip(int y) const {
     const Region part = request.part();
     RunPlan one = *this;
