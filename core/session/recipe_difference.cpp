@@ -108,12 +108,31 @@ std::string wrapText(Wrap wrap) {
     return wrap.x && wrap.y ? "X, Y" : wrap.x ? "X" : wrap.y ? "Y" : "–";
 }
 
+/// How many edits each exemplar has had.
+std::string editsText(const Recipe& recipe) {
+    std::vector<std::string> counts;
+    for (const RecipeExemplar& exemplar : recipe.exemplars)
+        counts.push_back(std::to_string(exemplar.edits.size()));
+    return listText(counts);
+}
+
+bool sameEdits(const Recipe& first, const Recipe& second) {
+    return std::equal(first.exemplars.begin(), first.exemplars.end(), second.exemplars.begin(),
+                      second.exemplars.end(),
+                      [](const RecipeExemplar& a, const RecipeExemplar& b) { return a.edits == b.edits; });
+}
+
 } // namespace
 
 std::vector<RecipeDifference> differences(const Recipe& first, const Recipe& second) {
     Table table;
     const bool sameNames = filesText(first, false) == filesText(second, false);
     table.add(TR("Exemplars"), filesText(first, sameNames), filesText(second, sameNames));
+    if (!sameEdits(first, second)) {
+        const std::string before = editsText(first);
+        const std::string after = editsText(second);
+        table.add(TR("Edits of exemplars"), before, before == after ? after + " (other ones)" : after);
+    }
     table.add(TR("Size"), sizeText(first.size), sizeText(second.size));
     table.add(TR("Wraps"), wrapText(first.wrap), wrapText(second.wrap));
     table.add(TR("Seed"), std::to_string(first.seed), std::to_string(second.seed));

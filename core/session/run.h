@@ -71,7 +71,8 @@ struct RunPlan {
 /// @param strips whether an output that does not fit may be made in strips instead, as exportStrips() does.
 RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0, bool strips = false);
 
-/// Checks that a plan made some time ago still fits in the memory that is free. @throws Error with the figures
+/// Checks that a plan made some time ago still fits in the memory that is free. @throws Error with the
+/// figures
 void checkMemory(const RunPlan& plan);
 
 /// Loads what a recipe names. `changed` is told of each file whose bytes are not those that the recipe was

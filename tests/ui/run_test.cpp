@@ -7,6 +7,7 @@
 #include "ui/viewers/result_view.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
+#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QDialog>
@@ -216,19 +217,41 @@ private Q_SLOTS:
         QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
     }
 
-    void aRunAskedForDuringAnotherTakesItsPlace() {
+    void aRunAskedForDuringAnotherComesNext() {
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_large));
         chooseLongRun(window);
-        QSignalSpy started(window.controller(), &RunController::started);
+        const JobQueue* const queue = window.workbench()->queue();
+        QSignalSpy started(queue, &JobQueue::started);
+        QSignalSpy changed(queue, &JobQueue::changed);
         QSignalSpy finished(window.controller(), &RunController::finished);
         window.startRun(false);
         QVERIFY(started.wait(kPatience));
         window.inspector()->output()->setOutputSize({64, 64});
+        changed.clear();
         window.startRun(false);
+        QVERIFY(changed.wait());
+        QCOMPARE(queue->waiting(), 1);
+        QVERIFY((queue->current()->plan.request.size == Size{2048, 2048}));
+        child<QAction>(window, "stop")->trigger();
         QVERIFY(finished.wait(kPatience));
         QVERIFY((window.result()->plan.request.size == Size{64, 64}));
+    }
+
+    void aQuickPreviewGivesWay() {
+        MainWindow window;
+        window.show();
+        QSignalSpy started(window.controller(), &RunController::started);
+        window.openFiles({m_large});
+        QVERIFY(started.wait(kPatience));
+        QVERIFY(window.controller()->quick());
+        QSignalSpy finished(window.controller(), &RunController::finished);
+        window.inspector()->output()->setOutputSize({64, 64});
+        window.startRun(false);
+        QVERIFY(finished.wait(kPatience));
+        QTRY_VERIFY((window.result()->plan.request.size == Size{64, 64}));
+        QVERIFY(!window.messages()->isVisible());
     }
 
     void keysWork() {

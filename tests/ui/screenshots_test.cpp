@@ -1,4 +1,6 @@
 #include "tests/ui/window_fixture.h"
+#include "ui/compare/compare_view.h"
+#include "ui/compare/wipe_viewer.h"
 #include "ui/exemplar/files.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
@@ -10,10 +12,12 @@
 #include "ui/viewers/result_view.h"
 #include "ui/window/appearance.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
 #include <QProcess>
@@ -57,6 +61,8 @@ private Q_SLOTS:
         showError(window);
         showExport(window);
         showPipeline(window);
+        showCompare(window);
+        showManyRuns(window);
     }
 
     void twiceAsManyPixels() {
@@ -137,6 +143,56 @@ private:
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
         child<QComboBox>(window, "then1")->setFocus();
         shoot(window, "pipeline");
+    }
+
+    static void showCompare(MainWindow& window) {
+        const ResultHistory* const history = window.workbench()->history();
+        const CompareView* const compare = window.workbench()->compare();
+        std::vector<std::string> keys;
+        for (const ResultEntry& entry : history->entries())
+            if (!entry.quick)
+                keys.push_back(entry.key);
+        window.workbench()->history()->setData(history->index(0), QStringLiteral("The one for the floor"),
+                                               Qt::EditRole);
+        window.workbench()->history()->setPinned(history->entries().back().key, true);
+        window.workbench()->resultPanel()->select(keys);
+        child<QAction>(window, "compareResults")->trigger();
+        QTRY_COMPARE(compare->pictures(), static_cast<int>(keys.size()) + 1);
+        shoot(window, "compare-grid");
+        child<QAction>(window, "compareWipe")->trigger();
+        window.workbench()->compare()->single()->setAngle(30);
+        window.workbench()->compare()->single()->setFocus();
+        shoot(window, "compare-wipe");
+        child<QAction>(window, "compareDifference")->trigger();
+        QTRY_VERIFY(!compare->bar()->said().isEmpty());
+        shoot(window, "compare-difference");
+        child<QAction>(window, "compareGrid")->trigger();
+        window.workbench()->resultPanel()->select({keys[0], keys[1]});
+        child<QAction>(window, "resultDifference")->trigger();
+        auto* dialog = child<QDialog>(window, "differenceDialog");
+        QVERIFY(QTest::qWaitForWindowExposed(dialog));
+        shoot(*dialog, "differences");
+        dialog->reject();
+    }
+
+    static void showManyRuns(MainWindow& window) {
+        child<QAction>(window, "sweep")->trigger();
+        auto* dialog = child<QDialog>(window, "sweepDialog");
+        QVERIFY(QTest::qWaitForWindowExposed(dialog));
+        shoot(*dialog, "sweep");
+        dialog->reject();
+        window.inspector()->output()->setOutputSize({128, 128});
+        JobQueue* const queue = window.workbench()->queue();
+        child<QDockWidget>(window, "jobDock")->raise();
+        child<QAction>(window, "tryAll")->trigger();
+        QTRY_VERIFY(queue->waiting() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(queue->waiting() <= 3, 120'000);
+        shoot(window, "try-all");
+        queue->clear();
+        window.controller()->stop();
+        QTRY_VERIFY(!window.controller()->running());
+        child<QDockWidget>(window, "logDock")->raise();
+        shoot(window, "log");
     }
 
     static void showExport(MainWindow& window) {

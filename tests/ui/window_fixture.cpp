@@ -23,6 +23,7 @@ int runTests(int argc, char** argv, const std::function<int(int, char**)>& tests
     const QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("TexloomTests"));
     QApplication::setApplicationName(QStringLiteral("texloom-tests"));
+    QSettings().setValue(QStringLiteral("results/folder"), folder.filePath(QStringLiteral("results")));
     applyAppearance(Appearance::Light);
     const int status = tests(argc, argv);
     workers().waitForDone();

@@ -20,13 +20,13 @@ QThreadPool& workers();
 /// The sentence that an exception has for the user.
 QString sentence(const std::exception& error);
 
-/// Calls `work` on a worker and then, on the GUI thread, `done` with its result, or `failed` with a sentence
-/// if it threw. Neither is called if `context` is gone by then.
+/// Calls `work` on a thread of `pool` and then, on the GUI thread, `done` with its result, or `failed` with a
+/// sentence if it threw. Neither is called if `context` is gone by then.
 template <class Work, class Done, class Failed>
-void inBackground(QObject* context, Work work, Done done, Failed failed) {
+void inBackground(QThreadPool& pool, QObject* context, Work work, Done done, Failed failed) {
     using Result = std::invoke_result_t<Work>;
-    workers().start([guard = QPointer<QObject>(context), work = std::move(work), done = std::move(done),
-                     failed = std::move(failed)]() mutable {
+    pool.start([guard = QPointer<QObject>(context), work = std::move(work), done = std::move(done),
+                failed = std::move(failed)]() mutable {
         std::shared_ptr<Result> result;
         QString error;
         try {
@@ -45,6 +45,12 @@ void inBackground(QObject* context, Work work, Done done, Failed failed) {
         };
         QMetaObject::invokeMethod(QCoreApplication::instance(), deliver, Qt::QueuedConnection);
     });
+}
+
+/// The same on one of the workers().
+template <class Work, class Done, class Failed>
+void inBackground(QObject* context, Work work, Done done, Failed failed) {
+    inBackground(workers(), context, std::move(work), std::move(done), std::move(failed));
 }
 
 } // namespace texloom::ui

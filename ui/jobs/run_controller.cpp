@@ -21,14 +21,14 @@ std::optional<double> secondsLeft(double fraction, double seconds) {
     return seconds * (1 - fraction) / fraction;
 }
 
+} // namespace
+
 QString labelOf(const RunPlan& plan) {
     return RunController::tr("%1 · seed %2 · %3")
         .arg(titleOf(plan))
         .arg(plan.request.seed)
         .arg(sizeText(plan.request.size));
 }
-
-} // namespace
 
 RunController::RunController(QObject* parent) : QObject(parent) {
     m_timer.setInterval(kPollPause);
@@ -39,27 +39,17 @@ RunController::~RunController() {
     m_job.reset();
 }
 
-void RunController::start(RunPlan plan, bool quick) {
-    Waiting next{std::move(plan), quick};
-    if (running()) {
-        m_next = std::move(next);
-        stop();
-        return;
-    }
-    begin(std::move(next));
-}
-
 void RunController::stop() {
     if (m_job)
         m_job->cancel();
 }
 
-void RunController::begin(Waiting next) {
-    m_quick = next.quick;
-    m_label = labelOf(next.plan);
-    m_size = next.plan.request.size;
+void RunController::start(RunPlan plan, bool quick) {
+    m_quick = quick;
+    m_label = labelOf(plan);
+    m_size = plan.request.size;
     const int run = ++m_run;
-    m_job = startRun(std::move(next.plan), true, [this, run] {
+    m_job = startRun(std::move(plan), true, [this, run] {
         QMetaObject::invokeMethod(
             this, [this, run] { takeOutcome(run); }, Qt::QueuedConnection);
     });
@@ -105,7 +95,6 @@ void RunController::takeOutcome(int run) {
         showPreview();
         end();
         Q_EMIT stopped(fraction);
-        startNext();
     } else if (const auto* failure = std::get_if<Failure>(&outcome)) {
         failWith(translated(failure->message));
     } else {
@@ -121,7 +110,6 @@ void RunController::finishWith(const std::shared_ptr<const Result>& result) {
         [this, result](const RunPictures& pictures) {
             end();
             Q_EMIT finished(result, pictures);
-            startNext();
         },
         [this](const QString& why) { failWith(why); });
 }
@@ -129,17 +117,11 @@ void RunController::finishWith(const std::shared_ptr<const Result>& result) {
 void RunController::failWith(const QString& why) {
     end();
     Q_EMIT failed(why);
-    startNext();
 }
 
 void RunController::end() {
     m_timer.stop();
     m_job.reset();
-}
-
-void RunController::startNext() {
-    if (m_next)
-        begin(*std::exchange(m_next, std::nullopt));
 }
 
 } // namespace texloom::ui

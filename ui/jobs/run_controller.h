@@ -20,6 +20,9 @@ struct RunProgress {
     std::optional<double> left; ///< seconds still to go, once that can be told
 };
 
+/// "Image quilting · seed 1 · 512 × 512".
+QString labelOf(const RunPlan& plan);
+
 /// Owns the run under way: starts it, looks at it on a timer, and tells the window how it goes and ends. A
 /// run goes on its own threads; destroying the controller cancels it and waits for its end.
 class RunController : public QObject {
@@ -29,7 +32,7 @@ public:
     explicit RunController(QObject* parent = nullptr);
     ~RunController() override;
 
-    /// Starts a planned run; one under way is stopped first. @param quick whether it is a preview at a small
+    /// Starts a planned run; there must be none under way. @param quick whether it is a preview at a small
     /// size.
     void start(RunPlan plan, bool quick);
     /// Asks the run to end; stopped() follows.
@@ -52,22 +55,14 @@ Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
-    struct Waiting {
-        RunPlan plan;
-        bool quick = false;
-    };
-
-    void begin(Waiting next);
     void poll();
     void showPreview();
     void takeOutcome(int run);
     void finishWith(const std::shared_ptr<const Result>& result);
     void failWith(const QString& why);
     void end();
-    void startNext();
 
     std::unique_ptr<SynthesisJob> m_job;
-    std::optional<Waiting> m_next;
     QTimer m_timer;
     QString m_label;
     Size m_size;

@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace texloom::ui {
@@ -20,7 +21,7 @@ constexpr int kBarSteps = 1000;
 
 } // namespace
 
-RunPanel::RunPanel(QAction* run, QAction* quick, QAction* stop, QWidget* parent)
+RunPanel::RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, QWidget* parent)
     : QWidget(parent), m_note(new QLabel(this)), m_stage(new QLabel(this)), m_time(new QLabel(this)),
       m_bar(new QProgressBar(this)) {
     setObjectName(QStringLiteral("runPanel"));
@@ -37,6 +38,13 @@ RunPanel::RunPanel(QAction* run, QAction* quick, QAction* stop, QWidget* parent)
         buttons->addWidget(new ActionButton(action, this), action == run ? 2 : 1);
     auto* primary = qobject_cast<QPushButton*>(buttons->itemAt(0)->widget());
     primary->setDefault(true);
+    auto* queueButton = new QToolButton(this);
+    queueButton->setObjectName(QStringLiteral("queueButton"));
+    queueButton->setDefaultAction(queue);
+    queueButton->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    queueButton->setFocusPolicy(Qt::StrongFocus);
+    queueButton->setAccessibleName(queue->text().remove(QLatin1Char('&')));
+    buttons->insertWidget(1, queueButton);
     auto* texts = new QHBoxLayout;
     texts->addWidget(m_stage, 1);
     texts->addWidget(m_time);
@@ -49,14 +57,16 @@ RunPanel::RunPanel(QAction* run, QAction* quick, QAction* stop, QWidget* parent)
     setRunning(false);
 }
 
-void RunPanel::setEstimate(const Estimate& estimate) {
-    const QString seconds =
-        estimate.seconds < 1
+void RunPanel::setEstimate(const Estimate& estimate, std::optional<double> seconds) {
+    const QString memory = QString::fromStdString(byteText(estimate.bytes));
+    if (!seconds)
+        return say(tr("Needs %1 of memory").arg(memory), {});
+    const QString time =
+        *seconds < 1
             ? tr("under 1 s")
             : tr("about %1")
-                  .arg(QString::fromStdString(
-                      durationText(estimate.seconds < 10 ? estimate.seconds : std::round(estimate.seconds))));
-    say(tr("Takes %1 · %2").arg(seconds, QString::fromStdString(byteText(estimate.bytes))), {});
+                  .arg(QString::fromStdString(durationText(*seconds < 10 ? *seconds : std::round(*seconds))));
+    say(tr("Takes %1 · %2 of memory").arg(time, memory), {});
 }
 
 void RunPanel::setRefusal(const QString& sentence) {
@@ -86,8 +96,9 @@ void RunPanel::changeEvent(QEvent* event) {
         colorNote();
 }
 
-void RunPanel::setRunning(bool running) {
-    m_note->setVisible(!running);
+void RunPanel::setRunning(bool running, int waiting) {
+    m_waiting = waiting;
+    m_note->setVisible(!running || !m_refusal.isEmpty());
     for (QWidget* shown :
          {static_cast<QWidget*>(m_bar), static_cast<QWidget*>(m_stage), static_cast<QWidget*>(m_time)})
         shown->setVisible(running);
@@ -96,7 +107,9 @@ void RunPanel::setRunning(bool running) {
 void RunPanel::showProgress(const RunProgress& progress) {
     m_bar->setValue(static_cast<int>(progress.fraction * kBarSteps));
     m_bar->setFormat(percentText(progress.fraction));
-    m_stage->setText(progress.stage);
+    const QString waiting = m_waiting > 0 ? tr("%1 waiting").arg(m_waiting) : QString();
+    const bool both = m_waiting > 0 && !progress.stage.isEmpty();
+    m_stage->setText(both ? tr("%1 · %2").arg(progress.stage, waiting) : progress.stage + waiting);
     const QString passed = QString::fromStdString(durationText(progress.seconds));
     m_time->setText(progress.left
                         ? tr("%1, %2 left").arg(passed, QString::fromStdString(durationText(*progress.left)))

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QAction;
 class QLabel;
 class QProgressBar;
@@ -17,17 +19,18 @@ class RunPanel : public QWidget {
 
 public:
     /// The actions' buttons, from left to right.
-    RunPanel(QAction* run, QAction* quick, QAction* stop, QWidget* parent = nullptr);
+    RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, QWidget* parent = nullptr);
 
-    /// "About 2 s · 120 MiB".
-    void setEstimate(const Estimate& estimate);
+    /// "Takes about 2 s · 120 MiB". @param seconds as earlier runs let expect; none if there were none.
+    void setEstimate(const Estimate& estimate, std::optional<double> seconds);
     /// Says why the run cannot start.
     void setRefusal(const QString& sentence);
     /// Says what is missing before there is anything to run.
     void setHint(const QString& text);
     /// The refusal shown; empty if the run can start.
     const QString& refusal() const { return m_refusal; }
-    void setRunning(bool running);
+    /// @param waiting number of runs that wait.
+    void setRunning(bool running, int waiting = 0);
     void showProgress(const RunProgress& progress);
 
 protected:
@@ -42,6 +45,7 @@ private:
     QLabel* m_time;
     QProgressBar* m_bar;
     QString m_refusal;
+    int m_waiting = 0;
 };
 
 } // namespace texloom::ui

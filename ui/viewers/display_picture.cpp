@@ -34,18 +34,38 @@ void writeRow(const Image& strip, int row, const ImageView& source, int y, QRgb*
     }
 }
 
-QImage render(const Image& image) {
+/// Multiplies light; alpha is not among the channels.
+void expose(Image& strip, double stops) {
+    color::fromWorking(strip, "linear");
+    const float factor = static_cast<float>(std::exp2(stops));
+    for (int c = 0; c < strip.channels(); ++c)
+        for (int y = 0; y < strip.height(); ++y)
+            for (int x = 0; x < strip.width(); ++x)
+                strip(x, y, c) *= factor;
+    color::toWorking(strip, "linear");
+}
+
+/// The channels that a look shows.
+ImageView shownPart(const Image& image, const DisplayLook& look) {
+    if (look.channel >= 0)
+        return image.view().channelRange(std::min(look.channel, image.channels() - 1), 1);
+    return image.view().channelRange(0, std::min(image.channels(), 3));
+}
+
+QImage render(const Image& image, const DisplayLook& look = {}) {
     QImage shown(image.width(), image.height(), QImage::Format_ARGB32_Premultiplied);
     if (shown.isNull())
         throw std::bad_alloc();
-    ImageView colors = image.view();
-    colors.channels = std::min(colors.channels, 3);
+    const ImageView colors = shownPart(image, look);
+    const ImageView& alpha = look.channel >= 0 ? colors : image.view();
     for (int top = 0; top < image.height(); top += kStripRows) {
         const int rows = std::min(kStripRows, image.height() - top);
         Image strip(colors.crop(0, top, {image.width(), rows}));
+        if (look.exposure != 0)
+            expose(strip, look.exposure);
         color::toDisplay(strip);
         for (int row = 0; row < rows; ++row)
-            writeRow(strip, row, image.view(), top + row, reinterpret_cast<QRgb*>(shown.scanLine(top + row)));
+            writeRow(strip, row, alpha, top + row, reinterpret_cast<QRgb*>(shown.scanLine(top + row)));
     }
     return shown;
 }
@@ -93,9 +113,10 @@ bool clearUnmade(QImage& image, const PositionMap& made) {
 
 } // namespace
 
-DisplayPicture::DisplayPicture(std::shared_ptr<const Image> values)
-    : m_values(std::move(values)), m_fullSize(m_values->size()), m_transparent(m_values->channels() == 4) {
-    m_levels.push_back(render(*m_values));
+DisplayPicture::DisplayPicture(std::shared_ptr<const Image> values, const DisplayLook& look)
+    : m_values(std::move(values)), m_fullSize(m_values->size()),
+      m_transparent(m_values->channels() == 4 && look.channel < 0) {
+    m_levels.push_back(render(*m_values, look));
     makeLevels();
 }
 

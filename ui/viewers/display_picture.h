@@ -11,13 +11,21 @@
 
 namespace texloom::ui {
 
+/// How values are shown.
+struct DisplayLook {
+    double exposure = 0; ///< in stops: each doubles the light
+    int channel = -1;    ///< the only channel shown, as grey; −1 for colour
+
+    friend bool operator==(const DisplayLook&, const DisplayLook&) = default;
+};
+
 /// A picture ready for the screen: its values, and what an sRGB display shows of them in ever halved sizes,
 /// so that painting costs what the window is large, not what the picture is. Never changed once made.
 class DisplayPicture {
 public:
     /// Made on a worker: converts strip by strip, so that no second float copy of the image is ever whole in
     /// memory. Grey becomes equal red, green and blue; two channels red and green; a fourth is alpha.
-    explicit DisplayPicture(std::shared_ptr<const Image> values);
+    explicit DisplayPicture(std::shared_ptr<const Image> values, const DisplayLook& look = {});
     /// A partial result: every `step`-th pixel of a picture of `fullSize`.
     /// @param made pixels without a source in it are not made yet and stay transparent; none if null or
     /// empty.

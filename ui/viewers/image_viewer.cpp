@@ -51,6 +51,7 @@ void ImageViewer::setPicture(std::shared_ptr<const DisplayPicture> picture) {
         fitQuietly();
     describe();
     update();
+    Q_EMIT viewSettled();
 }
 
 void ImageViewer::setPlaceholder(const QString& text) {
@@ -175,6 +176,7 @@ void ImageViewer::resizeEvent(QResizeEvent*) {
         fitQuietly();
     else if (!m_repeat && m_picture)
         m_view.keepInReach(imageSize(), size());
+    Q_EMIT viewSettled();
 }
 
 void ImageViewer::wheelEvent(QWheelEvent* event) {
@@ -245,7 +247,8 @@ bool ImageViewer::event(QEvent* event) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool plain = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
         const auto own = {Qt::Key_F, Qt::Key_1, Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_W};
-        if (plain && std::find(own.begin(), own.end(), key->key()) != own.end())
+        const bool wipe = key->key() == Qt::Key_W && key->modifiers() & Qt::ShiftModifier;
+        if (plain && !wipe && std::find(own.begin(), own.end(), key->key()) != own.end())
             event->accept();
     }
     return QWidget::event(event);

@@ -60,6 +60,8 @@ Q_SIGNALS:
     void unhovered();
     /// Zoom or pan changed by hand.
     void viewChanged();
+    /// Zoom or pan changed with the size of the viewer or of its picture.
+    void viewSettled();
     void repeatsChanged(bool repeat);
 
 protected:
@@ -74,6 +76,11 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    /// Paints over the picture, below marks and texts; nothing unless a viewer has more to show.
+    virtual void paintOver(QPainter& painter) const;
+    /// Paints a picture where this viewer's would lie.
+    void paintPicture(QPainter& painter, const DisplayPicture& picture) const;
+    void paintBackground(QPainter& painter, const QRect& part) const;
 
 private:
     QSizeF imageSize() const;
@@ -87,10 +94,10 @@ private:
     void hoverAt(QPointF point);
     void describe();
 
-    void paintPicture(QPainter& painter) const;
-    void paintRepeated(QPainter& painter, const QImage& level) const;
-    void paintOnce(QPainter& painter, const QImage& level) const;
-    void paintBackdrop(QPainter& painter) const;
+    void paintRepeated(QPainter& painter, const DisplayPicture& picture, const QImage& level) const;
+    void paintOnce(QPainter& painter, const DisplayPicture& picture, const QImage& level) const;
+    void paintBackdrop(QPainter& painter, const DisplayPicture& picture) const;
+    QRectF placeOf(const DisplayPicture& picture) const;
     void paintMarker(QPainter& painter, QPoint pixel) const;
     void paintBadge(QPainter& painter) const;
 

@@ -27,12 +27,11 @@ QImage checkerboard(int square, bool dark) {
 
 void ImageViewer::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
-    const bool dark = isDark(palette());
-    painter.fillRect(event->rect(), dark ? palette().color(QPalette::Base).darker(120)
-                                         : palette().color(QPalette::Window).darker(115));
+    paintBackground(painter, event->rect());
     const int margin = fontMetrics().height();
     if (m_picture) {
-        paintPicture(painter);
+        paintPicture(painter, *m_picture);
+        paintOver(painter);
     } else {
         painter.setPen(palette().color(QPalette::WindowText));
         painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
@@ -50,30 +49,39 @@ void ImageViewer::paintEvent(QPaintEvent* event) {
     }
 }
 
-void ImageViewer::paintPicture(QPainter& painter) const {
-    const double deviceScale = m_view.scale() * devicePixelRatioF();
-    const QImage& level = m_picture->levelFor(deviceScale);
-    if (m_picture->transparent())
-        paintBackdrop(painter);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, deviceScale * m_picture->step() < 1);
-    if (m_repeat)
-        paintRepeated(painter, level);
-    else
-        paintOnce(painter, level);
+void ImageViewer::paintBackground(QPainter& painter, const QRect& part) const {
+    painter.fillRect(part, isDark(palette()) ? palette().color(QPalette::Base).darker(120)
+                                             : palette().color(QPalette::Window).darker(115));
 }
 
-void ImageViewer::paintBackdrop(QPainter& painter) const {
+void ImageViewer::paintOver(QPainter&) const {}
+
+QRectF ImageViewer::placeOf(const DisplayPicture& picture) const {
+    return {m_view.origin(), QSizeF(picture.size().width, picture.size().height) * m_view.scale()};
+}
+
+void ImageViewer::paintPicture(QPainter& painter, const DisplayPicture& picture) const {
+    const double deviceScale = m_view.scale() * devicePixelRatioF();
+    const QImage& level = picture.levelFor(deviceScale);
+    if (picture.transparent())
+        paintBackdrop(painter, picture);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, deviceScale * picture.step() < 1);
+    if (m_repeat)
+        paintRepeated(painter, picture, level);
+    else
+        paintOnce(painter, picture, level);
+}
+
+void ImageViewer::paintBackdrop(QPainter& painter, const DisplayPicture& picture) const {
     const int square = std::max(2, fontMetrics().height() / 2);
     const QBrush brush(checkerboard(square, isDark(palette())));
-    const QRectF image(m_view.origin(), imageSize() * m_view.scale());
-    painter.fillRect(m_repeat ? QRectF(rect()) : image.intersected(rect()), brush);
+    painter.fillRect(m_repeat ? QRectF(rect()) : placeOf(picture).intersected(rect()), brush);
 }
 
-void ImageViewer::paintOnce(QPainter& painter, const QImage& level) const {
-    const double cell = static_cast<double>(m_picture->step()) * m_picture->image().width() / level.width();
-    const double cellDown =
-        static_cast<double>(m_picture->step()) * m_picture->image().height() / level.height();
-    const QRectF image(m_view.origin(), imageSize() * m_view.scale());
+void ImageViewer::paintOnce(QPainter& painter, const DisplayPicture& picture, const QImage& level) const {
+    const double cell = static_cast<double>(picture.step()) * picture.image().width() / level.width();
+    const double cellDown = static_cast<double>(picture.step()) * picture.image().height() / level.height();
+    const QRectF image = placeOf(picture);
     const QRectF shown = image.intersected(rect());
     if (shown.isEmpty())
         return;
@@ -87,13 +95,13 @@ void ImageViewer::paintOnce(QPainter& painter, const QImage& level) const {
     const QRectF target(m_view.toWidget({part.x() * cell, part.y() * cellDown}),
                         QSizeF(part.width() * cell, part.height() * cellDown) * m_view.scale());
     painter.save();
-    painter.setClipRect(image.toAlignedRect());
+    painter.setClipRect(image.toAlignedRect(), Qt::IntersectClip);
     painter.drawImage(target, level, part);
     painter.restore();
 }
 
-void ImageViewer::paintRepeated(QPainter& painter, const QImage& level) const {
-    const QSizeF tile = imageSize() * m_view.scale();
+void ImageViewer::paintRepeated(QPainter& painter, const DisplayPicture& picture, const QImage& level) const {
+    const QSizeF tile = placeOf(picture).size();
     const QPointF origin(std::fmod(m_view.origin().x(), tile.width()),
                          std::fmod(m_view.origin().y(), tile.height()));
     QTransform transform;

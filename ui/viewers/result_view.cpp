@@ -107,7 +107,16 @@ void ResultView::setExemplar(const ExemplarEntry* entry, int index, int count) {
 }
 
 ImageViewer* ResultView::currentViewer() const {
-    return viewer(static_cast<Tab>(m_tabs->currentIndex()));
+    auto* const front = qobject_cast<ImageViewer*>(m_tabs->currentWidget());
+    return front != nullptr ? front : viewer(ResultTab);
+}
+
+void ResultView::addPage(QWidget* page, const QString& title, const QString& toolTip) {
+    m_tabs->setTabToolTip(m_tabs->addTab(page, title), toolTip);
+}
+
+void ResultView::showPage(QWidget* page) {
+    m_tabs->setCurrentWidget(page);
 }
 
 void ResultView::setTab(Tab tab) {

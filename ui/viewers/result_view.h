@@ -37,8 +37,13 @@ public:
     /// The exemplar whose position map is shown, and its place among those of the run, for its hues.
     void setExemplar(const ExemplarEntry* entry, int index, int count);
 
+    /// Adds a tab of another kind behind the others. It stays the caller's to fill.
+    void addPage(QWidget* page, const QString& title, const QString& toolTip);
+    /// Brings a page that was added to the front.
+    void showPage(QWidget* page);
+
     ImageViewer* viewer(Tab tab) const { return m_viewers[static_cast<std::size_t>(tab)]; }
-    /// The viewer of the tab in front.
+    /// The viewer of the tab in front; that of the result if a page without one is.
     ImageViewer* currentViewer() const;
     void setTab(Tab tab);
     /// Marks a pixel in the position map; takes the mark away if it belongs to another exemplar.

@@ -53,11 +53,16 @@ Actions::Actions(QMainWindow* window) {
     removeExemplar = make("removeExemplar", tr("&Remove"), {Qt::CTRL | Qt::Key_Delete},
                           tr("Take the exemplar off the list; its file stays"), "close");
     run = make("run", tr("&Run"), {Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter},
-               tr("Make the result"), "run");
+               tr("Make the result; if a run is under way, right after it, but a quick preview gives way"),
+               "run");
+    addToQueue = make("addToQueue", tr("&Add to queue"),
+                      {Qt::CTRL | Qt::ALT | Qt::Key_Return, Qt::CTRL | Qt::ALT | Qt::Key_Enter},
+                      tr("Make the result with these settings after all runs that wait"), "queue");
     quick = make("quick", tr("&Quick"),
                  {Qt::CTRL | Qt::SHIFT | Qt::Key_Return, Qt::CTRL | Qt::SHIFT | Qt::Key_Enter},
                  tr("Make a small preview with the same settings"), "quick");
-    stop = make("stop", tr("&Stop"), {Qt::Key_Escape}, tr("Stop the run and keep what is there"), "stop");
+    stop = make("stop", tr("&Stop"), {Qt::Key_Escape},
+                tr("Stop the run under way and keep what is there; those that wait go on"), "stop");
     newSeedRun = make("newSeedRun", tr("&New seed and run"), {Qt::CTRL | Qt::Key_R}, {}, "dice");
     resetParameters = make("resetParameters", tr("Reset all &parameters"), {}, {}, "reset");
     fit = make("fit", tr("&Fit"), {Qt::Key_F}, tr("Fit the picture in the view"), "fit");

@@ -19,6 +19,7 @@ struct Actions {
     QAction* clearMask;
     QAction* removeExemplar;
     QAction* run;
+    QAction* addToQueue;
     QAction* quick;
     QAction* stop;
     QAction* newSeedRun;

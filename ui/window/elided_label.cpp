@@ -17,6 +17,11 @@ void ElidedLabel::setFullText(const QString& text, const QString& toolTip) {
     updateGeometry();
 }
 
+void ElidedLabel::setElideMode(Qt::TextElideMode mode) {
+    m_elideMode = mode;
+    elide();
+}
+
 QSize ElidedLabel::minimumSizeHint() const {
     return {fontMetrics().horizontalAdvance(QStringLiteral("mmmm")), QLabel::minimumSizeHint().height()};
 }
@@ -38,7 +43,7 @@ void ElidedLabel::changeEvent(QEvent* event) {
 }
 
 void ElidedLabel::elide() {
-    setText(fontMetrics().elidedText(m_text, Qt::ElideMiddle, contentsRect().width()));
+    setText(fontMetrics().elidedText(m_text, m_elideMode, contentsRect().width()));
 }
 
 } // namespace texloom::ui

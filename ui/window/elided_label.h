@@ -4,8 +4,8 @@
 
 namespace texloom::ui {
 
-/// A label of one line that shortens a long text in its middle, where file names differ least; the tooltip
-/// has the whole. It never makes its window wider.
+/// A label of one line that shortens a long text, in its middle unless told otherwise, where file names
+/// differ least; the tooltip has the whole. It never makes its window wider.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 
@@ -15,6 +15,8 @@ public:
     /// @param toolTip what hovering shows; the text itself if empty.
     void setFullText(const QString& text, const QString& toolTip = {});
     const QString& fullText() const { return m_text; }
+    /// Where it is shortened, if not in the middle.
+    void setElideMode(Qt::TextElideMode mode);
 
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override;
@@ -27,6 +29,7 @@ private:
     void elide();
 
     QString m_text;
+    Qt::TextElideMode m_elideMode = Qt::ElideMiddle;
 };
 
 } // namespace texloom::ui

@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "ui/compare/compare_view.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
@@ -12,6 +13,7 @@
 #include "ui/window/readout.h"
 #include "ui/window/start_page.h"
 #include "ui/window/text.h"
+#include "ui/window/workbench.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -31,7 +33,7 @@ namespace texloom::ui {
 namespace {
 
 /// Raised when docks or toolbars change, so that an older layout is not restored over them.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr std::chrono::milliseconds kPlanPause{150};
 /// The method that a newcomer meets: quick, and good at most textures.
 const QString kFirstMethod = QStringLiteral("quilting");
@@ -52,7 +54,8 @@ QDockWidget* dockFor(QWidget* content, const QString& title, const QString& name
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_actions(this), m_store(new ExemplarStore(this)),
-      m_controller(new RunController(this)), m_method(new QComboBox(this)) {
+      m_controller(new RunController(this)), m_bench(new Workbench(m_controller, this)),
+      m_method(new QComboBox(this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Texloom"));
     setAcceptDrops(true);
@@ -117,7 +120,8 @@ void MainWindow::makeDocks() {
     m_exemplars = new ExemplarPanel(m_store, {m_actions.open, m_actions.paste, m_actions.removeExemplar});
     auto* parameters = new QWidget;
     m_inspector = new Inspector(parameters);
-    m_runPanel = new RunPanel(m_actions.run, m_actions.quick, m_actions.stop, parameters);
+    m_runPanel =
+        new RunPanel(m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, parameters);
     auto* column = new QVBoxLayout(parameters);
     column->addWidget(m_inspector, 1);
     column->addWidget(m_runPanel);
@@ -125,6 +129,8 @@ void MainWindow::makeDocks() {
                   dockFor(m_exemplars, tr("Exemplars"), QStringLiteral("exemplarDock"), this));
     addDockWidget(Qt::RightDockWidgetArea,
                   dockFor(parameters, tr("Parameters"), QStringLiteral("parameterDock"), this));
+    m_bench->addDocks();
+    m_bench->addPages(m_results);
 }
 
 void MainWindow::makeMenus() {
@@ -147,11 +153,16 @@ void MainWindow::makeMenus() {
         ->addMenu(tr("E&xemplar"))
         ->addActions({m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
     QMenu* const synthesis = menuBar()->addMenu(tr("&Synthesis"));
-    synthesis->addActions({m_actions.run, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
+    synthesis->addActions(
+        {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
+    synthesis->addSeparator();
+    synthesis->addActions({m_bench->tryAllAction(), m_bench->sweepAction()});
     synthesis->addSeparator();
     synthesis->addMenu(makePresetMenu());
     synthesis->addAction(m_actions.resetParameters);
     menuBar()->addMenu(makeViewMenu());
+    menuBar()->addMenu(m_bench->makeCompareMenu());
+    menuBar()->addMenu(m_bench->makeResultsMenu());
     menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
 }
 
@@ -213,6 +224,7 @@ void MainWindow::makeToolBar() {
     bar->addActions({m_actions.run, m_actions.stop, m_actions.quick});
     bar->addSeparator();
     bar->addAction(m_actions.repeat);
+    bar->addAction(m_bench->tryAllAction());
     bar->addSeparator();
     bar->addAction(m_actions.exportResult);
 }
@@ -233,6 +245,8 @@ void MainWindow::restoreLayout() {
     resizeDocks({findChild<QDockWidget*>(QStringLiteral("exemplarDock")),
                  findChild<QDockWidget*>(QStringLiteral("parameterDock"))},
                 {side * 38, side * 46}, Qt::Horizontal);
+    resizeDocks({findChild<QDockWidget*>(QStringLiteral("resultDock"))}, {fontMetrics().height() * 11},
+                Qt::Vertical);
     m_defaultLayout = saveState(kLayoutVersion);
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
@@ -245,6 +259,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    m_bench->queue()->clear();
     m_controller->stop();
     QMainWindow::closeEvent(event);
 }
@@ -269,6 +284,11 @@ void MainWindow::connectActions() {
             m_inspector->output()->drawSeed();
         startRun(false);
     });
+    connect(m_actions.addToQueue, &QAction::triggered, this, [this] {
+        if (!m_inspector->output()->seedLocked())
+            m_inspector->output()->drawSeed();
+        queueRun();
+    });
     connect(m_actions.quick, &QAction::triggered, this, [this] { startRun(true); });
     connect(m_actions.stop, &QAction::triggered, m_controller, &RunController::stop);
     connect(m_actions.newSeedRun, &QAction::triggered, this, [this] {
@@ -283,12 +303,15 @@ void MainWindow::connectActions() {
 }
 
 void MainWindow::connectViewActions() {
-    connect(m_actions.fit, &QAction::triggered, this, [this] { m_results->currentViewer()->fit(); });
-    connect(m_actions.actualSize, &QAction::triggered, this,
-            [this] { m_results->currentViewer()->actualSize(); });
-    connect(m_actions.zoomIn, &QAction::triggered, this, [this] { m_results->currentViewer()->zoomIn(); });
-    connect(m_actions.zoomOut, &QAction::triggered, this, [this] { m_results->currentViewer()->zoomOut(); });
+    connect(m_actions.fit, &QAction::triggered, this, [this] { frontViewer()->fit(); });
+    connect(m_actions.actualSize, &QAction::triggered, this, [this] { frontViewer()->actualSize(); });
+    connect(m_actions.zoomIn, &QAction::triggered, this, [this] { frontViewer()->zoomIn(); });
+    connect(m_actions.zoomOut, &QAction::triggered, this, [this] { frontViewer()->zoomOut(); });
     connect(m_actions.repeat, &QAction::toggled, m_results, &ResultView::setRepeats);
+    connect(m_actions.repeat, &QAction::triggered, this, [this](bool repeat) {
+        if (m_bench->compare()->isVisible())
+            frontViewer()->setRepeats(repeat);
+    });
     for (const auto tab : {ResultView::ResultTab, ResultView::SynthesisTab, ResultView::PositionTab})
         connect(m_results->viewer(tab), &ImageViewer::repeatsChanged, m_actions.repeat, &QAction::setChecked);
     connect(m_actions.resultTab, &QAction::triggered, this,
@@ -299,6 +322,11 @@ void MainWindow::connectViewActions() {
             [this] { m_results->setTab(ResultView::PositionTab); });
     connect(m_actions.fullScreen, &QAction::toggled, this,
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+}
+
+ImageViewer* MainWindow::frontViewer() const {
+    const CompareView* const compare = m_bench->compare();
+    return compare->isVisible() ? compare->front() : m_results->currentViewer();
 }
 
 void MainWindow::connectStore() {
@@ -312,12 +340,17 @@ void MainWindow::connectStore() {
 }
 
 void MainWindow::connectRun() {
-    connect(m_controller, &RunController::started, this, &MainWindow::runStarted);
+    const JobQueue* const queue = m_bench->queue();
     connect(m_controller, &RunController::progressed, m_runPanel, &RunPanel::showProgress);
-    connect(m_controller, &RunController::previewed, this, &MainWindow::runPreviewed);
-    connect(m_controller, &RunController::finished, this, &MainWindow::runFinished);
-    connect(m_controller, &RunController::stopped, this, &MainWindow::runStopped);
-    connect(m_controller, &RunController::failed, this, &MainWindow::runFailed);
+    connect(queue, &JobQueue::started, this, &MainWindow::runStarted);
+    connect(queue, &JobQueue::previewed, this, &MainWindow::runPreviewed);
+    connect(queue, &JobQueue::finished, this, &MainWindow::runFinished);
+    connect(queue, &JobQueue::stopped, this, &MainWindow::runStopped);
+    connect(queue, &JobQueue::failed, this, &MainWindow::runFailed);
+    connect(queue, &JobQueue::changed, this, [this, queue] {
+        m_runPanel->setRunning(m_controller->running(), queue->waiting());
+        updateActions();
+    });
 }
 
 void MainWindow::connectHovers() {

@@ -3,7 +3,7 @@
 #include "core/session/preset.h"
 #include "core/session/run.h"
 #include "ui/exemplar/exemplar_store.h"
-#include "ui/jobs/run_controller.h"
+#include "ui/jobs/job_queue.h"
 #include "ui/window/actions.h"
 
 #include <QMainWindow>
@@ -21,12 +21,17 @@ namespace texloom::ui {
 
 class ExemplarPanel;
 class ExportDialog;
+class ImageViewer;
 class Inspector;
 class MessageBar;
 class Readout;
 class ResultView;
 class RunPanel;
 class StartPage;
+class Workbench;
+
+/// The size of a preview of an output: its shape, small.
+Size quickSize(Size size);
 
 /// The window: exemplars on the left, pictures in the middle, parameters on the right. It joins what the
 /// parts say to one another and does no work itself.
@@ -39,12 +44,26 @@ public:
 
     /// Opens pictures as exemplars, and recipes.
     void openFiles(const QStringList& paths);
-    /// Starts a run with the settings as they stand. @param quick at a preview's size.
+    /// Starts a run with the settings as they stand, right after the one under way if there is one.
+    /// @param quick at a preview's size.
     void startRun(bool quick);
+    /// Adds a run with the settings as they stand to the end of the queue.
+    void queueRun();
+    /// Whether something can be run with the settings as they stand.
+    bool canRun() const { return m_canRun; }
     /// What a run would be given now.
     RunInput input(bool quick) const;
     /// Takes over everything that a recipe says.
     void restore(const RunInput& input);
+    /// Takes over what a recipe says; its exemplars are read if they are not open.
+    /// @param keepSize whether the output keeps its size, as for the recipe of a preview.
+    void restoreRecipe(const Recipe& recipe, bool keepSize);
+    /// Shows a finished run. @param quick whether it is a preview at a small size.
+    void showResult(const std::shared_ptr<const Result>& result, const RunPictures& pictures, bool quick);
+    /// Leaves the start page.
+    void showResults();
+    /// Says in place what could not be done.
+    void fail(const QString& sentence);
 
     ExemplarStore* store() const { return m_store; }
     RunController* controller() const { return m_controller; }
@@ -53,7 +72,8 @@ public:
     MessageBar* messages() const { return m_messages; }
     RunPanel* runPanel() const { return m_runPanel; }
     ExemplarPanel* exemplarPanel() const { return m_exemplars; }
-    /// The last finished result; null if there is none.
+    Workbench* workbench() const { return m_bench; }
+    /// The finished result that was shown last; null if there is none.
     const std::shared_ptr<const Result>& result() const { return m_result; }
 
 protected:
@@ -73,6 +93,7 @@ private:
     void setTabOrderThrough();
     void connectActions();
     void connectViewActions();
+    ImageViewer* frontViewer() const;
     void connectStore();
     void connectRun();
     void connectHovers();
@@ -97,13 +118,16 @@ private:
     void plan();
     void updateActions();
     std::vector<RunExemplar> usedExemplars() const;
-    void runStarted();
-    void runPreviewed(const RunPictures& pictures);
-    void runFinished(const std::shared_ptr<const Result>& result, const RunPictures& pictures);
-    void runStopped(double fraction);
-    void runFailed(const QString& sentence);
+    void addRun(bool quick, bool next);
+    void applySettings(const RunInput& input);
+    bool openExemplarsOf(const Recipe& recipe);
+    void runStarted(int id);
+    void runPreviewed(int id, const RunPictures& pictures);
+    void runFinished(const QueuedJob& job, const std::shared_ptr<const Result>& result,
+                     const RunPictures& pictures);
+    void runStopped(const QueuedJob& job, double fraction);
+    void runFailed(const QueuedJob& job);
     void showResult();
-    void fail(const QString& sentence);
 
     void hoverResult(QPoint pixel);
     void hoverExemplar(const ExemplarEntry* entry, QPoint pixel);
@@ -114,6 +138,7 @@ private:
     Actions m_actions;
     ExemplarStore* m_store;
     RunController* m_controller;
+    Workbench* m_bench;
     QStackedWidget* m_centre = nullptr;
     StartPage* m_start = nullptr;
     ResultView* m_results = nullptr;
@@ -129,6 +154,7 @@ private:
     bool m_canQuick = false;
     bool m_starting = false;
     int m_planRequest = 0;
+    int m_live = 0; ///< the queue's id of the run whose pictures are shown as it goes
 
     std::vector<Exemplar> m_shownExemplars; ///< of the run whose pictures are shown
     std::shared_ptr<const Result> m_result;

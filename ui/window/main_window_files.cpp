@@ -28,6 +28,7 @@
 #include <QStatusBar>
 #include <QUrl>
 
+#include <algorithm>
 #include <utility>
 
 namespace texloom::ui {
@@ -166,21 +167,62 @@ void MainWindow::loadRecipeFrom(const QString& path) {
 }
 
 void MainWindow::restore(const RunInput& input) {
-    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
     connect(
-        m_store, &ExemplarStore::replaced, this,
-        [this, input] {
-            OutputGroup* const output = m_inspector->output();
-            output->setOutputSize(input.size);
-            output->setWrap(input.wrap);
-            output->setSeed(input.seed);
-            output->setInitial(input.initial);
-            m_inspector->setValues(input.settings);
-            m_inspector->setThen(input.then);
-            plan();
-        },
+        m_store, &ExemplarStore::replaced, this, [this, input] { applySettings(input); },
         Qt::SingleShotConnection);
     m_store->replaceAll(input.exemplars);
+}
+
+void MainWindow::applySettings(const RunInput& input) {
+    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
+    OutputGroup* const output = m_inspector->output();
+    output->setOutputSize(input.size);
+    output->setWrap(input.wrap);
+    output->setSeed(input.seed);
+    output->setInitial(input.initial);
+    m_inspector->setValues(input.settings);
+    m_inspector->setThen(input.then);
+    plan();
+}
+
+bool MainWindow::openExemplarsOf(const Recipe& recipe) {
+    std::vector<int> ids;
+    for (const RecipeExemplar& wanted : recipe.exemplars) {
+        const auto& open = m_store->entries();
+        const auto found = std::find_if(open.begin(), open.end(), [&](const ExemplarEntry& entry) {
+            return entry.file().path == wanted.image.path && entry.file().hash == wanted.image.hash &&
+                   entry.file().space == wanted.image.space && entry.exemplar.edits == wanted.edits;
+        });
+        if (found == open.end() || wanted.mask || !wanted.companions.empty())
+            return false;
+        ids.push_back(found->id);
+    }
+    m_store->setCurrent(ids.front());
+    if (ids.size() > 1)
+        for (const ExemplarEntry& entry : std::vector(m_store->entries()))
+            m_store->setChecked(entry.id, std::find(ids.begin(), ids.end(), entry.id) != ids.end());
+    return true;
+}
+
+void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
+    const Size size = keepSize ? m_inspector->output()->outputSize() : recipe.size;
+    if (!recipe.initial && openExemplarsOf(recipe)) {
+        RunInput input;
+        input.method = recipe.method;
+        input.settings = recipe.parameters;
+        input.then = recipe.then;
+        input.size = size;
+        input.wrap = recipe.wrap;
+        input.seed = recipe.seed;
+        return applySettings(input);
+    }
+    inBackground(
+        this, [recipe] { return loadRecipe(recipe); },
+        [this, size](RunInput input) {
+            input.size = size;
+            restore(input);
+        },
+        [this](const QString& why) { fail(translated(why.toStdString())); });
 }
 
 void MainWindow::exportDialog() {

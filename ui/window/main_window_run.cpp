@@ -9,6 +9,7 @@
 #include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
 #include "ui/window/text.h"
+#include "ui/window/workbench.h"
 
 #include <QComboBox>
 #include <QStackedWidget>
@@ -20,29 +21,15 @@ namespace texloom::ui {
 
 namespace {
 
-/// Longer side of a quick run's picture.
-constexpr int kQuickSide = 384;
-
-/// The size of a preview: the output's shape, small.
-Size quickSize(Size size) {
-    const int longer = size.longerSide();
-    if (longer <= kQuickSide)
-        return size;
-    const auto shortened = [=](int side) {
-        return std::max(1, static_cast<int>(static_cast<std::int64_t>(side) * kQuickSide / longer));
-    };
-    return {shortened(size.width), shortened(size.height)};
-}
-
 /// What can be started now, and what it will need.
 struct Outlook {
-    Estimate estimate;
+    std::optional<RunPlan> plan;
     QString refusal;
     QString quickRefusal;
 
     Outlook(const RunInput& full, const RunInput& quick) {
         try {
-            estimate = planRun(full).estimate;
+            plan = planRun(full);
         } catch (const std::exception& error) {
             refusal = translated(sentence(error).toStdString());
         }
@@ -63,6 +50,17 @@ ExemplarFile croppedTo(const ExemplarFile& file, Size size) {
 }
 
 } // namespace
+
+Size quickSize(Size size) {
+    constexpr int kQuickSide = 384;
+    const int longer = size.longerSide();
+    if (longer <= kQuickSide)
+        return size;
+    const auto shortened = [=](int side) {
+        return std::max(1, static_cast<int>(static_cast<std::int64_t>(side) * kQuickSide / longer));
+    };
+    return {shortened(size.width), shortened(size.height)};
+}
 
 std::vector<RunExemplar> MainWindow::usedExemplars() const {
     std::vector<RunExemplar> used;
@@ -150,7 +148,8 @@ void MainWindow::plan() {
             m_canQuick = outlook.quickRefusal.isEmpty();
             m_actions.quick->setToolTip(m_canQuick ? m_actions.quick->statusTip() : outlook.quickRefusal);
             if (m_canRun)
-                m_runPanel->setEstimate(outlook.estimate);
+                m_runPanel->setEstimate(outlook.plan->estimate,
+                                        expectedSeconds(*outlook.plan, m_bench->history()->entries()));
             else
                 m_runPanel->setRefusal(outlook.refusal);
             updateActions();
@@ -159,10 +158,10 @@ void MainWindow::plan() {
 }
 
 void MainWindow::updateActions() {
-    const bool running = m_controller->running() || m_starting;
-    m_actions.run->setEnabled(m_canRun && !running);
-    m_actions.quick->setEnabled(m_canQuick && !running);
-    m_actions.newSeedRun->setEnabled(m_canRun && !running);
+    for (QAction* action : {m_actions.run, m_actions.newSeedRun, m_actions.addToQueue})
+        action->setEnabled(m_canRun && !m_starting);
+    m_actions.quick->setEnabled(m_canQuick && !m_starting);
+    m_bench->setCanRun(m_canRun, !m_store->entries().empty());
     m_actions.stop->setEnabled(m_controller->running());
     m_actions.exportResult->setEnabled(m_result && m_resultShown);
     m_actions.copyResult->setEnabled(m_result && m_resultShown);
@@ -174,17 +173,26 @@ void MainWindow::updateActions() {
 }
 
 void MainWindow::startRun(bool quick) {
+    addRun(quick, true);
+}
+
+void MainWindow::queueRun() {
+    addRun(false, false);
+}
+
+void MainWindow::addRun(bool quick, bool next) {
     if (m_starting)
         return;
     m_starting = true;
     updateActions();
     inBackground(
         this, [wanted = input(quick)] { return planRun(wanted); },
-        [this, quick](RunPlan plan) {
+        [this, quick, next](RunPlan plan) {
             m_starting = false;
             m_messages->dismiss();
-            m_shownExemplars = plan.request.exemplars;
-            m_controller->start(std::move(plan), quick);
+            const auto expected = expectedSeconds(plan, m_bench->history()->entries());
+            m_bench->queue()->add(std::move(plan), quick, next,
+                                  next ? JobQueue::Place::Next : JobQueue::Place::Last, expected);
         },
         [this](const QString& why) {
             m_starting = false;
@@ -193,15 +201,21 @@ void MainWindow::startRun(bool quick) {
         });
 }
 
-void MainWindow::runStarted() {
+void MainWindow::runStarted(int id) {
+    const QueuedJob* const job = m_bench->queue()->find(id);
+    if (!job->shown)
+        return;
+    m_live = id;
+    m_shownExemplars = job->plan.request.exemplars;
     m_resultShown = false;
-    m_runPanel->setRunning(true);
-    m_results->setTitle((m_controller->quick() ? tr("Quick preview under way: %1") : tr("Under way: %1"))
-                            .arg(m_controller->label()));
+    m_results->setTitle(
+        (job->quick ? tr("Quick preview under way: %1") : tr("Under way: %1")).arg(job->label));
     updateActions();
 }
 
-void MainWindow::runPreviewed(const RunPictures& pictures) {
+void MainWindow::runPreviewed(int id, const RunPictures& pictures) {
+    if (id != m_live)
+        return;
     m_resultShown = false;
     m_results->showPictures(pictures);
     if (m_controller->running())
@@ -211,15 +225,31 @@ void MainWindow::runPreviewed(const RunPictures& pictures) {
     updateActions();
 }
 
-void MainWindow::runFinished(const std::shared_ptr<const Result>& result, const RunPictures& pictures) {
+void MainWindow::runFinished(const QueuedJob& job, const std::shared_ptr<const Result>& result,
+                             const RunPictures& pictures) {
+    if (job.id == m_live)
+        showResult(result, pictures, job.quick);
+    else if (job.shown)
+        m_messages->say(MessageBar::Kind::Information, tr("Finished: %1.").arg(job.label), tr("Show"),
+                        [this, result, pictures, quick = job.quick] { showResult(result, pictures, quick); });
+    plan();
+}
+
+void MainWindow::showResult(const std::shared_ptr<const Result>& result, const RunPictures& pictures,
+                            bool quick) {
     m_result = result;
     m_resultPictures = pictures;
-    m_resultQuick = m_controller->quick();
-    m_runPanel->setRunning(false);
+    m_resultQuick = quick;
     showResult();
 }
 
+void MainWindow::showResults() {
+    m_centre->setCurrentIndex(1);
+}
+
 void MainWindow::showResult() {
+    m_live = 0;
+    showResults();
     m_shownExemplars = m_result->plan.request.exemplars;
     m_results->showPictures(m_resultPictures);
     m_results->setBadge(m_resultQuick ? tr("Quick preview") : QString());
@@ -231,13 +261,13 @@ void MainWindow::showResult() {
     m_results->setTitle(m_resultQuick ? tr("Quick preview: %1").arg(label) : label);
     m_resultShown = true;
     updateActions();
-    plan();
 }
 
-void MainWindow::runStopped(double fraction) {
-    m_runPanel->setRunning(false);
+void MainWindow::runStopped(const QueuedJob& job, double fraction) {
+    if (job.id != m_live)
+        return;
     const QString text = tr("Stopped at %1").arg(percentText(fraction));
-    m_results->setTitle(tr("%1: %2").arg(text, m_controller->label()));
+    m_results->setTitle(tr("%1: %2").arg(text, job.label));
     m_results->setBadge(text);
     if (m_result)
         m_messages->say(MessageBar::Kind::Information, tr("%1. The picture is as far as it got.").arg(text),
@@ -245,13 +275,15 @@ void MainWindow::runStopped(double fraction) {
     updateActions();
 }
 
-void MainWindow::runFailed(const QString& sentence) {
-    m_runPanel->setRunning(false);
-    if (m_result)
-        showResult();
-    else
-        m_results->setTitle({});
-    fail(sentence);
+void MainWindow::runFailed(const QueuedJob& job) {
+    if (job.id == m_live) {
+        if (m_result)
+            showResult();
+        else
+            m_results->setTitle({});
+    }
+    if (job.shown)
+        fail(job.problem);
     updateActions();
 }
 

@@ -1,0 +1,444 @@
+#include "core/io/image_file.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/jobs/job_panel.h"
+#include "ui/log/log_panel.h"
+#include "ui/results/limits_dialog.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/text.h"
+#include "ui/window/workbench.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace texloom;
+using namespace texloom::ui;
+
+namespace {
+
+constexpr int kPatience = 60'000;
+
+QString resultFolder() {
+    return QSettings().value(QStringLiteral("results/folder")).toString();
+}
+
+/// A finished run of 48 × 40 px made without a window.
+std::shared_ptr<const Result> smallResult(const QString& exemplar, std::uint64_t seed) {
+    RunInput input;
+    input.method = "random-phase";
+    input.exemplars.push_back({loadExemplar(toPath(exemplar)), {}, {}});
+    input.size = {48, 40};
+    input.seed = seed;
+    input.threads = 1;
+    return std::make_shared<const Result>(std::get<Result>(startRun(planRun(input), false)->take()));
+}
+
+QImage plain(QRgb color) {
+    QImage image(48, 40, QImage::Format_RGB32);
+    image.fill(color);
+    return image;
+}
+
+RunPlan planFor(const QString& exemplar, Size size, std::uint64_t seed) {
+    RunInput input;
+    input.method = "quilting";
+    input.settings = {{"patch", 16}};
+    input.exemplars.push_back({loadExemplar(toPath(exemplar)), {}, {}});
+    input.size = size;
+    input.seed = seed;
+    return planRun(input);
+}
+
+std::vector<std::uint64_t> seedsOf(const JobQueue& queue) {
+    std::vector<std::uint64_t> seeds;
+    for (const QueuedJob& job : queue.jobs())
+        seeds.push_back(job.plan.request.seed);
+    return seeds;
+}
+
+} // namespace
+
+/// The docks at the bottom: results, jobs, log.
+class WorkbenchTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        m_exemplar = writeTexture(m_folder, QStringLiteral("weave.png"), {96, 80});
+        m_large = writeTexture(m_folder, QStringLiteral("large weave.png"), {512, 512});
+    }
+
+    void init() { QDir(resultFolder()).removeRecursively(); }
+
+    void everyRunIsKeptAndSurvivesTheWindow() {
+        std::shared_ptr<const Result> made;
+        std::string key;
+        {
+            MainWindow window;
+            window.show();
+            QVERIFY(openAndFinish(window, m_exemplar));
+            made = window.result();
+            ResultHistory* const history = window.workbench()->history();
+            QCOMPARE(history->rowCount(), 1);
+            key = history->entries().back().key;
+            QVERIFY(history->setData(history->indexOf(key), QStringLiteral("My weave"), Qt::EditRole));
+            history->setPinned(key, true);
+        }
+        MainWindow again;
+        again.show();
+        ResultHistory* const history = again.workbench()->history();
+        QTRY_COMPARE(history->rowCount(), 1);
+        const QModelIndex row = history->index(0);
+        QCOMPARE(row.data().toString(), QStringLiteral("My weave"));
+        QVERIFY(row.data(ResultHistory::PinnedRole).toBool());
+        QTRY_VERIFY(!row.data(Qt::DecorationRole).value<QImage>().isNull());
+        QVERIFY(history->entries().front().quick);
+
+        again.workbench()->show(key);
+        QTRY_VERIFY(again.result());
+        QVERIFY(again.results()->isVisible());
+        QVERIFY(samePixels(again.result()->synthesis.image, made->synthesis.image));
+        QVERIFY(again.result()->synthesis.map == made->synthesis.map);
+        QVERIFY(again.results()->title().contains(QStringLiteral("Quick preview")));
+        QVERIFY(child<QAction>(again, "export")->isEnabled());
+    }
+
+    void twoHundredResultsStayFluid() {
+        const auto result = smallResult(m_exemplar, 1);
+        MainWindow window;
+        window.resize(1200, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        ResultHistory* const history = window.workbench()->history();
+        QTRY_VERIFY(history->ready());
+        for (int i = 0; i < 200; ++i)
+            history->add(result, false, plain(qRgb(i, 255 - i, 80)));
+        auto* list = child<QListView>(window, "resultList");
+        QElapsedTimer clock;
+        clock.start();
+        for (int i = 0; i < 40; ++i) {
+            list->scrollTo(list->model()->index(i * 5, 0));
+            list->viewport()->repaint();
+        }
+        qInfo("%.2f ms for each of 40 pages", static_cast<double>(clock.elapsed()) / 40);
+        QVERIFY(clock.elapsed() < 40 * 33);
+        history->waitForDisk();
+        const auto folders = QDir(resultFolder()).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+        QCOMPARE(folders.size(), 200);
+    }
+
+    void whatLeftTheMemoryIsReadBack() {
+        ResultHistory history(resultFolder());
+        QTRY_VERIFY(history.ready());
+        const auto first = smallResult(m_exemplar, 1);
+        const std::string key = history.add(first, false, plain(Qt::red));
+        history.add(smallResult(m_exemplar, 2), false, plain(Qt::green));
+        history.setMemoryBudget(first->synthesis.image.size().area() * 3 * 4 + 4096);
+        QTRY_VERIFY(history.store().memoryUsed() <= history.store().memoryBudget());
+        std::shared_ptr<const Result> back;
+        history.want(
+            key, [&](const auto& result) { back = result; },
+            [](const QString& why) { QFAIL(qPrintable(why)); });
+        QVERIFY(!back);
+        QTRY_VERIFY(back);
+        QVERIFY(back != first);
+        QVERIFY(samePixels(back->synthesis.image, first->synthesis.image));
+    }
+
+    void damagedResultsAreLeftOutAndNoted() {
+        std::string key;
+        {
+            ResultHistory history(resultFolder());
+            key = history.add(smallResult(m_exemplar, 1), false, plain(Qt::red));
+            history.add(smallResult(m_exemplar, 2), false, plain(Qt::red));
+        }
+        QFile entry(QStringLiteral("%1/%2/entry.json").arg(resultFolder(), QString::fromStdString(key)));
+        QVERIFY(entry.open(QIODevice::WriteOnly));
+        entry.write("{");
+        entry.close();
+        MainWindow window;
+        QTRY_COMPARE(window.workbench()->history()->rowCount(), 1);
+        QTRY_VERIFY(window.workbench()->log()->text().contains(QString::fromStdString(key)));
+    }
+
+    void oldestUnpinnedOnesMakeRoomOnTheDisk() {
+        ResultHistory history(resultFolder());
+        QTRY_VERIFY(history.ready());
+        const auto result = smallResult(m_exemplar, 1);
+        std::vector<std::string> keys;
+        for (int i = 0; i < 4; ++i)
+            keys.push_back(history.add(result, false, plain(Qt::red)));
+        history.setPinned(keys[0], true);
+        history.waitForDisk();
+        QCoreApplication::processEvents();
+        history.setDiskBudget(history.store().diskUsed() * 3 / 4 - 1);
+        QVERIFY(history.find(keys[0]) && !history.find(keys[1]) && history.find(keys[3]));
+        history.waitForDisk();
+        QVERIFY(!QDir(QStringLiteral("%1/%2").arg(resultFolder(), QString::fromStdString(keys[1]))).exists());
+    }
+
+    void deletedResultsComeBackWithUndo() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        ResultHistory* const history = window.workbench()->history();
+        const std::string key = history->entries().back().key;
+        auto* list = child<QListView>(window, "resultList");
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        list->setFocus();
+        list->setCurrentIndex(list->model()->index(0, 0));
+        QTest::keyClick(list, Qt::Key_P);
+        QVERIFY(history->find(key)->pinned);
+        QTest::keyClick(list, Qt::Key_Delete);
+        QCOMPARE(history->rowCount(), 0);
+        QVERIFY(window.messages()->text().contains(QStringLiteral("was deleted")));
+        child<QPushButton>(window, "messageAction")->click();
+        QCOMPARE(history->rowCount(), 1);
+        QVERIFY(history->find(key)->pinned);
+        std::shared_ptr<const Result> back;
+        history->want(
+            key, [&](const auto& result) { back = result; },
+            [](const QString& why) { QFAIL(qPrintable(why)); });
+        QTRY_VERIFY(back);
+    }
+
+    void searchAndRenameByKeyboard() {
+        MainWindow window;
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        ResultHistory* const history = window.workbench()->history();
+        QTRY_VERIFY(history->ready());
+        history->add(smallResult(m_exemplar, 11), false, plain(Qt::red));
+        history->add(smallResult(m_exemplar, 22), false, plain(Qt::blue));
+        auto* list = child<QListView>(window, "resultList");
+        auto* search = child<QLineEdit>(window, "resultSearch");
+        search->setText(QStringLiteral("seed 11"));
+        QCOMPARE(list->model()->rowCount(), 1);
+        list->setFocus();
+        list->setCurrentIndex(list->model()->index(0, 0));
+        QTest::keyClick(list, Qt::Key_F2);
+        auto* editor = list->viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        QTest::keyClicks(editor, QStringLiteral("seed 11, the good one"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(QString::fromStdString(history->entries().front().title),
+                     QStringLiteral("seed 11, the good one"));
+        search->setText(QStringLiteral("nothing like this"));
+        QCOMPARE(list->model()->rowCount(), 0);
+        QVERIFY(!list->isVisible());
+    }
+
+    void settingsComeBackFromAResult() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        Inspector* const inspector = window.inspector();
+        inspector->setValues({{"patch", 20}});
+        inspector->output()->setSeed(7);
+        inspector->output()->setOutputSize({70, 60});
+        QSignalSpy finished(window.controller(), &RunController::finished);
+        window.startRun(false);
+        QVERIFY(finished.wait(kPatience));
+        const ResultHistory* const history = window.workbench()->history();
+        const std::string full = history->entries().back().key;
+        const std::string quick = history->entries().front().key;
+        inspector->setValues({{"patch", 30}});
+        inspector->output()->setSeed(8);
+        inspector->output()->setOutputSize({90, 90});
+        window.workbench()->restore(full);
+        QCOMPARE(std::get<int>(inspector->values().at("patch")), 20);
+        QCOMPARE(inspector->output()->seed(), 7U);
+        QVERIFY((inspector->output()->outputSize() == Size{70, 60}));
+        inspector->output()->setOutputSize({90, 90});
+        window.workbench()->restore(quick);
+        QVERIFY2((inspector->output()->outputSize() == Size{90, 90}), "a preview's size is not taken over");
+
+        auto* list = child<QListView>(window, "resultList");
+        list->selectAll();
+        child<QAction>(window, "resultDifference")->trigger();
+        auto* table = child<QTableWidget>(window, "differenceTable");
+        QStringList rows;
+        for (int row = 0; row < table->rowCount(); ++row)
+            rows += table->item(row, 0)->text() + QLatin1Char(':') + table->item(row, 2)->text();
+        QVERIFY2(rows.contains(QStringLiteral("Patch size:20 px")), qPrintable(rows.join(QLatin1Char('|'))));
+        QVERIFY(rows.contains(QStringLiteral("Seed:7")));
+    }
+
+    void settingsOfAResultWhoseExemplarIsClosedReadItAgain() {
+        MainWindow window;
+        window.show();
+        QTRY_VERIFY(window.workbench()->history()->ready());
+        const std::string key =
+            window.workbench()->history()->add(smallResult(m_exemplar, 5), false, plain(Qt::red));
+        window.workbench()->restore(key);
+        QTRY_COMPARE(window.store()->entries().size(), std::size_t{1});
+        QTRY_COMPARE(window.inspector()->output()->seed(), 5U);
+        QCOMPARE(window.inspector()->method()->id(), std::string("random-phase"));
+    }
+
+    void limitsAreStatedAndSettable() {
+        MainWindow window;
+        window.show();
+        child<QAction>(window, "resultLimits")->trigger();
+        auto* dialog = child<LimitsDialog>(window, "limitsDialog");
+        child<QDoubleSpinBox>(*dialog, "memoryLimit")->setValue(0.5);
+        dialog->accept();
+        QCOMPARE(window.workbench()->history()->store().memoryBudget(), std::uint64_t{512} << 20);
+        QSettings().remove(QStringLiteral("results/memory"));
+    }
+
+    void queueKeepsItsOrder() {
+        RunController controller;
+        JobQueue queue(&controller);
+        queue.setPaused(true);
+        std::vector<int> ids;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed)
+            ids.push_back(
+                queue.add(planFor(m_exemplar, {64, 64}, seed), false, false, JobQueue::Place::Last));
+        QVERIFY(!controller.running());
+        queue.move(ids[3], -1);
+        queue.move(ids[0], -1); // it is the first already
+        queue.cancel(ids[1]);
+        QVERIFY((seedsOf(queue) == std::vector<std::uint64_t>{1, 4, 3}));
+        std::vector<std::uint64_t> made;
+        connect(&queue, &JobQueue::finished, this,
+                [&](const QueuedJob& job) { made.push_back(job.plan.request.seed); });
+        queue.setPaused(false);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), std::size_t{3}, kPatience);
+        QVERIFY((made == std::vector<std::uint64_t>{1, 4, 3}));
+        QVERIFY(queue.jobs().empty());
+    }
+
+    void pauseLetsTheRunUnderWayEndAndRunStillWorks() {
+        RunController controller;
+        JobQueue queue(&controller);
+        std::vector<std::uint64_t> made;
+        connect(&queue, &JobQueue::finished, this,
+                [&](const QueuedJob& job) { made.push_back(job.plan.request.seed); });
+        queue.add(planFor(m_large, {400, 400}, 1), false, false, JobQueue::Place::Last);
+        QVERIFY(controller.running());
+        queue.setPaused(true);
+        queue.add(planFor(m_exemplar, {64, 64}, 2), false, false, JobQueue::Place::Last);
+        queue.add(planFor(m_exemplar, {64, 64}, 3), false, true, JobQueue::Place::Next);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), std::size_t{2}, kPatience);
+        QTest::qWait(50);
+        QVERIFY((made == std::vector<std::uint64_t>{1, 3}));
+        QVERIFY(!controller.running());
+        QCOMPARE(queue.waiting(), 1);
+    }
+
+    void cancellingStopsOneAndTheNextBegins() {
+        RunController controller;
+        JobQueue queue(&controller);
+        const int first = queue.add(planFor(m_large, {2048, 2048}, 1), false, false, JobQueue::Place::Last);
+        queue.add(planFor(m_exemplar, {64, 64}, 2), false, false, JobQueue::Place::Last);
+        QSignalSpy stopped(&queue, &JobQueue::stopped);
+        QSignalSpy finished(&queue, &JobQueue::finished);
+        queue.cancel(first);
+        QVERIFY(stopped.wait());
+        QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, kPatience);
+        QVERIFY(queue.jobs().empty());
+    }
+
+    void jobsDockShowsAndMovesWhatWaits() {
+        MainWindow window;
+        window.show();
+        JobQueue* const queue = window.workbench()->queue();
+        queue->setPaused(true);
+        for (std::uint64_t seed = 1; seed <= 3; ++seed)
+            queue->add(planFor(m_exemplar, {64, 64}, seed), false, false, JobQueue::Place::Last);
+        auto* list = child<QTreeWidget>(window, "jobList");
+        QCOMPARE(list->topLevelItemCount(), 3);
+        list->setCurrentItem(list->topLevelItem(2));
+        child<QAction>(window, "jobUp")->trigger();
+        QVERIFY((seedsOf(*queue) == std::vector<std::uint64_t>{1, 3, 2}));
+        QCOMPARE(list->indexOfTopLevelItem(list->selectedItems().front()), 1);
+        child<QAction>(window, "cancelJob")->trigger();
+        QCOMPARE(list->topLevelItemCount(), 2);
+        child<QAction>(window, "clearJobs")->trigger();
+        QCOMPARE(list->topLevelItemCount(), 0);
+        QVERIFY(queue->jobs().empty());
+    }
+
+    void queuedSettingsAreFrozen() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        JobQueue* const queue = window.workbench()->queue();
+        queue->setPaused(true);
+        window.inspector()->output()->setOutputSize({64, 48});
+        window.inspector()->output()->setSeed(41);
+        QTRY_VERIFY(child<QAction>(window, "addToQueue")->isEnabled());
+        child<QAction>(window, "addToQueue")->trigger();
+        QTRY_COMPARE(queue->waiting(), 1);
+        window.inspector()->output()->setSeed(42);
+        const auto before = window.result();
+        QSignalSpy finished(queue, &JobQueue::finished);
+        queue->setPaused(false);
+        QVERIFY(finished.wait(kPatience));
+        const ResultEntry& entry = window.workbench()->history()->entries().back();
+        QCOMPARE(entry.recipe.seed, 41U);
+        QVERIFY((entry.recipe.size == Size{64, 48}));
+        QVERIFY2(window.result() == before, "the queue works behind what is shown");
+    }
+
+    void threadBudgetHolds() {
+        RunController controller;
+        JobQueue queue(&controller);
+        queue.setThreads(1);
+        RunPlan plan = planFor(m_exemplar, {64, 64}, 1);
+        plan.threads = 2;
+        std::shared_ptr<const Result> made;
+        connect(&queue, &JobQueue::finished, this,
+                [&](const QueuedJob&, const std::shared_ptr<const Result>& result) { made = result; });
+        queue.add(std::move(plan), false, false, JobQueue::Place::Last);
+        QTRY_VERIFY_WITH_TIMEOUT(made, kPatience);
+        QCOMPARE(made->plan.threads, 1);
+    }
+
+    void logNotesRunsAndCanBeCopied() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        const QString log = window.workbench()->log()->text();
+        QVERIFY2(log.contains(QStringLiteral("Started: ")) && log.contains(QStringLiteral("Finished in ")),
+                 qPrintable(log));
+        child<QToolButton>(window, "copyLog")->click();
+        QCOMPARE(QApplication::clipboard()->text(), log);
+    }
+
+    void layoutIsResetWithTheDocks() {
+        MainWindow window;
+        window.show();
+        auto* docks = child<QDockWidget>(window, "jobDock");
+        docks->setFloating(true);
+        docks->hide();
+        child<QAction>(window, "resetLayout")->trigger();
+        QVERIFY(!docks->isFloating());
+        QVERIFY(docks->toggleViewAction()->isChecked());
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QString m_exemplar;
+    QString m_large;
+};
+
+TEXLOOM_UI_TESTS(WorkbenchTest)
+#include "workbench_test.moc"

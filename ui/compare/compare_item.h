@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ui/viewers/display_picture.h"
+
+#include <QString>
+
+#include <memory>
+#include <string>
+
+namespace texloom::ui {
+
+/// One picture of a comparison.
+struct CompareItem {
+    QString label; ///< "Image quilting · seed 1 · 512 × 512"
+    /// What is shown; null until it is there.
+    std::shared_ptr<const DisplayPicture> picture;
+    QString message; ///< said while there is no picture, such as why there will be none
+    std::string key; ///< of the result, whose settings can be taken over; empty for others
+};
+
+} // namespace texloom::ui

@@ -1,0 +1,62 @@
+#include "ui/log/log_panel.h"
+
+#include "ui/window/icons.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QPlainTextEdit>
+#include <QTime>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr int kMostLines = 5000;
+
+} // namespace
+
+LogPanel::LogPanel(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit(this)) {
+    setObjectName(QStringLiteral("logPanel"));
+    m_text->setObjectName(QStringLiteral("logText"));
+    m_text->setAccessibleName(tr("Log"));
+    m_text->setReadOnly(true);
+    m_text->setMaximumBlockCount(kMostLines);
+    m_text->setTabChangesFocus(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_text->setPlaceholderText(tr("What is run, and what goes wrong, is noted here."));
+    auto* copy = new QToolButton(this);
+    copy->setObjectName(QStringLiteral("copyLog"));
+    copy->setText(tr("Copy all"));
+    copy->setIcon(icon(QStringLiteral("copy")));
+    copy->setToolTip(tr("Copy the whole log, for a report"));
+    auto* clear = new QToolButton(this);
+    clear->setObjectName(QStringLiteral("clearLog"));
+    clear->setText(tr("Clear"));
+    clear->setToolTip(tr("Take all lines off the log"));
+    auto* row = new QHBoxLayout;
+    for (QToolButton* button : {copy, clear}) {
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setFocusPolicy(Qt::StrongFocus);
+        row->addWidget(button);
+    }
+    row->addStretch();
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(row);
+    column->addWidget(m_text, 1);
+    connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text()); });
+    connect(clear, &QToolButton::clicked, m_text, &QPlainTextEdit::clear);
+}
+
+void LogPanel::add(const QString& text) {
+    m_text->appendPlainText(
+        tr("%1  %2").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), text));
+}
+
+QString LogPanel::text() const {
+    return m_text->toPlainText();
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,63 @@
+#include "ui/results/limits_dialog.h"
+
+#include "ui/window/elided_label.h"
+
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr double kGiB = 1024.0 * 1024 * 1024;
+constexpr double kSmallest = 0.1;
+constexpr double kLargest = 10000;
+
+std::uint64_t bytesOf(const QDoubleSpinBox& size) {
+    return static_cast<std::uint64_t>(size.value() * kGiB);
+}
+
+} // namespace
+
+LimitsDialog::LimitsDialog(std::uint64_t memory, std::uint64_t disk, const QString& folder, QWidget* parent)
+    : QDialog(parent),
+      m_memory(makeSize(QStringLiteral("memoryLimit"), static_cast<double>(memory),
+                        tr("The latest results stay in memory up to this; others are read from the disk when "
+                           "they are shown."))),
+      m_disk(makeSize(QStringLiteral("diskLimit"), static_cast<double>(disk),
+                      tr("Beyond this the oldest results are removed; those pinned stay."))) {
+    setObjectName(QStringLiteral("limitsDialog"));
+    setWindowTitle(tr("Limits for results"));
+    auto* place = new ElidedLabel(this);
+    place->setFullText(folder);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("In &memory"), m_memory);
+    form->addRow(tr("On the &disk"), m_disk);
+    form->addRow(tr("Kept in"), place);
+    form->addRow(buttons);
+}
+
+QDoubleSpinBox* LimitsDialog::makeSize(const QString& name, double bytes, const QString& help) {
+    auto* size = new QDoubleSpinBox(this);
+    size->setObjectName(name);
+    size->setRange(kSmallest, kLargest);
+    size->setDecimals(1);
+    size->setSuffix(tr(" GiB"));
+    size->setValue(bytes / kGiB);
+    size->setToolTip(help);
+    return size;
+}
+
+std::uint64_t LimitsDialog::memory() const {
+    return bytesOf(*m_memory);
+}
+
+std::uint64_t LimitsDialog::disk() const {
+    return bytesOf(*m_disk);
+}
+
+} // namespace texloom::ui

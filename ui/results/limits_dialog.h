@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QDialog>
+
+#include <cstdint>
+
+class QDoubleSpinBox;
+
+namespace texloom::ui {
+
+/// How much memory and how much of the disk results may take.
+class LimitsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    LimitsDialog(std::uint64_t memory, std::uint64_t disk, const QString& folder, QWidget* parent = nullptr);
+
+    std::uint64_t memory() const;
+    std::uint64_t disk() const;
+
+private:
+    QDoubleSpinBox* makeSize(const QString& name, double bytes, const QString& help);
+
+    QDoubleSpinBox* m_memory;
+    QDoubleSpinBox* m_disk;
+};
+
+} // namespace texloom::ui

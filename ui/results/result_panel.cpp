@@ -1,0 +1,226 @@
+#include "ui/results/result_panel.h"
+
+#include "core/base/text.h"
+#include "ui/results/result_delegate.h"
+#include "ui/results/result_text.h"
+#include "ui/window/icons.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QSortFilterProxyModel>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace texloom::ui {
+
+namespace {
+
+constexpr int kSearchWidths = 24;
+/// A comparison shows this many at most.
+constexpr std::size_t kMostCompared = 9;
+
+QAction* make(QWidget* window, const char* name, const QString& text, const QString& help,
+              const QKeySequence& key = {}, const char* iconName = nullptr) {
+    auto* action = new QAction(text, window);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(
+        key.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, key.toString(QKeySequence::NativeText)));
+    action->setStatusTip(action->toolTip());
+    if (iconName != nullptr)
+        action->setIcon(icon(QLatin1String(iconName)));
+    return action;
+}
+
+QString tr(const char* text) {
+    return ResultPanel::tr(text);
+}
+
+} // namespace
+
+ResultActions::ResultActions(QWidget* window)
+    : show(make(window, "showChosenResult", tr("&Show"), tr("Show the chosen result"))),
+      restore(make(window, "restoreResult", tr("&Restore settings"),
+                   tr("Bring the settings of the chosen result back into the form"), {}, "reset")),
+      compare(make(window, "compareResults", tr("&Compare"),
+                   tr("Look at the chosen results side by side, or at one beside its exemplar"), {},
+                   "compare")),
+      difference(make(window, "resultDifference", tr("&Differences…"),
+                      tr("List the settings in which two chosen results differ"))),
+      pin(make(window, "pinResult", tr("&Pin"),
+               tr("Keep the chosen results: those pinned are never removed by themselves"), Qt::Key_P,
+               "pin")),
+      rename(make(window, "renameResult", tr("Re&name"), tr("Give the chosen result a name of your own"),
+                  Qt::Key_F2)),
+      remove(make(window, "removeResult", tr("De&lete"), tr("Delete the chosen results"),
+                  QKeySequence::Delete, "delete")) {
+    pin->setCheckable(true);
+}
+
+ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, QWidget* parent)
+    : QWidget(parent), m_history(history), m_actions(actions), m_found(new QSortFilterProxyModel(this)),
+      m_search(new QLineEdit(this)), m_list(new QListView), m_empty(new QLabel), m_usage(new QLabel(this)) {
+    setObjectName(QStringLiteral("resultPanel"));
+    m_found->setSourceModel(history);
+    m_found->setFilterRole(ResultHistory::SearchRole);
+    m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    m_search->setObjectName(QStringLiteral("resultSearch"));
+    m_search->setPlaceholderText(tr("Search results"));
+    m_search->setAccessibleName(tr("Search results"));
+    m_search->setClearButtonEnabled(true);
+    m_search->setMaximumWidth(fontMetrics().averageCharWidth() * kSearchWidths);
+
+    m_list->setObjectName(QStringLiteral("resultList"));
+    m_list->setAccessibleName(tr("Results"));
+    m_list->setModel(m_found);
+    m_list->setItemDelegate(new ResultDelegate(m_list));
+    m_list->setViewMode(QListView::IconMode);
+    m_list->setMovement(QListView::Static);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setUniformItemSizes(true);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_list->addActions({m_actions.show, m_actions.restore, m_actions.compare, m_actions.difference,
+                        m_actions.pin, m_actions.rename, m_actions.remove});
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+
+    auto* bar = new QHBoxLayout;
+    bar->addWidget(m_search, 1);
+    for (QAction* action :
+         {m_actions.restore, m_actions.compare, m_actions.difference, m_actions.pin, m_actions.remove}) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setFocusPolicy(Qt::StrongFocus);
+        bar->addWidget(button);
+    }
+    bar->addStretch();
+    bar->addWidget(m_usage);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(bar);
+    column->addWidget(m_empty, 1);
+    column->addWidget(m_list, 1);
+    connectActions();
+    explainEmpty();
+    updateActions();
+}
+
+void ResultPanel::connectActions() {
+    connect(m_search, &QLineEdit::textChanged, this, [this](const QString& text) {
+        m_found->setFilterFixedString(text.trimmed());
+        explainEmpty();
+    });
+    connect(m_history, &ResultHistory::usageChanged, this, &ResultPanel::sayUsage);
+    connect(m_found, &QAbstractItemModel::rowsInserted, this, &ResultPanel::explainEmpty);
+    connect(m_found, &QAbstractItemModel::rowsRemoved, this, &ResultPanel::explainEmpty);
+    connect(m_found, &QAbstractItemModel::modelReset, this, &ResultPanel::explainEmpty);
+    connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &ResultPanel::updateActions);
+    connect(m_found, &QAbstractItemModel::dataChanged, this, &ResultPanel::updateActions);
+    connect(m_list, &QListView::activated, m_actions.show, &QAction::trigger);
+    connect(m_actions.show, &QAction::triggered, this, [this] {
+        if (const auto keys = selected(); !keys.empty())
+            Q_EMIT showWanted(keys.front());
+    });
+    connect(m_actions.restore, &QAction::triggered, this, [this] {
+        if (const auto keys = selected(); !keys.empty())
+            Q_EMIT restoreWanted(keys.front());
+    });
+    connect(m_actions.compare, &QAction::triggered, this, [this] { Q_EMIT compareWanted(selected()); });
+    connect(m_actions.difference, &QAction::triggered, this, [this] {
+        if (const auto keys = selected(); keys.size() == 2)
+            Q_EMIT differenceWanted(keys[1], keys[0]);
+    });
+    connect(m_actions.pin, &QAction::triggered, this, &ResultPanel::pinSelected);
+    connect(m_actions.rename, &QAction::triggered, this, [this] {
+        if (m_list->currentIndex().isValid())
+            m_list->edit(m_list->currentIndex());
+    });
+    connect(m_actions.remove, &QAction::triggered, this, &ResultPanel::removeSelected);
+}
+
+std::vector<std::string> ResultPanel::selected() const {
+    QModelIndexList indexes = m_list->selectionModel()->selectedIndexes();
+    std::sort(indexes.begin(), indexes.end(),
+              [](const QModelIndex& a, const QModelIndex& b) { return a.row() < b.row(); });
+    std::vector<std::string> keys;
+    for (const QModelIndex& index : indexes)
+        keys.push_back(index.data(ResultHistory::KeyRole).toString().toStdString());
+    return keys;
+}
+
+void ResultPanel::select(const std::vector<std::string>& keys) {
+    m_list->clearSelection();
+    for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+        const QModelIndex index = m_found->mapFromSource(m_history->indexOf(*key));
+        m_list->selectionModel()->select(index, QItemSelectionModel::Select);
+        m_list->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+        m_list->scrollTo(index);
+    }
+}
+
+void ResultPanel::pinSelected() {
+    for (const std::string& key : selected())
+        m_history->setPinned(key, m_actions.pin->isChecked());
+}
+
+void ResultPanel::removeSelected() {
+    const std::vector<std::string> keys = selected();
+    if (keys.empty())
+        return;
+    const QString what = keys.size() == 1
+                             ? tr("“%1” was deleted.").arg(titleText(*m_history->find(keys.front())))
+                             : tr("%1 results were deleted.").arg(keys.size());
+    m_history->remove(keys);
+    Q_EMIT removed(what);
+}
+
+void ResultPanel::updateActions() {
+    const std::vector<std::string> keys = selected();
+    const bool one = keys.size() == 1;
+    for (QAction* action : {m_actions.show, m_actions.restore, m_actions.rename})
+        action->setEnabled(one);
+    m_actions.difference->setEnabled(keys.size() == 2);
+    m_actions.compare->setEnabled(!keys.empty() && keys.size() <= kMostCompared);
+    m_actions.remove->setEnabled(!keys.empty());
+    m_actions.pin->setEnabled(!keys.empty());
+    const auto pinned = [this](const std::string& key) {
+        const ResultEntry* const entry = m_history->find(key);
+        return entry != nullptr && entry->pinned;
+    };
+    m_actions.pin->setChecked(!keys.empty() && std::all_of(keys.begin(), keys.end(), pinned));
+}
+
+void ResultPanel::explainEmpty() {
+    const bool any = m_history->rowCount() > 0;
+    const bool found = m_found->rowCount() > 0;
+    m_empty->setText(any ? tr("No result has “%1” in its name, method, exemplar, seed or notes.")
+                               .arg(m_search->text().trimmed())
+                         : tr("Every run is kept here with its settings. There is none yet: press Run."));
+    m_empty->setVisible(!found);
+    m_list->setVisible(found);
+    m_search->setEnabled(any);
+    sayUsage();
+}
+
+void ResultPanel::sayUsage() {
+    const ResultStore& store = m_history->store();
+    m_usage->setVisible(m_history->rowCount() > 0);
+    m_usage->setText(tr("%1 in memory, %2 on disk")
+                         .arg(QString::fromStdString(byteText(store.memoryUsed())),
+                              QString::fromStdString(byteText(store.diskUsed()))));
+    m_usage->setToolTip(
+        tr("Up to %1 of results stay in memory and up to %2 on the disk; “Limits…” in the Results "
+           "menu changes that.")
+            .arg(QString::fromStdString(byteText(store.memoryBudget())),
+                 QString::fromStdString(byteText(store.diskBudget()))));
+}
+
+} // namespace texloom::ui

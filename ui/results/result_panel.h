@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ui/results/result_history.h"
+
+#include <QWidget>
+
+class QAction;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QSortFilterProxyModel;
+
+namespace texloom::ui {
+
+/// What can be done with results; the menu and the panel's buttons show these.
+struct ResultActions {
+    /// Makes them as children of `window`.
+    explicit ResultActions(QWidget* window);
+
+    QAction* show;
+    QAction* restore;
+    QAction* compare;
+    QAction* difference;
+    QAction* pin;
+    QAction* rename;
+    QAction* remove;
+};
+
+/// The Results dock: a card for every run, a search, and what can be done with those that are chosen. Del,
+/// F2, P and Return act on them while the list has the focus.
+class ResultPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    ResultPanel(ResultHistory* history, const ResultActions& actions, QWidget* parent = nullptr);
+
+    /// Keys of the chosen results, in the order in which they are shown.
+    std::vector<std::string> selected() const;
+    /// Chooses these, and shows the first.
+    void select(const std::vector<std::string>& keys);
+
+Q_SIGNALS:
+    void showWanted(const std::string& key);
+    void restoreWanted(const std::string& key);
+    void compareWanted(const std::vector<std::string>& keys);
+    void differenceWanted(const std::string& first, const std::string& second);
+    /// Results were taken off the list; the sentence says which.
+    void removed(const QString& sentence);
+
+private:
+    void connectActions();
+    void removeSelected();
+    void pinSelected();
+    void updateActions();
+    void explainEmpty();
+    void sayUsage();
+
+    ResultHistory* m_history;
+    ResultActions m_actions;
+    QSortFilterProxyModel* m_found;
+    QLineEdit* m_search;
+    QListView* m_list;
+    QLabel* m_empty;
+    QLabel* m_usage;
+};
+
+} // namespace texloom::ui

@@ -1,0 +1,370 @@
+#include "ui/window/workbench.h"
+
+#include "core/base/text.h"
+#include "ui/compare/compare_view.h"
+#include "ui/compare/contact_sheet.h"
+#include "ui/compare/grid_run.h"
+#include "ui/compare/sweep_dialog.h"
+#include "ui/jobs/background.h"
+#include "ui/jobs/job_panel.h"
+#include "ui/log/log_panel.h"
+#include "ui/results/difference_dialog.h"
+#include "ui/results/limits_dialog.h"
+#include "ui/results/result_text.h"
+#include "ui/viewers/result_view.h"
+#include "ui/window/icons.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/text.h"
+
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+const QString kFolder = QStringLiteral("results/folder");
+const QString kMemory = QStringLiteral("results/memory");
+const QString kDisk = QStringLiteral("results/disk");
+const QString kSheetFolder = QStringLiteral("folders/sheet");
+
+QString resultFolder() {
+    const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    return QSettings().value(kFolder, cache + QStringLiteral("/results")).toString();
+}
+
+/// A picture from which a thumbnail can be made quickly.
+const QImage& smallPicture(const DisplayPicture& picture) {
+    constexpr double kSide = 512;
+    return picture.levelFor(kSide / picture.size().longerSide());
+}
+
+/// The picture that a comparison shows of a result, with its label.
+CompareItem itemOf(const ResultEntry& entry, const std::shared_ptr<const Result>& result) {
+    const std::shared_ptr<const Image> image(result, &result->synthesis.image);
+    const QString label = entry.title.empty() ? labelText(entry) : titleText(entry);
+    return {label, std::make_shared<const DisplayPicture>(image), {}, entry.key};
+}
+
+QString durationOf(double seconds) {
+    return QString::fromStdString(durationText(seconds));
+}
+
+} // namespace
+
+Workbench::Workbench(RunController* controller, MainWindow* window)
+    : QObject(window), m_window(window), m_queue(new JobQueue(controller, this)),
+      m_history(new ResultHistory(resultFolder(), this)), m_resultActions(window),
+      m_results(new ResultPanel(m_history, m_resultActions, window)), m_jobs(new JobPanel(m_queue, window)),
+      m_log(new LogPanel(window)), m_compareActions(window),
+      m_compare(new CompareView(m_compareActions, window)),
+      m_grid(new GridRun(m_queue, m_history, m_compare, this)), m_tryAll(new QAction(window)),
+      m_sweep(new QAction(window)) {
+    const QSettings settings;
+    m_history->setMemoryBudget(settings.value(kMemory, quint64{ResultStore::kMemoryBudget}).toULongLong());
+    m_history->setDiskBudget(settings.value(kDisk, quint64{ResultStore::kDiskBudget}).toULongLong());
+    connectQueue();
+    connectResults();
+    connectCompare();
+}
+
+void Workbench::addDocks() {
+    QDockWidget* before = nullptr;
+    const std::tuple<QWidget*, QString, const char*> docks[] = {{m_results, tr("Results"), "resultDock"},
+                                                                {m_jobs, tr("Jobs"), "jobDock"},
+                                                                {m_log, tr("Log"), "logDock"}};
+    for (const auto& [content, title, name] : docks) {
+        auto* dock = new QDockWidget(title, m_window);
+        dock->setObjectName(QLatin1String(name));
+        dock->setWidget(content);
+        m_window->addDockWidget(Qt::BottomDockWidgetArea, dock);
+        if (before != nullptr)
+            m_window->tabifyDockWidget(before, dock);
+        before = dock;
+    }
+    m_window->findChild<QDockWidget*>(QStringLiteral("resultDock"))->raise();
+}
+
+QMenu* Workbench::makeResultsMenu() {
+    auto* menu = new QMenu(tr("&Results"), m_window);
+    menu->addActions(
+        {m_resultActions.show, m_resultActions.restore, m_resultActions.compare, m_resultActions.difference});
+    menu->addSeparator();
+    menu->addActions({m_resultActions.pin, m_resultActions.rename, m_resultActions.remove});
+    menu->addSeparator();
+    menu->addAction(tr("&Limits…"), this, &Workbench::setLimits)
+        ->setObjectName(QStringLiteral("resultLimits"));
+    return menu;
+}
+
+void Workbench::connectQueue() {
+    connect(m_queue, &JobQueue::started, this,
+            [this](int id) { m_log->add(tr("Started: %1").arg(m_queue->find(id)->label)); });
+    connect(m_queue, &JobQueue::finished, this, &Workbench::keep);
+    connect(m_queue, &JobQueue::stopped, this, [this](const QueuedJob& job, double fraction) {
+        m_log->add(tr("Stopped at %1: %2").arg(percentText(fraction), job.label));
+    });
+    connect(m_queue, &JobQueue::failed, this,
+            [this](const QueuedJob& job) { m_log->add(tr("Failed: %1: %2").arg(job.label, job.problem)); });
+}
+
+void Workbench::connectResults() {
+    connect(m_history, &ResultHistory::remarked, m_log, &LogPanel::add);
+    connect(m_results, &ResultPanel::showWanted, this, &Workbench::show);
+    connect(m_results, &ResultPanel::restoreWanted, this, &Workbench::restore);
+    connect(m_results, &ResultPanel::differenceWanted, this, &Workbench::showDifference);
+    connect(m_results, &ResultPanel::compareWanted, this, [this](const std::vector<std::string>& keys) {
+        compareResults(keys, m_compareActions.exemplar->isChecked());
+    });
+    connect(m_results, &ResultPanel::removed, this, [this](const QString& sentence) {
+        m_window->messages()->say(MessageBar::Kind::Information, sentence, tr("Undo"),
+                                  [this] { m_history->undoRemove(); });
+    });
+}
+
+void Workbench::keep(const QueuedJob& job, const std::shared_ptr<const Result>& result,
+                     const RunPictures& pictures) {
+    const std::string key = m_history->add(result, job.quick, smallPicture(*pictures.result));
+    m_grid->keep(job.id, key, pictures);
+    m_log->add(tr("Finished in %1: %2").arg(durationOf(result->seconds), job.label));
+    for (const std::string& note : result->synthesis.notes)
+        m_log->add(tr("Note: %1").arg(translated(note)));
+}
+
+void Workbench::show(const std::string& key) {
+    const auto show = [this, key](const std::shared_ptr<const Result>& result) {
+        const ResultEntry* const entry = m_history->find(key);
+        const bool quick = entry != nullptr && entry->quick;
+        inBackground(
+            this, [result] { return picturesOf(result); },
+            [this, result, quick](const RunPictures& pictures) {
+                m_window->showResult(result, pictures, quick);
+            },
+            [this](const QString& why) { m_window->fail(why); });
+    };
+    m_history->want(key, show, [this](const QString& why) { m_window->fail(translated(why.toStdString())); });
+}
+
+void Workbench::restore(const std::string& key) {
+    if (const ResultEntry* entry = m_history->find(key))
+        m_window->restoreRecipe(entry->recipe, entry->quick);
+}
+
+void Workbench::showDifference(const std::string& first, const std::string& second) {
+    auto* dialog = new DifferenceDialog(*m_history->find(first), *m_history->find(second), m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void Workbench::setLimits() {
+    auto* dialog = new LimitsDialog(m_history->store().memoryBudget(), m_history->store().diskBudget(),
+                                    resultFolder(), m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        QSettings settings;
+        settings.setValue(kMemory, quint64{dialog->memory()});
+        settings.setValue(kDisk, quint64{dialog->disk()});
+        m_history->setMemoryBudget(dialog->memory());
+        m_history->setDiskBudget(dialog->disk());
+    });
+    dialog->open();
+}
+
+void Workbench::addPages(ResultView* tabs) {
+    m_tabs = tabs;
+    tabs->addPage(m_compare, tr("Compare"), tr("Several results and exemplars beside one another."));
+}
+
+QMenu* Workbench::makeCompareMenu() {
+    auto* menu = new QMenu(tr("&Compare"), m_window);
+    menu->addActions(
+        {m_compareActions.grid, m_compareActions.wipe, m_compareActions.toggle, m_compareActions.difference});
+    menu->addSeparator();
+    menu->addActions({m_compareActions.exemplar, m_compareActions.link, m_compareActions.sheet});
+    return menu;
+}
+
+void Workbench::connectCompare() {
+    for (const auto mode :
+         {CompareMode::Grid, CompareMode::Wipe, CompareMode::Toggle, CompareMode::Difference})
+        connect(m_compareActions.mode(mode), &QAction::triggered, this, [this, mode] { chooseMode(mode); });
+    connect(m_compareActions.exemplar, &QAction::triggered, this, [this](bool exemplar) {
+        if (!m_compared.empty())
+            compareResults(std::vector(m_compared), exemplar);
+    });
+    connect(m_compareActions.sheet, &QAction::triggered, this, &Workbench::writeContactSheet);
+    connect(m_compare, &CompareView::useWanted, this, &Workbench::restore);
+    m_tryAll->setText(tr("Try &all methods"));
+    m_tryAll->setObjectName(QStringLiteral("tryAll"));
+    m_tryAll->setIcon(icon(QStringLiteral("grid")));
+    m_tryAll->setToolTip(tr("Make a preview with every method, the quickest first, and compare them"));
+    m_sweep->setText(tr("Parameter s&weep…"));
+    m_sweep->setObjectName(QStringLiteral("sweep"));
+    m_sweep->setToolTip(tr("Make a run for every combination of some values and compare them"));
+    for (QAction* action : {m_tryAll, m_sweep})
+        action->setStatusTip(action->toolTip());
+    connect(m_tryAll, &QAction::triggered, this, &Workbench::tryAll);
+    connect(m_sweep, &QAction::triggered, this, &Workbench::startSweep);
+}
+
+void Workbench::setCanRun(bool settings, bool exemplar) {
+    m_tryAll->setEnabled(exemplar);
+    m_sweep->setEnabled(settings);
+}
+
+void Workbench::showCompare() {
+    m_window->showResults();
+    m_tabs->showPage(m_compare);
+}
+
+void Workbench::chooseMode(CompareMode mode) {
+    const bool seen = m_compare->isVisible();
+    if (m_compare->pictures() >= 2 || seen) {
+        // Choosing Toggle again shows the other picture, but not while nobody sees the first.
+        if (seen || m_compare->mode() != mode)
+            m_compare->setMode(mode);
+        return showCompare();
+    }
+    std::vector<std::string> lastTwo;
+    for (const ResultEntry& entry : m_history->entries())
+        lastTwo.push_back(entry.key);
+    if (lastTwo.size() > 2)
+        lastTwo.erase(lastTwo.begin(), lastTwo.end() - 2);
+    if (lastTwo.empty())
+        return showCompare();
+    compareResults(lastTwo, false);
+    connect(
+        m_compare, &CompareView::replaced, this, [this, mode] { m_compare->setMode(mode); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+}
+
+struct Workbench::Gathering {
+    std::vector<std::string> keys;
+    std::vector<CompareItem> items;
+};
+
+void Workbench::compareResults(const std::vector<std::string>& keys, bool exemplar) {
+    m_compared = keys;
+    auto gathering = std::make_shared<Gathering>();
+    if (exemplar)
+        gathering->items = exemplarItems();
+    gathering->keys = keys;
+    std::sort(gathering->keys.begin(), gathering->keys.end());
+    gather(gathering);
+}
+
+void Workbench::gather(const std::shared_ptr<Gathering>& gathering) {
+    if (gathering->keys.empty()) {
+        m_compare->setItems(std::move(gathering->items));
+        return showCompare();
+    }
+    const std::string key = gathering->keys.front();
+    gathering->keys.erase(gathering->keys.begin());
+    const auto failed = [this, gathering, key](const QString& why) {
+        const ResultEntry* const entry = m_history->find(key);
+        gathering->items.push_back(
+            {entry != nullptr ? labelText(*entry) : QString(), nullptr, translated(why.toStdString()), {}});
+        gather(gathering);
+    };
+    const auto got = [this, gathering, key, failed](const std::shared_ptr<const Result>& result) {
+        const ResultEntry* const entry = m_history->find(key);
+        if (entry == nullptr)
+            return failed(tr("This result was removed."));
+        inBackground(
+            this, [entry = *entry, result] { return itemOf(entry, result); },
+            [this, gathering](CompareItem item) {
+                gathering->items.push_back(std::move(item));
+                gather(gathering);
+            },
+            failed);
+    };
+    m_history->want(key, got, failed);
+}
+
+std::vector<CompareItem> Workbench::exemplarItems() const {
+    std::vector<CompareItem> items;
+    if (const ExemplarEntry* current = m_window->store()->current())
+        items.push_back({tr("%1 · exemplar · %2")
+                             .arg(QString::fromStdString(current->file().name()),
+                                  sizeText(current->file().image->size())),
+                         current->picture,
+                         {},
+                         {}});
+    return items;
+}
+
+void Workbench::tryAll() {
+    const ExemplarEntry* const current = m_window->store()->current();
+    if (current == nullptr)
+        return;
+    const RunInput asked = m_window->input(true);
+    std::vector<GridEntry> entries;
+    for (const Method& method : methods()) {
+        RunInput input;
+        input.method = method.id();
+        input.exemplars = {current->exemplar};
+        if (!method.info().usesMask)
+            input.exemplars.front().mask.reset();
+        input.size = asked.size;
+        input.wrap = method.info().wraps ? asked.wrap : Wrap{};
+        input.seed = asked.seed;
+        input.threads = asked.threads;
+        const QString label = tr("%1 · seed %2 · %3")
+                                  .arg(translated(method.info().title))
+                                  .arg(input.seed)
+                                  .arg(sizeText(input.size));
+        entries.push_back({label, std::move(input)});
+    }
+    showCompare();
+    m_compared.clear();
+    m_grid->start(std::move(entries), exemplarItems(), 0, true, true);
+}
+
+void Workbench::startSweep() {
+    auto* dialog = new SweepDialog(m_window->input(false), m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        std::vector<GridEntry> entries;
+        for (const SweepCell& cell : dialog->cells()) {
+            entries.push_back({QString::fromStdString(cell.label), cell.input});
+            if (dialog->quick())
+                entries.back().input.size = quickSize(cell.input.size);
+        }
+        showCompare();
+        m_compared.clear();
+        m_grid->start(std::move(entries), {}, dialog->columns(), dialog->quick(), false);
+    });
+    dialog->open();
+}
+
+void Workbench::writeContactSheet() {
+    constexpr int kSide = 512;
+    const QString folder = QSettings().value(kSheetFolder, QDir::homePath()).toString();
+    const QString path = QFileDialog::getSaveFileName(m_window, tr("Write a contact sheet"),
+                                                      folder + QStringLiteral("/contact_sheet.png"),
+                                                      tr("PNG pictures (*.png)"));
+    if (path.isEmpty())
+        return;
+    QSettings().setValue(kSheetFolder, QFileInfo(path).path());
+    inBackground(
+        this,
+        [items = m_compare->items(), columns = m_compare->columns(), font = m_window->font(), path] {
+            writeSheet(contactSheet(items, columns, kSide, font), path);
+            return QString(path);
+        },
+        [this](const QString& written) {
+            m_window->messages()->say(MessageBar::Kind::Information, tr("Wrote %1.").arg(written));
+        },
+        [this](const QString& why) { m_window->fail(translated(why.toStdString())); });
+}
+
+} // namespace texloom::ui
