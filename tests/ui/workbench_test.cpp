@@ -1,5 +1,6 @@
 #include "core/io/image_file.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/job_panel.h"
@@ -117,6 +118,16 @@ private Q_SLOTS:
         QVERIFY(again.result()->synthesis.map == made->synthesis.map);
         QVERIFY(again.results()->title().contains(QStringLiteral("Quick preview")));
         QVERIFY(child<QAction>(again, "export")->isEnabled());
+
+        QSignalSpy opened(again.store(), &ExemplarStore::opened);
+        again.openFiles({m_exemplar});
+        QVERIFY(opened.wait());
+        again.workbench()->show(key);
+        QTRY_VERIFY(again.result() != nullptr && !again.controller()->running());
+        const Source source = made->synthesis.map.at(9, 7);
+        QTRY_VERIFY2((Q_EMIT again.results()->viewer(ResultView::ResultTab)->hovered({9, 7}),
+                      again.exemplarPanel()->viewer()->marker() == QPoint(source.x, source.y)),
+                     "a result that was read back is linked with the exemplar that is open");
     }
 
     void twoHundredResultsStayFluid() {
@@ -396,6 +407,20 @@ private Q_SLOTS:
         QCOMPARE(entry.recipe.seed, 41U);
         QVERIFY((entry.recipe.size == Size{64, 48}));
         QVERIFY2(window.result() == before, "the queue works behind what is shown");
+    }
+
+    void aQueuedRunCanBeWatched() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        JobQueue* const queue = window.workbench()->queue();
+        QSignalSpy finished(queue, &JobQueue::finished);
+        queue->add(planFor(m_large, {300, 300}, 3), false, false, JobQueue::Place::Last);
+        auto* list = child<QTreeWidget>(window, "jobList");
+        Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
+        QVERIFY(window.results()->title().startsWith(QStringLiteral("Under way")));
+        QVERIFY(finished.wait(kPatience));
+        QVERIFY((window.result()->plan.request.size == Size{300, 300}));
     }
 
     void threadBudgetHolds() {

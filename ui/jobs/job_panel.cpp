@@ -111,6 +111,7 @@ JobPanel::JobPanel(JobQueue* queue, QWidget* parent)
     m_cancel->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_list->setObjectName(QStringLiteral("jobList"));
     m_list->setAccessibleName(tr("Runs that wait or are under way"));
+    m_list->setToolTip(tr("Double click or Return on the run under way shows it as it goes"));
     m_list->setHeaderLabels({tr("Run"), tr("Progress"), tr("Time")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
@@ -131,6 +132,11 @@ JobPanel::JobPanel(JobQueue* queue, QWidget* parent)
     connect(m_queue, &JobQueue::progressed, this, &JobPanel::showProgress);
     connect(m_queue, &JobQueue::pausedChanged, m_pause, &QAction::setChecked);
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, &JobPanel::updateActions);
+    connect(m_list, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
+        const int id = item->data(NameColumn, IdRole).toInt();
+        if (const QueuedJob* current = m_queue->current(); current != nullptr && current->id == id)
+            Q_EMIT watchWanted(id);
+    });
     connect(m_up, &QAction::triggered, this, [this] { m_queue->move(selected(), -1); });
     connect(m_down, &QAction::triggered, this, [this] { m_queue->move(selected(), 1); });
     connect(m_cancel, &QAction::triggered, this, [this] { m_queue->cancel(selected()); });

@@ -24,6 +24,10 @@ public:
     /// The id of the chosen run; 0 if none is chosen.
     int selected() const;
 
+Q_SIGNALS:
+    /// The pictures of this run are to be shown as it goes.
+    void watchWanted(int id);
+
 private:
     QAction* makeAction(const char* name, const QString& text, const QString& help, const char* iconName);
     QWidget* makeBar();

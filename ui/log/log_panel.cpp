@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QHBoxLayout>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QTime>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -51,8 +52,12 @@ LogPanel::LogPanel(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit
 }
 
 void LogPanel::add(const QString& text) {
+    QScrollBar* const bar = m_text->verticalScrollBar();
+    const bool follows = !isVisible() || bar->value() == bar->maximum();
     m_text->appendPlainText(
         tr("%1  %2").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), text));
+    if (follows)
+        bar->setValue(bar->maximum());
 }
 
 QString LogPanel::text() const {

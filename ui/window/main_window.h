@@ -60,6 +60,8 @@ public:
     void restoreRecipe(const Recipe& recipe, bool keepSize);
     /// Shows a finished run. @param quick whether it is a preview at a small size.
     void showResult(const std::shared_ptr<const Result>& result, const RunPictures& pictures, bool quick);
+    /// Shows the pictures of the run under way as it goes, and its result.
+    void watch(int id);
     /// Leaves the start page.
     void showResults();
     /// Says in place what could not be done.
@@ -120,7 +122,9 @@ private:
     std::vector<RunExemplar> usedExemplars() const;
     void addRun(bool quick, bool next);
     void applySettings(const RunInput& input);
+    const ExemplarEntry* openEntryOf(const RecipeExemplar& wanted) const;
     bool openExemplarsOf(const Recipe& recipe);
+    void takeShownExemplars(const RunPlan& plan);
     void runStarted(int id);
     void runPreviewed(int id, const RunPictures& pictures);
     void runFinished(const QueuedJob& job, const std::shared_ptr<const Result>& result,

@@ -185,17 +185,22 @@ void MainWindow::applySettings(const RunInput& input) {
     plan();
 }
 
+const ExemplarEntry* MainWindow::openEntryOf(const RecipeExemplar& wanted) const {
+    const auto& open = m_store->entries();
+    const auto found = std::find_if(open.begin(), open.end(), [&](const ExemplarEntry& entry) {
+        return entry.file().path == wanted.image.path && entry.file().hash == wanted.image.hash &&
+               entry.file().space == wanted.image.space && entry.exemplar.edits == wanted.edits;
+    });
+    return found == open.end() ? nullptr : &*found;
+}
+
 bool MainWindow::openExemplarsOf(const Recipe& recipe) {
     std::vector<int> ids;
     for (const RecipeExemplar& wanted : recipe.exemplars) {
-        const auto& open = m_store->entries();
-        const auto found = std::find_if(open.begin(), open.end(), [&](const ExemplarEntry& entry) {
-            return entry.file().path == wanted.image.path && entry.file().hash == wanted.image.hash &&
-                   entry.file().space == wanted.image.space && entry.exemplar.edits == wanted.edits;
-        });
-        if (found == open.end() || wanted.mask || !wanted.companions.empty())
+        const ExemplarEntry* const entry = openEntryOf(wanted);
+        if (entry == nullptr || wanted.mask || !wanted.companions.empty())
             return false;
-        ids.push_back(found->id);
+        ids.push_back(entry->id);
     }
     m_store->setCurrent(ids.front());
     if (ids.size() > 1)

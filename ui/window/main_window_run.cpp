@@ -1,4 +1,5 @@
 #include "core/base/text.h"
+#include "ui/compare/compare_view.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
@@ -201,12 +202,25 @@ void MainWindow::addRun(bool quick, bool next) {
         });
 }
 
+/// Exemplars that are open stand for those of a run that was read back, so that hovering finds them.
+void MainWindow::takeShownExemplars(const RunPlan& plan) {
+    m_shownExemplars = plan.request.exemplars;
+    for (std::size_t i = 0; i < std::min(m_shownExemplars.size(), plan.recipe.exemplars.size()); ++i)
+        if (const ExemplarEntry* entry = openEntryOf(plan.recipe.exemplars[i]))
+            m_shownExemplars[i].image = entry->file().image;
+}
+
 void MainWindow::runStarted(int id) {
+    if (m_bench->queue()->find(id)->shown)
+        watch(id);
+}
+
+void MainWindow::watch(int id) {
     const QueuedJob* const job = m_bench->queue()->find(id);
-    if (!job->shown)
-        return;
     m_live = id;
-    m_shownExemplars = job->plan.request.exemplars;
+    takeShownExemplars(job->plan);
+    if (m_bench->compare()->isVisible())
+        m_results->setTab(ResultView::ResultTab);
     m_resultShown = false;
     m_results->setTitle(
         (job->quick ? tr("Quick preview under way: %1") : tr("Under way: %1")).arg(job->label));
@@ -250,7 +264,7 @@ void MainWindow::showResults() {
 void MainWindow::showResult() {
     m_live = 0;
     showResults();
-    m_shownExemplars = m_result->plan.request.exemplars;
+    takeShownExemplars(m_result->plan);
     m_results->showPictures(m_resultPictures);
     m_results->setBadge(m_resultQuick ? tr("Quick preview") : QString());
     const Size size = m_result->plan.request.size;

@@ -48,7 +48,11 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction*>& actions, QWidget* parent
         {tr("Drag"), tr("In a picture: move it")},
         {tr("Arrow keys"), tr("In a picture: move it")},
         {tr("Shift+arrow keys"), tr("In a picture: move from pixel to pixel and show where each came from")},
-        {tr("Double click"), tr("On a parameter's label: reset it")}};
+        {tr("Double click"), tr("On a parameter's label: reset it")},
+        {tr("Return"), tr("In a comparison: take over the settings of the picture in use")},
+        {tr("Ctrl+arrow keys"), tr("In a wipe: move the line")},
+        {tr("Ctrl+Shift+arrow keys"), tr("In a wipe: turn the line")},
+        {tr("Shift+R, G, B, A, C"), tr("In a comparison: show red, green, blue, alpha, or colour")}};
     for (const auto& [keys, what] : inViewer)
         addRow(table, keys, what);
 

@@ -110,6 +110,7 @@ void Workbench::connectQueue() {
     connect(m_queue, &JobQueue::started, this,
             [this](int id) { m_log->add(tr("Started: %1").arg(m_queue->find(id)->label)); });
     connect(m_queue, &JobQueue::finished, this, &Workbench::keep);
+    connect(m_jobs, &JobPanel::watchWanted, m_window, &MainWindow::watch);
     connect(m_queue, &JobQueue::stopped, this, [this](const QueuedJob& job, double fraction) {
         m_log->add(tr("Stopped at %1: %2").arg(percentText(fraction), job.label));
     });
@@ -148,6 +149,7 @@ void Workbench::show(const std::string& key) {
             this, [result] { return picturesOf(result); },
             [this, result, quick](const RunPictures& pictures) {
                 m_window->showResult(result, pictures, quick);
+                m_tabs->setTab(ResultView::ResultTab);
             },
             [this](const QString& why) { m_window->fail(why); });
     };
