@@ -212,10 +212,13 @@ private Q_SLOTS:
         const std::string key = history->entries().back().key;
         auto* list = child<QListView>(window, "resultList");
         QVERIFY(QTest::qWaitForWindowActive(&window));
+        ImageViewer* const viewer = window.results()->viewer(ResultView::ResultTab);
+        viewer->setFocus();
+        QTest::keyClick(viewer, Qt::Key_P);
+        QVERIFY2(history->find(key)->pinned, "what is shown is chosen");
+        QTest::keyClick(viewer, Qt::Key_Delete);
+        QCOMPARE(history->rowCount(), 1);
         list->setFocus();
-        list->setCurrentIndex(list->model()->index(0, 0));
-        QTest::keyClick(list, Qt::Key_P);
-        QVERIFY(history->find(key)->pinned);
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(history->rowCount(), 0);
         QVERIFY(window.messages()->text().contains(QStringLiteral("was deleted")));
@@ -367,6 +370,25 @@ private Q_SLOTS:
         QVERIFY(queue.jobs().empty());
     }
 
+    void aRunThatDoesNotFitAnyMoreIsRefusedWithTheFigure() {
+        RunController controller;
+        JobQueue queue(&controller);
+        queue.setPaused(true);
+        RunPlan plan = planFor(m_exemplar, {64, 64}, 1);
+        plan.estimate.bytes = std::uint64_t{3000} << 30; // free memory shrank since it was planned
+        queue.add(std::move(plan), false, false, JobQueue::Place::Last);
+        queue.add(planFor(m_exemplar, {64, 64}, 2), false, false, JobQueue::Place::Last);
+        QSignalSpy finished(&queue, &JobQueue::finished);
+        queue.setPaused(false);
+        QVERIFY(finished.wait(kPatience));
+        QCOMPARE(queue.jobs().size(), std::size_t{1});
+        QVERIFY(queue.jobs().front().state == QueuedJob::State::Failed);
+        QVERIFY2(queue.jobs().front().problem.contains(QStringLiteral("3000.0 GiB")),
+                 qPrintable(queue.jobs().front().problem));
+        queue.clear();
+        QVERIFY(queue.jobs().empty());
+    }
+
     void jobsDockShowsAndMovesWhatWaits() {
         MainWindow window;
         window.show();
@@ -446,6 +468,8 @@ private Q_SLOTS:
                  qPrintable(log));
         child<QToolButton>(window, "copyLog")->click();
         QCOMPARE(QApplication::clipboard()->text(), log);
+        window.openFiles({QStringLiteral("/no/such/picture.png")});
+        QTRY_VERIFY(window.workbench()->log()->text().contains(QStringLiteral("/no/such/picture.png")));
     }
 
     void layoutIsResetWithTheDocks() {

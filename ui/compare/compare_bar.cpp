@@ -9,7 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QToolButton>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 namespace texloom::ui {
@@ -117,19 +117,14 @@ QComboBox* CompareBar::makeChooser(const QString& name, const QString& title) {
 }
 
 QWidget* CompareBar::makeModes(const CompareActions& actions) {
-    auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* bar = new QToolBar(this);
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->setIconSize(QSize(1, 1) * fontMetrics().height());
     for (QAction* action : {actions.grid, actions.wipe, actions.toggle, actions.difference, actions.exemplar,
                             actions.link, actions.sheet}) {
-        auto* button = new QToolButton(bar);
-        button->setDefaultAction(action);
-        button->setAccessibleName(action->text().remove(QLatin1Char('&')));
-        button->setToolButtonStyle(action == actions.link ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextOnly);
-        button->setFocusPolicy(Qt::StrongFocus);
-        row->addWidget(button);
+        bar->addAction(action);
+        bar->widgetForAction(action)->setFocusPolicy(Qt::StrongFocus);
     }
-    row->addStretch();
     m_exposure->setObjectName(QStringLiteral("compareExposure"));
     m_exposure->setRange(-kMostStops, kMostStops);
     m_exposure->setSingleStep(kStopStep);
@@ -145,8 +140,8 @@ QWidget* CompareBar::makeModes(const CompareActions& actions) {
         {tr("Colour"), -1}, {tr("Red"), 0}, {tr("Green"), 1}, {tr("Blue"), 2}, {tr("Alpha"), 3}};
     for (const auto& [title, channel] : channels)
         m_channel->addItem(title, channel);
-    row->addWidget(m_exposure);
-    row->addWidget(m_channel);
+    bar->addWidget(m_exposure);
+    bar->addWidget(m_channel);
     return bar;
 }
 

@@ -9,7 +9,6 @@ class QAction;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QToolButton;
 
 namespace texloom::ui {
 

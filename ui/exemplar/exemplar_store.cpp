@@ -55,6 +55,14 @@ const ExemplarEntry* ExemplarStore::find(const std::shared_ptr<const Image>& ima
     return it == m_entries.end() ? nullptr : &*it;
 }
 
+const ExemplarEntry* ExemplarStore::find(const RecipeExemplar& wanted) const {
+    const auto it = std::find_if(m_entries.begin(), m_entries.end(), [&](const ExemplarEntry& entry) {
+        return entry.file().path == wanted.image.path && entry.file().hash == wanted.image.hash &&
+               entry.file().space == wanted.image.space && entry.exemplar.edits == wanted.edits;
+    });
+    return it == m_entries.end() ? nullptr : &*it;
+}
+
 ExemplarEntry* ExemplarStore::entry(int id) {
     return const_cast<ExemplarEntry*>(std::as_const(*this).find(id));
 }

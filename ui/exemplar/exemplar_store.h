@@ -38,6 +38,8 @@ public:
     const ExemplarEntry* find(int id) const;
     /// The entry whose pixels these are; null if it is not open any more.
     const ExemplarEntry* find(const std::shared_ptr<const Image>& image) const;
+    /// The entry that a recipe means: of the same file with the same edits; null if none is open.
+    const ExemplarEntry* find(const RecipeExemplar& wanted) const;
     /// Number of files being read.
     int loading() const { return m_loading; }
 

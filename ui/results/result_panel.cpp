@@ -6,6 +6,7 @@
 #include "ui/window/icons.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -60,6 +61,8 @@ ResultActions::ResultActions(QWidget* window)
       remove(make(window, "removeResult", tr("De&lete"), tr("Delete the chosen results"),
                   QKeySequence::Delete, "delete")) {
     pin->setCheckable(true);
+    for (QAction* action : {pin, rename}) // what is shown is chosen, too
+        action->setShortcutContext(Qt::WindowShortcut);
 }
 
 ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, QWidget* parent)
@@ -140,6 +143,10 @@ void ResultPanel::connectActions() {
     });
     connect(m_actions.pin, &QAction::triggered, this, &ResultPanel::pinSelected);
     connect(m_actions.rename, &QAction::triggered, this, [this] {
+        if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {
+            dock->show();
+            dock->raise();
+        }
         if (m_list->currentIndex().isValid())
             m_list->edit(m_list->currentIndex());
     });

@@ -26,8 +26,9 @@ struct ResultActions {
     QAction* remove;
 };
 
-/// The Results dock: a card for every run, a search, and what can be done with those that are chosen. Del,
-/// F2, P and Return act on them while the list has the focus.
+/// The Results dock: a card for every run, a search, and what can be done with those that are chosen,
+/// which are those shown last unless the user chose others. P and F2 act on them anywhere in the window, Del
+/// and Return while the list has the focus.
 class ResultPanel : public QWidget {
     Q_OBJECT
 

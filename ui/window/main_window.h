@@ -122,7 +122,6 @@ private:
     std::vector<RunExemplar> usedExemplars() const;
     void addRun(bool quick, bool next);
     void applySettings(const RunInput& input);
-    const ExemplarEntry* openEntryOf(const RecipeExemplar& wanted) const;
     bool openExemplarsOf(const Recipe& recipe);
     void takeShownExemplars(const RunPlan& plan);
     void runStarted(int id);

@@ -185,19 +185,10 @@ void MainWindow::applySettings(const RunInput& input) {
     plan();
 }
 
-const ExemplarEntry* MainWindow::openEntryOf(const RecipeExemplar& wanted) const {
-    const auto& open = m_store->entries();
-    const auto found = std::find_if(open.begin(), open.end(), [&](const ExemplarEntry& entry) {
-        return entry.file().path == wanted.image.path && entry.file().hash == wanted.image.hash &&
-               entry.file().space == wanted.image.space && entry.exemplar.edits == wanted.edits;
-    });
-    return found == open.end() ? nullptr : &*found;
-}
-
 bool MainWindow::openExemplarsOf(const Recipe& recipe) {
     std::vector<int> ids;
     for (const RecipeExemplar& wanted : recipe.exemplars) {
-        const ExemplarEntry* const entry = openEntryOf(wanted);
+        const ExemplarEntry* const entry = m_store->find(wanted);
         if (entry == nullptr || wanted.mask || !wanted.companions.empty())
             return false;
         ids.push_back(entry->id);

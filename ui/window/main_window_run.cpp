@@ -5,6 +5,7 @@
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
+#include "ui/log/log_panel.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -206,7 +207,7 @@ void MainWindow::addRun(bool quick, bool next) {
 void MainWindow::takeShownExemplars(const RunPlan& plan) {
     m_shownExemplars = plan.request.exemplars;
     for (std::size_t i = 0; i < std::min(m_shownExemplars.size(), plan.recipe.exemplars.size()); ++i)
-        if (const ExemplarEntry* entry = openEntryOf(plan.recipe.exemplars[i]))
+        if (const ExemplarEntry* entry = m_store->find(plan.recipe.exemplars[i]))
             m_shownExemplars[i].image = entry->file().image;
 }
 
@@ -297,11 +298,12 @@ void MainWindow::runFailed(const QueuedJob& job) {
             m_results->setTitle({});
     }
     if (job.shown)
-        fail(job.problem);
+        m_messages->say(MessageBar::Kind::Error, job.problem); // the queue's failures are in the log already
     updateActions();
 }
 
 void MainWindow::fail(const QString& sentence) {
+    m_bench->log()->add(sentence);
     m_messages->say(MessageBar::Kind::Error, sentence);
 }
 

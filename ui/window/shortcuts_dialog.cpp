@@ -13,7 +13,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kLines = 36;
-constexpr int kWidth = 90;
+constexpr int kWidth = 112;
 
 void addRow(QTableWidget* table, const QString& keys, const QString& what) {
     const int row = table->rowCount();

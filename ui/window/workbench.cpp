@@ -136,6 +136,8 @@ void Workbench::keep(const QueuedJob& job, const std::shared_ptr<const Result>& 
                      const RunPictures& pictures) {
     const std::string key = m_history->add(result, job.quick, smallPicture(*pictures.result));
     m_grid->keep(job.id, key, pictures);
+    if (job.shown)
+        m_results->select({key});
     m_log->add(tr("Finished in %1: %2").arg(durationOf(result->seconds), job.label));
     for (const std::string& note : result->synthesis.notes)
         m_log->add(tr("Note: %1").arg(translated(note)));
@@ -147,9 +149,10 @@ void Workbench::show(const std::string& key) {
         const bool quick = entry != nullptr && entry->quick;
         inBackground(
             this, [result] { return picturesOf(result); },
-            [this, result, quick](const RunPictures& pictures) {
+            [this, key, result, quick](const RunPictures& pictures) {
                 m_window->showResult(result, pictures, quick);
                 m_tabs->setTab(ResultView::ResultTab);
+                m_results->select({key});
             },
             [this](const QString& why) { m_window->fail(why); });
     };
@@ -256,10 +259,11 @@ struct Workbench::Gathering {
 
 void Workbench::compareResults(const std::vector<std::string>& keys, bool exemplar) {
     m_compared = keys;
+    std::erase_if(m_compared, [this](const std::string& key) { return m_history->find(key) == nullptr; });
     auto gathering = std::make_shared<Gathering>();
     if (exemplar)
-        gathering->items = exemplarItems();
-    gathering->keys = keys;
+        gathering->items = exemplarItems(m_compared);
+    gathering->keys = m_compared;
     std::sort(gathering->keys.begin(), gathering->keys.end());
     gather(gathering);
 }
@@ -292,15 +296,25 @@ void Workbench::gather(const std::shared_ptr<Gathering>& gathering) {
     m_history->want(key, got, failed);
 }
 
-std::vector<CompareItem> Workbench::exemplarItems() const {
+/// Those exemplars of the results that are open; the one that is looked at if there are none.
+std::vector<CompareItem> Workbench::exemplarItems(const std::vector<std::string>& keys) const {
+    const ExemplarStore& store = *m_window->store();
+    std::vector<const ExemplarEntry*> shown;
+    for (const std::string& key : keys)
+        for (const RecipeExemplar& wanted : m_history->find(key)->recipe.exemplars)
+            if (const ExemplarEntry* entry = store.find(wanted);
+                entry != nullptr && std::find(shown.begin(), shown.end(), entry) == shown.end())
+                shown.push_back(entry);
+    if (shown.empty() && store.current() != nullptr)
+        shown.push_back(store.current());
     std::vector<CompareItem> items;
-    if (const ExemplarEntry* current = m_window->store()->current())
-        items.push_back({tr("%1 · exemplar · %2")
-                             .arg(QString::fromStdString(current->file().name()),
-                                  sizeText(current->file().image->size())),
-                         current->picture,
-                         {},
-                         {}});
+    for (const ExemplarEntry* entry : shown)
+        items.push_back(
+            {tr("%1 · exemplar · %2")
+                 .arg(QString::fromStdString(entry->file().name()), sizeText(entry->file().image->size())),
+             entry->picture,
+             {},
+             {}});
     return items;
 }
 
@@ -328,7 +342,7 @@ void Workbench::tryAll() {
     }
     showCompare();
     m_compared.clear();
-    m_grid->start(std::move(entries), exemplarItems(), 0, true, true);
+    m_grid->start(std::move(entries), exemplarItems({}), 0, true, true);
 }
 
 void Workbench::startSweep() {

@@ -69,7 +69,7 @@ private:
     void startSweep();
     void writeContactSheet();
     void showCompare();
-    std::vector<CompareItem> exemplarItems() const;
+    std::vector<CompareItem> exemplarItems(const std::vector<std::string>& keys) const;
     void connectQueue();
     void connectResults();
     void keep(const QueuedJob& job, const std::shared_ptr<const Result>& result, const RunPictures& pictures);
