@@ -2,15 +2,12 @@
 
 #include "app/cli/console.h"
 #include "core/base/error.h"
-#include "core/color/color_pipeline.h"
 #include "core/match/blend.h"
 #include "core/session/exemplar_file.h"
 #include "core/session/export.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -22,21 +19,27 @@ namespace fs = std::filesystem;
 
 struct BlendCommand {
     fs::path first, second, output;
-    std::string curve = "horizontal";
+    BlendCurve::Shape curve = BlendCurve::Shape::Horizontal;
     double position = 0.5;
     BlendOptions blend;
     bool quiet = false;
 };
 
-BlendCurve curveFor(const BlendCommand& command, Size size) {
-    const auto middle = [&](int length) {
-        return std::clamp(static_cast<int>(std::lround(command.position * length)), 0, length - 1);
-    };
-    if (command.curve == "vertical")
-        return BlendCurve::vertical(size, middle(size.width));
-    if (command.curve == "circular")
-        return BlendCurve::circular(size, std::max(1.0, (1 - command.position) * size.shorterSide()));
-    return BlendCurve::horizontal(size, middle(size.height));
+Image blended(const ExemplarFile& first, const ExemplarFile& second, const BlendCommand& command) {
+    Job<Image> job({}, [&](JobContext& context) {
+        const BlendCurve curve = BlendCurve::at(command.curve, command.position, first.image->size());
+        return blend(*first.image, *second.image, curve, command.blend, context);
+    });
+    follow(job, command.quiet);
+    Outcome<Image> outcome = job.take();
+    if (std::holds_alternative<Cancelled>(outcome))
+        throw Cancelled{};
+    if (const auto* failure = std::get_if<Failure>(&outcome)) {
+        if (failure->usage)
+            throw UsageError(failure->message);
+        throw Error(failure->message);
+    }
+    return std::get<Image>(std::move(outcome));
 }
 
 void run(const BlendCommand& command) {
@@ -45,23 +48,14 @@ void run(const BlendCommand& command) {
     if (2 * command.blend.band > size.shorterSide())
         failUsage("--band {}: it goes up to half the images' shorter side, {} px.", command.blend.band,
                   size.shorterSide() / 2);
-    WriteOptions write;
-    write.depth = depthLike(first, command.output);
-    const bool floating = write.depth == Depth::Half || write.depth == Depth::Float;
-    write.space = first.space == "raw" ? "raw" : floating ? "linear" : "srgb";
-    write.check = checkInterrupt;
-    checkWritable(command.output, first.image->channels(), write.depth);
+    checkWritable(command.output, first.image->channels(), depthLike(first, command.output));
     for (const fs::path& source : {command.first, command.second}) {
         std::error_code error;
         if (fs::weakly_canonical(source, error) == fs::weakly_canonical(command.output, error))
             failUsage("-o {}: it is one of the images, which would be lost; name another file.",
                       command.output.string());
     }
-    Image result = blend(*first.image, *second.image, curveFor(command, size), command.blend);
-    checkInterrupt();
-    if (write.space == "linear")
-        color::fromWorking(result, write.space);
-    writeImage(command.output, result, write);
+    exportPicture(command.output, blended(first, second, command), first, checkInterrupt);
     if (!command.quiet)
         fmt::print("{}: {} × {} px\n", command.output.string(), size.width, size.height);
 }
@@ -87,8 +81,11 @@ void addBlend(CLI::App& app) {
     command->add_option("first", options.first, "Image above, left of or outside the curve")->required();
     command->add_option("second", options.second, "Image of the same size on the other side")->required();
     command->add_option("-o,--output", options.output, "File to write: .png .jpg .tif .exr .hdr")->required();
-    command->add_option("--curve", options.curve, "horizontal, vertical or circular, around the bottom right")
-        ->check(CLI::IsMember({"horizontal", "vertical", "circular"}));
+    addChoice<BlendCurve::Shape>(*command, "--curve", options.curve,
+                                 {{"horizontal", BlendCurve::Shape::Horizontal},
+                                  {"vertical", BlendCurve::Shape::Vertical},
+                                  {"circular", BlendCurve::Shape::Circular}},
+                                 "horizontal, vertical or circular, around the bottom right");
     command->add_option("--position", options.position, "Where the curve lies, from 0 (top, left) to 1")
         ->check(CLI::Range(0.0, 1.0));
     command->add_option("--band", options.blend.band, "Pixels to either side of the curve that may change")

@@ -1,6 +1,7 @@
 #include "core/match/blend.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/match/boundary_cut.h"
 #include "core/math/pca.h"
 #include "core/math/transport.h"
@@ -58,9 +59,10 @@ void turn(const std::vector<double>& axes, bool back, int channels, const float*
 
 } // namespace
 
-BlendBand::BlendBand(BlendCurve curve, Size size, int width)
+BlendBand::BlendBand(BlendCurve curve, Size size, int width, const Progress& progress)
     : m_curve(std::move(curve)), m_size(size), m_width(width) {
-    for (int y = 0; y < size.height; ++y)
+    for (int y = 0; y < size.height; ++y) {
+        progress(static_cast<double>(y) / size.height);
         for (int x = 0; x < size.width; ++x) {
             const BlendCurve::Place place = m_curve.placeOf({x + 0.5, y + 0.5});
             if (place.across > 0)
@@ -68,20 +70,23 @@ BlendBand::BlendBand(BlendCurve curve, Size size, int width)
             if (std::abs(place.across) < width)
                 m_band.push_back({x, y, place});
         }
+    }
 }
 
 int BlendBand::lineLength() const {
     return std::max(2, static_cast<int>(std::lround(m_curve.length())));
 }
 
-BlendBand::Lines BlendBand::sample(const ImageView& image, int side) const {
+BlendBand::Lines BlendBand::sample(const ImageView& image, int side, const Progress& progress) const {
     Lines lines{m_width + 1, image.channels, lineLength(), {}};
     const double step = m_curve.length() / lines.length;
-    for (int distance = 0; distance <= m_width; ++distance)
+    for (int distance = 0; distance <= m_width; ++distance) {
+        progress(static_cast<double>(distance) / lines.count);
         for (int c = 0; c < image.channels; ++c)
             for (int i = 0; i < lines.length; ++i)
                 lines.values.push_back(
                     valueAt(image.plane(c), m_curve.pointAt({(i + 0.5) * step, 1.0 * side * distance})));
+    }
     return lines;
 }
 
@@ -91,12 +96,14 @@ void BlendBand::compose(const ImageView& second, Image& to) const {
             to(pixel.x, pixel.y, c) = second(pixel.x, pixel.y, c);
 }
 
-void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to) const {
+void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to,
+                    const Progress& progress) const {
     // The band is laid out straight, as the top overlap of a patch.
     const int reach = m_width - 1, length = lineLength();
     Image error({length, std::max(length, 2 * reach + 1)}, 1);
     const double step = m_curve.length() / length;
-    for (int row = 0; row <= 2 * reach; ++row)
+    for (int row = 0; row <= 2 * reach; ++row) {
+        progress(static_cast<double>(row) / (2 * reach + 1));
         for (int i = 0; i < length; ++i) {
             const BlendCurve::Point point =
                 m_curve.pointAt({(i + 0.5) * step, static_cast<double>(row - reach)});
@@ -105,6 +112,7 @@ void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to) 
                 error(i, row, 0) += difference * difference;
             }
         }
+    }
     const BoundaryCut path = minimumErrorCut(error.view().plane(0), {0, 2 * reach + 1, 0, 0});
     compose(second, to);
     for (const Pixel& pixel : m_band) {
@@ -116,17 +124,22 @@ void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to) 
     }
 }
 
-void BlendBand::preparePoisson() {
-    std::vector<std::uint8_t> unknown(static_cast<std::size_t>(m_size.area()), 0);
+std::vector<std::uint8_t> BlendBand::bandMask() const {
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(m_size.area()), 0);
     for (const Pixel& pixel : m_band)
-        unknown[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(m_size.width) +
-                static_cast<std::size_t>(pixel.x)] = 1;
-    m_region = std::make_shared<const PoissonRegion>(unknown, m_size);
+        mask[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(m_size.width) +
+             static_cast<std::size_t>(pixel.x)] = 1;
+    return mask;
 }
 
-void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& to) const {
+void BlendBand::preparePoisson() {
+    m_region = std::make_shared<const PoissonRegion>(bandMask(), m_size);
+}
+
+void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& to,
+                        const Progress& progress) const {
     compose(second, to);
-    Image beyond(m_size, 1), divergence(m_size, 1);
+    Image beyond(m_size, 1), divergence(m_size, to.channels());
     for (const Pixel& pixel : m_beyond)
         beyond(pixel.x, pixel.y, 0) = 1;
     for (int c = 0; c < to.channels(); ++c) {
@@ -141,14 +154,18 @@ void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& 
                 sum += (1 - share) * (first(u, v, c) - first(x, y, c)) +
                        share * (second(u, v, c) - second(x, y, c));
             }
-            divergence(x, y, 0) = sum;
+            divergence(x, y, c) = sum;
         }
-        m_region->solve(divergence.view().plane(0), to.plane(c));
+        progress(0);
+        if (m_region)
+            m_region->solve(divergence.view().plane(c), to.plane(c));
     }
+    if (!m_region)
+        solvePoisson(bandMask(), divergence, to, progress);
 }
 
 void BlendBand::change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
-                       int channel, Propagation propagation) {
+                       int channel, Propagation propagation, const Progress& progress) {
     const auto length = static_cast<std::size_t>(lines.length);
     // The source draws every line's mass to that of the middle (eq. 4.8), which shows as a band of one
     // brightness; here the lines change in the proportion in which the one on the curve does.
@@ -158,6 +175,7 @@ void BlendBand::change(Lines& lines, const std::vector<double>& places, const st
     const std::vector<float> border(lines.line(last, channel), lines.line(last, channel) + length);
     for (int distance = 0; distance <= last; ++distance) {
         const double fade = static_cast<double>(distance) / last;
+        progress(fade);
         float* line = lines.line(distance, channel);
         const std::span<const float> old(line, length);
         std::vector<float> fresh;
@@ -189,17 +207,26 @@ float BlendBand::change(Lines& changes, const BlendCurve::Place& place, int chan
 }
 
 void BlendBand::midway(const ImageView& first, const ImageView& second, const MidwayOptions& options,
-                       Image& to) const {
+                       Image& to, const Progress& progress) const {
     const int channels = to.channels();
-    Lines sides[2] = {sample(first, -1), sample(second, 1)};
+    double begin = 0;
+    const double part = 1.0 / (2 + 2 * channels);
+    const Progress within = [&](double share) { progress(begin + part * share); };
+    Lines sides[2];
+    for (const int side : {0, 1}) {
+        sides[side] = sample(side == 0 ? first : second, 2 * side - 1, within);
+        begin += part;
+    }
     const std::ptrdiff_t length = sides[0].length;
     std::vector<float> colour(static_cast<std::size_t>(channels));
     std::vector<double> axes = options.color == BlendColor::Dct ? cosineAxes(channels) : plainAxes(channels);
     const auto everyColour = [&](const auto& visit) {
         for (Lines& side : sides)
-            for (int distance = 0; distance < side.count; ++distance)
+            for (int distance = 0; distance < side.count; ++distance) {
+                progress(begin);
                 for (std::ptrdiff_t i = 0; i < length; ++i)
                     visit(side.line(distance, 0) + i);
+            }
     };
     if (options.color == BlendColor::Pca) {
         std::vector<double> colours;
@@ -225,8 +252,10 @@ void BlendBand::midway(const ImageView& first, const ImageView& second, const Mi
         const Midway between(std::span<const float>(sides[0].line(0, c), count),
                              std::span<const float>(sides[1].line(0, c), count));
         const std::vector<float> middle = between.signal();
-        change(sides[0], between.firstPlaces(), middle, c, options.propagation);
-        change(sides[1], between.secondPlaces(), middle, c, options.propagation);
+        change(sides[0], between.firstPlaces(), middle, c, options.propagation, within);
+        begin += part;
+        change(sides[1], between.secondPlaces(), middle, c, options.propagation, within);
+        begin += part;
     }
     turnAll(true);
     compose(second, to);
@@ -236,25 +265,54 @@ void BlendBand::midway(const ImageView& first, const ImageView& second, const Mi
 }
 
 Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
-            const BlendOptions& options) {
+            const BlendOptions& options, JobContext& context) {
     if (first.size() != second.size() || first.channels != second.channels)
         failUsage("The images are {} × {} px with {} channels and {} × {} px with {}; they must be alike.",
                   first.width, first.height, first.channels, second.width, second.height, second.channels);
-    BlendBand band(curve, first.size(), options.band);
+    if (options.band < 2 || 2 * options.band > first.size().shorterSide())
+        failUsage("The band of {} px must be from 2 px to half the images' shorter side, {} px.",
+                  options.band, first.size().shorterSide() / 2);
+    const auto stage = [&](double weight, const char* name) {
+        context.stage(weight, name);
+        return [&context](double share) {
+            context.check();
+            context.progress(share);
+        };
+    };
+    const BlendBand band(curve, first.size(), options.band, stage(0.2, TR("Laying out the band")));
     Image result(first);
+    const BlendBand::Progress progress = stage(0.8, TR("Blending"));
     switch (options.method) {
     case BlendMethod::Cut:
-        band.cut(first, second, result);
+        band.cut(first, second, result, progress);
         break;
     case BlendMethod::Poisson:
-        band.preparePoisson();
-        band.poisson(first, second, result);
+        band.poisson(first, second, result, progress);
         break;
     case BlendMethod::Midway:
-        band.midway(first, second, options.midway, result);
+        band.midway(first, second, options.midway, result, progress);
         break;
     }
+    context.progress(1);
     return result;
+}
+
+std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options) {
+    constexpr std::uint64_t kPixel = 24, kEquation = 24 + 6 * sizeof(double);
+    const auto area = static_cast<std::uint64_t>(size.area());
+    // Curves are no longer than the longer side, or a quarter of a circle of the shorter one's radius.
+    const std::uint64_t length = 2 * static_cast<std::uint64_t>(size.longerSide());
+    const std::uint64_t lines = 2 * length * static_cast<std::uint64_t>(options.band + 1) *
+                                static_cast<std::uint64_t>(channels) * sizeof(float);
+    const std::uint64_t band = length * 2 * static_cast<std::uint64_t>(options.band);
+    std::uint64_t bytes = 2 * Image::bytesFor(size, channels) + 2 * (area + band) * kPixel;
+    if (options.method == BlendMethod::Cut)
+        bytes += length * length * 2 * sizeof(float);
+    else if (options.method == BlendMethod::Poisson)
+        bytes += Image::bytesFor(size, channels + 1) + area + band * kEquation;
+    else
+        bytes += lines + (options.midway.color == BlendColor::Pca ? 2 * lines : 0);
+    return bytes;
 }
 
 } // namespace texloom

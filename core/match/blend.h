@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "core/job/job_context.h"
 #include "core/match/blend_curve.h"
 #include "core/math/poisson.h"
 
@@ -34,18 +35,28 @@ struct MidwayOptions {
 /// each picture stays as it is, bit for bit. One object serves any number of threads.
 class BlendBand {
 public:
+    /// Called every few milliseconds with the share done; may throw.
+    using Progress = std::function<void(double)>;
+
     /// @param width to either side of the curve, in pixels.
-    BlendBand(BlendCurve curve, Size size, int width);
+    BlendBand(
+        BlendCurve curve, Size size, int width, const Progress& progress = [](double) {});
 
     /// Blends `first` and `second` into `to`. All three have the band's size and the same channels; pixels
     /// are written on and beyond the curve's right side and within the band only, the others must be the
     /// first's already.
-    void cut(const ImageView& first, const ImageView& second, Image& to) const;
-    void poisson(const ImageView& first, const ImageView& second, Image& to) const;
-    void midway(const ImageView& first, const ImageView& second, const MidwayOptions& options,
-                Image& to) const;
+    void cut(
+        const ImageView& first, const ImageView& second, Image& to,
+        const Progress& progress = [](double) {}) const;
+    void poisson(
+        const ImageView& first, const ImageView& second, Image& to,
+        const Progress& progress = [](double) {}) const;
+    void midway(
+        const ImageView& first, const ImageView& second, const MidwayOptions& options, Image& to,
+        const Progress& progress = [](double) {}) const;
 
-    /// Factors the equations that poisson() needs. Not to be called while others use the band.
+    /// Factors the equations that poisson() solves, for a small band that is used often; else it iterates.
+    /// Not to be called while others use the band.
     void preparePoisson();
 
 private:
@@ -65,11 +76,12 @@ private:
     };
 
     int lineLength() const;
-    Lines sample(const ImageView& image, int side) const;
+    Lines sample(const ImageView& image, int side, const Progress& progress) const;
+    std::vector<std::uint8_t> bandMask() const;
     void compose(const ImageView& second, Image& to) const;
     float change(Lines& changes, const BlendCurve::Place& place, int channel) const;
     static void change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
-                       int channel, Propagation propagation);
+                       int channel, Propagation propagation, const Progress& progress);
 
     BlendCurve m_curve;
     Size m_size;
@@ -79,13 +91,19 @@ private:
     std::shared_ptr<const PoissonRegion> m_region;
 };
 
-/// A whole blend. @throws UsageError if the pictures differ in size or channels.
+/// How two whole pictures are to meet.
 struct BlendOptions {
     BlendMethod method = BlendMethod::Midway;
     int band = 32;
     MidwayOptions midway;
 };
+
+/// A whole blend. @param context its stage and progress are set.
+/// @throws UsageError if the pictures differ in size or channels, or the band is wider than they allow.
 Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
-            const BlendOptions& options);
+            const BlendOptions& options, JobContext& context);
+
+/// Upper bound of the memory that blend() takes.
+std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options);
 
 } // namespace texloom

@@ -25,6 +25,21 @@ BlendCurve BlendCurve::circular(Size size, double radius) {
     return curve;
 }
 
+BlendCurve BlendCurve::at(Shape shape, double position, Size size) {
+    const auto middle = [&](int length) {
+        return std::clamp(static_cast<int>(std::lround(position * length)), 0, length - 1);
+    };
+    switch (shape) {
+    case Shape::Vertical:
+        return vertical(size, middle(size.width));
+    case Shape::Circular:
+        return circular(size, std::max(1.0, (1 - position) * size.shorterSide()));
+    case Shape::Horizontal:
+        break;
+    }
+    return horizontal(size, middle(size.height));
+}
+
 std::vector<BlendCurve> BlendCurve::around(const Overlap& overlap, int patch) {
     // Sides in the order in which the curve walks them, turned by quarters: each lies at `inset` from its
     // border and goes from the border on its left to the one on its right.

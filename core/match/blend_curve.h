@@ -27,6 +27,10 @@ public:
     /// A quarter of a circle around the bottom right corner, the second picture within (Raad, thesis 2016,
     /// section 4.3.3).
     static BlendCurve circular(Size size, double radius);
+    /// The shapes of curve that part whole pictures.
+    enum class Shape { Horizontal, Vertical, Circular };
+    /// @param position where it lies, from 0 (top, left, the whole circle) to 1.
+    static BlendCurve at(Shape shape, double position, Size size);
     /// Along the middle of a patch's overlap, the patch within: one curve for each run of borders that meet.
     /// Where they meet the curve is an arc that leaves room for a band within the overlap; the source's arc
     /// around the far corner would leave the overlap unless that is a third of the patch.

@@ -3,6 +3,7 @@
 #include "core/image/image.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,14 @@ private:
     struct Factors;
     std::unique_ptr<Factors> m_factors;
 };
+
+/// The same for a region that is solved once, and may be large: by conjugate gradients with a modified
+/// incomplete Cholesky factor, until no residual is above 1e-7 of the values' range. The unknown pixels of
+/// `values` are where it starts.
+/// @param divergence g of each channel. @param progress called with 0 to 1 every few milliseconds; may throw.
+void solvePoisson(
+    const std::vector<std::uint8_t>& unknown, const ImageView& divergence, Image& values,
+    const std::function<void(double)>& progress = [](double) {});
 
 /// The same with every pixel unknown and nothing flowing over the border, by cosine transforms: f is known up
 /// to a constant, and gets the mean given. The divergence's own mean, which no f can have, is left out.

@@ -170,6 +170,20 @@ Depth depthLike(const ExemplarFile& source, const fs::path& path) {
     return named != depths.end() ? *named : depths.front();
 }
 
+void exportPicture(const fs::path& path, const ImageView& picture, const ExemplarFile& source,
+                   const std::function<void()>& check) {
+    WriteOptions write;
+    write.depth = depthLike(source, path);
+    const bool floating = write.depth == Depth::Half || write.depth == Depth::Float;
+    write.space = source.space == "raw" ? "raw" : floating ? "linear" : "srgb";
+    write.check = check;
+    if (write.space != "linear")
+        return writeImage(path, picture, write);
+    Image converted(picture);
+    color::fromWorking(converted, write.space);
+    writeImage(path, converted, write);
+}
+
 std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions& options) {
     std::vector<ExportEntry> written;
     try {

@@ -33,6 +33,12 @@ std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions
 /// The depth nearest to a source file's own that the format of `path` holds.
 Depth depthLike(const ExemplarFile& source, const std::filesystem::path& path);
 
+/// Writes a picture that was made from images like `source`: in that one's depth where the format holds it,
+/// and as colours or data as that one is. @param check called for every row; what it throws leaves no file.
+/// @throws Error, UsageError
+void exportPicture(const std::filesystem::path& path, const ImageView& picture, const ExemplarFile& source,
+                   const std::function<void()>& check = {});
+
 /// Writes them; each whole or not at all. If one fails or `check` throws, files that this call made new are
 /// removed.
 /// @return the entries written. @throws Error, UsageError

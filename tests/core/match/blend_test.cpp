@@ -18,6 +18,15 @@ std::vector<BlendCurve> curves() {
             BlendCurve::circular(kSize, 45)};
 }
 
+/// blend() within a job that nobody watches.
+Image blended(const ImageView& first, const ImageView& second, const BlendCurve& curve,
+              const BlendOptions& options) {
+    JobMonitor monitor;
+    JobContext context(
+        {0, 1, false}, [] { return false; }, monitor);
+    return blend(first, second, curve, options, context);
+}
+
 std::vector<BlendOptions> ways() {
     std::vector<BlendOptions> all = {{BlendMethod::Cut, kBand, {}}, {BlendMethod::Poisson, kBand, {}}};
     for (const Propagation propagation : {Propagation::Linear, Propagation::Progressive})
@@ -30,7 +39,7 @@ TEST(Blend, nothingChangesBeyondTheBand) {
     const Image a = blobs(kSize, 3, 1), b = blobs(kSize, 3, 2);
     for (const BlendCurve& curve : curves())
         for (const BlendOptions& way : ways()) {
-            const Image result = blend(a, b, curve, way);
+            const Image result = blended(a, b, curve, way);
             for (int y = 0; y < kSize.height; ++y)
                 for (int x = 0; x < kSize.width; ++x) {
                     const double across = curve.placeOf({x + 0.5, y + 0.5}).across;
@@ -47,7 +56,7 @@ TEST(Blend, anImageWithItselfStaysAsItIs) {
         for (const BlendOptions& way : ways()) {
             if (way.midway.propagation == Propagation::Progressive)
                 continue; // it draws the band anew from its borders
-            const Image result = blend(a, a, curve, way);
+            const Image result = blended(a, a, curve, way);
             for (int y = 0; y < kSize.height; ++y)
                 for (int x = 0; x < kSize.width; ++x)
                     ASSERT_NEAR(result(x, y, 2), a(x, y, 2), 2e-5)
@@ -67,8 +76,8 @@ Image stripes(int shift) {
 
 TEST(Blend, midwayBringsShiftedStripesTogetherHalfWay) {
     for (const Propagation propagation : {Propagation::Linear, Propagation::Progressive}) {
-        const Image result = blend(stripes(0), stripes(8), BlendCurve::horizontal(kSize, 40),
-                                   {BlendMethod::Midway, kBand, {propagation, BlendColor::Rgb}});
+        const Image result = blended(stripes(0), stripes(8), BlendCurve::horizontal(kSize, 40),
+                                     {BlendMethod::Midway, kBand, {propagation, BlendColor::Rgb}});
         const auto centre = [&](int y) {
             double sum = 0, mass = 0;
             for (int x = 0; x < kSize.width; ++x) {
@@ -93,8 +102,8 @@ TEST(Blend, midwayLinesOfBothSidesAgreeOnTheCurve) {
     for (int c = 0; c < 3; ++c)
         a(5, 37, c) = b(5, 37, c) = -1;
     const BlendOptions way{BlendMethod::Midway, kBand, {Propagation::Linear, BlendColor::Rgb}};
-    const Image one = blend(a, b, BlendCurve::horizontal(kSize, 37), way);
-    const Image other = blend(b, a, BlendCurve::horizontal(kSize, 37), way);
+    const Image one = blended(a, b, BlendCurve::horizontal(kSize, 37), way);
+    const Image other = blended(b, a, BlendCurve::horizontal(kSize, 37), way);
     for (int x = 0; x < kSize.width; ++x)
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(one(x, 37, c), other(x, 37, c), 2e-5) << x;
@@ -105,16 +114,40 @@ TEST(Blend, poissonHidesAStepOfBrightness) {
     for (int y = 0; y < kSize.height; ++y)
         for (int x = 0; x < kSize.width; ++x)
             b(x, y, 0) += 1;
-    const Image result = blend(a, b, BlendCurve::horizontal(kSize, 40), {BlendMethod::Poisson, kBand, {}});
+    const Image result = blended(a, b, BlendCurve::horizontal(kSize, 40), {BlendMethod::Poisson, kBand, {}});
     for (int y = 41 - kBand; y < 40 + kBand; ++y)
         for (int x = 0; x < kSize.width; ++x)
             EXPECT_NEAR(result(x, y, 0) - a(x, y, 0), (y - 40.0 + kBand) / (2 * kBand), 1e-3) << y;
 }
 
+TEST(Blend, canBeStoppedAllTheWay) {
+    const Image a = blobs({320, 300}, 3, 1), b = blobs({320, 300}, 3, 2);
+    for (const BlendMethod method : {BlendMethod::Cut, BlendMethod::Poisson, BlendMethod::Midway}) {
+        const BlendOptions way{method, 100, {Propagation::Progressive, BlendColor::Pca}};
+        const auto checksUntil = [&](int stop) {
+            int checks = 0;
+            JobMonitor monitor;
+            JobContext context(
+                {0, 1, false}, [&] { return ++checks > stop; }, monitor);
+            try {
+                blend(a, b, BlendCurve::vertical({320, 300}, 160), way, context);
+            } catch (const Cancelled&) {
+                return -checks;
+            }
+            EXPECT_EQ(monitor.progress(), 1);
+            return checks;
+        };
+        const int all = checksUntil(1 << 30);
+        EXPECT_GT(all, 400) << static_cast<int>(method);
+        for (const int stop : {0, all / 3, all - 1})
+            EXPECT_EQ(checksUntil(stop), -stop - 1) << static_cast<int>(method);
+    }
+}
+
 TEST(Blend, imagesThatDifferInSizeAreRefused) {
-    EXPECT_THROW(blend(blobs({20, 20}, 3), blobs({20, 21}, 3), BlendCurve::horizontal({20, 20}, 9), {}),
+    EXPECT_THROW(blended(blobs({20, 20}, 3), blobs({20, 21}, 3), BlendCurve::horizontal({20, 20}, 9), {}),
                  UsageError);
-    EXPECT_THROW(blend(blobs({20, 20}, 3), blobs({20, 20}, 1), BlendCurve::horizontal({20, 20}, 9), {}),
+    EXPECT_THROW(blended(blobs({20, 20}, 3), blobs({20, 20}, 1), BlendCurve::horizontal({20, 20}, 9), {}),
                  UsageError);
 }
 

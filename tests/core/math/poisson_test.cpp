@@ -33,6 +33,30 @@ TEST(Poisson, regionHasTheDivergenceInsideAndIsUntouchedOutside) {
             }
 }
 
+TEST(Poisson, largeRegionIsSolvedByIterationAsByFactors) {
+    const Size size{150, 130};
+    const Image divergence = noise(size, 2), before = noise(size, 2, 2);
+    std::vector<std::uint8_t> unknown;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) // a ring, a strip along the border, and single pixels
+            unknown.push_back(std::abs(std::hypot(x - 80, y - 60) - 40) < 15 || x < 9 ||
+                              (x + 7 * y) % 31 == 0);
+    Image direct = before, iterated = before;
+    double last = 0;
+    solvePoisson(unknown, divergence, iterated, [&](double share) {
+        EXPECT_GE(share, last);
+        last = share;
+    });
+    EXPECT_GT(last, 0.9);
+    const PoissonRegion region(unknown, size);
+    for (int c = 0; c < 2; ++c) {
+        region.solve(divergence.view().plane(c), direct.plane(c));
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                ASSERT_NEAR(iterated(x, y, c), direct(x, y, c), 2e-4) << x << "," << y;
+    }
+}
+
 TEST(Poisson, regionGivesAnImageBackFromItsOwnLaplacian) {
     const Image image = blobs({33, 27}, 1);
     Image divergence({33, 27}, 1), values = image;
