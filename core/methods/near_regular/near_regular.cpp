@@ -124,6 +124,9 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     return need;
 }
 
+/// Light more uneven than this shows as patches of different brightness.
+constexpr double kTooUneven = 0.5;
+
 /// The exemplar as it is sampled, where the settings change it first.
 struct Prepared {
     Image image; ///< empty where the exemplar is sampled as it is
@@ -146,13 +149,17 @@ Prepared prepared(const Request& request, const Settings& settings, Plan& plan,
             plan.exemplar = result.image;
         }
     }
+    const Vec2 tile = plan.from.extent();
+    const int block = blockFor(settings, plan.exemplar.size(), plan.from);
+    const int width = static_cast<int>(std::ceil(std::max({tile.x, tile.y, plan.from.free() ? block : 1.0})));
     if (settings.flatten) {
-        const Vec2 tile = plan.from.extent();
-        const int block = blockFor(settings, plan.exemplar.size(), plan.from);
-        const int width =
-            static_cast<int>(std::ceil(std::max({tile.x, tile.y, plan.from.free() ? block : 1.0})));
         result.image = flattened(plan.exemplar, width, check);
         plan.exemplar = result.image;
+    } else if (!plan.from.free() && unevenness(plan.exemplar, width, check) > kTooUneven) {
+        notes.push_back(
+            fmt::format("The light of {} changes much from place to place, so that patches may show; "
+                        "“Even out the light” (flatten) takes that out.",
+                        request.exemplars.front().name));
     }
     return result;
 }

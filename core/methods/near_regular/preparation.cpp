@@ -96,6 +96,26 @@ Image flattened(const ImageView& exemplar, int width, const std::function<void()
     return light;
 }
 
+double unevenness(const ImageView& exemplar, int width, const std::function<void()>& check) {
+    double worst = 0;
+    for (int c = 0; c < exemplar.channels; ++c) {
+        Image light(exemplar.channelRange(c, 1));
+        blur(light.plane(0), std::max(1, width), check);
+        const double mean = channelMeans(light).front();
+        double slow = 0, rest = 0;
+        for (int y = 0; y < light.height(); ++y)
+            for (int x = 0; x < light.width(); ++x) {
+                const auto here = static_cast<double>(light(x, y, 0));
+                const double fast = static_cast<double>(exemplar(x, y, c)) - here;
+                slow += (here - mean) * (here - mean);
+                rest += fast * fast;
+            }
+        if (rest > 0)
+            worst = std::max(worst, std::sqrt(slow / rest));
+    }
+    return worst;
+}
+
 Rectification rectification(const Lattice& lattice, Size exemplar) {
     const std::optional<Vec2> right = nearAxis(lattice, false), down = nearAxis(lattice, true);
     const Lattice from = right && down ? Lattice{*right, *down} : lattice;

@@ -12,6 +12,10 @@ namespace texloom::near_regular {
 /// fig. 5.12). @param width at least a tile, or the texture itself goes.
 Image flattened(const ImageView& exemplar, int width, const std::function<void()>& check);
 
+/// How uneven the light is that flattened() would take out: the standard deviation of the slow changes over
+/// that of the rest, in the channel where it is largest; 0 for a constant exemplar.
+double unevenness(const ImageView& exemplar, int width, const std::function<void()>& check);
+
 /// A linear change of the plane that puts a lattice's courses on the axes and its vectors on whole pixels.
 struct Rectification {
     Lattice lattice; ///< what the lattice becomes

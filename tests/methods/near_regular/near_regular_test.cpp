@@ -277,6 +277,18 @@ TEST(NearRegular, saysWhatItDoesWithoutALattice) {
     EXPECT_TRUE(run(blobs({64, 64}, 3), {90, 90}, {{"lattice", "none"}}).notes.empty());
 }
 
+TEST(NearRegular, saysWhereTheLightIsUneven) {
+    const Lattice lattice{{16, 0}, {0, 12}};
+    const Image lit = regularTexture({192, 180}, 1, lattice, {0, 0, 6}, 5);
+    const Image even = regularTexture({192, 180}, 1, lattice, {}, 5);
+    EXPECT_GT(unevenness(lit, 16, [] {}), 0.5);
+    EXPECT_LT(unevenness(even, 16, [] {}), 0.2);
+    EXPECT_EQ(unevenness(texloom::test::constant({64, 64}, 2, 0.3F), 16, [] {}), 0);
+    EXPECT_THAT(run(lit, {100, 90}, {}).notes, testing::Contains(testing::HasSubstr("Even out the light")));
+    EXPECT_TRUE(run(lit, {100, 90}, {{"flatten", true}}).notes.empty());
+    EXPECT_TRUE(run(even, {100, 90}, {}).notes.empty());
+}
+
 TEST(NearRegular, saysWhereTheTileIsLargerThanTheBlock) {
     const Image exemplar = regularTexture({128, 128}, 1, {{40, 0}, {0, 36}}, {}, 5);
     EXPECT_THAT(run(exemplar, {200, 200}, {{"block", 20}}).notes,
