@@ -77,6 +77,8 @@ public:
 
     /// The best candidates, best first, and the confidence in the first.
     void rate(LatticeAnalysis& analysis) const;
+    /// See fittedLattice().
+    LatticeCandidate fittedNear(const Lattice& rough) const;
 
 private:
     struct Peak {
@@ -464,7 +466,20 @@ void Detector::rate(LatticeAnalysis& analysis) const {
         [](const LatticeCandidate& a, const LatticeCandidate& b) { return a.goodness > b.goodness; });
 }
 
+LatticeCandidate Detector::fittedNear(const Lattice& rough) const {
+    LatticeCandidate candidate = rated(fitted(rough.reduced())).candidate;
+    const Lattice near{candidate.lattice.nearest(rough.v1), candidate.lattice.nearest(rough.v2)};
+    const bool same = std::abs(near.area() - candidate.lattice.area()) < 0.5 * candidate.lattice.area();
+    candidate.lattice = same ? near : rough;
+    return candidate;
+}
+
 } // namespace
+
+LatticeCandidate fittedLattice(const Correlation& correlation, const Lattice& rough,
+                               const std::function<void()>& check) {
+    return Detector(correlation, check).fittedNear(rough);
+}
 
 LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check) {
     LatticeAnalysis analysis;

@@ -42,6 +42,12 @@ struct LatticeAnalysis {
 LatticeAnalysis analyzeLattice(
     const ImageView& exemplar, const std::function<void()>& check = [] {});
 
+/// A lattice that someone saw and drew roughly: fitted to the maxima of γ at all its multiples, and rated as
+/// the candidates are. Its vectors stay near those drawn, rather than reduced.
+/// @param correlation of the analysis. @param check called every few milliseconds; may throw.
+LatticeCandidate fittedLattice(
+    const Correlation& correlation, const Lattice& rough, const std::function<void()>& check = [] {});
+
 /// Upper bound of the memory that analyzeLattice() takes, and a rough time on one thread.
 std::uint64_t latticeBytesFor(Size exemplar, int channels);
 double latticeSecondsFor(Size exemplar);

@@ -15,6 +15,10 @@ Image positionPicture(Size exemplarSize, int exemplar = 0, int count = 1);
 /// pixels without a source are 0. Even areas are verbatim copies.
 Image synthesisPicture(const PositionMap& map);
 
+/// What was copied as it is: pixels that were copied together, with one offset, have one colour, and the
+/// borders between them are black. Three channels, 0 to 1; pixels without a source are 0.
+Image copiedRegionsPicture(const PositionMap& map);
+
 /// Share of horizontally and vertically neighbouring output pixels whose sources are not neighbours in the
 /// same way: 0 for a copy of the exemplar, near 1 where every pixel comes from elsewhere.
 /// @param check called for every row; may throw.

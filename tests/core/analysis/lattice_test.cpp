@@ -123,6 +123,18 @@ TEST(LatticeDetector, findsFractionsOfAPixel) {
         EXPECT_LE(analysis.candidates[i].goodness, analysis.candidates[i - 1].goodness);
 }
 
+TEST(LatticeDetector, fitsALatticeDrawnRoughlyAndKeepsItsVectors) {
+    const Lattice truth{{33.3, 4.1}, {-6.2, 41.7}};
+    const Image texture = regularTexture({300, 280}, 3, truth, {.noise = 0.2}, 5);
+    const LatticeAnalysis analysis = analyzeLattice(texture);
+    // Drawn two pixels off, and not the shortest pair.
+    const Lattice drawn{{35.0, 3.0}, {28.5, 44.0}};
+    const LatticeCandidate fitted = fittedLattice(analysis.correlation, drawn);
+    EXPECT_LT((fitted.lattice.v1 - truth.v1).length(), 0.2);
+    EXPECT_LT((fitted.lattice.v2 - (truth.v1 + truth.v2)).length(), 0.2);
+    EXPECT_GT(fitted.goodness, 0.9 * analysis.candidates.front().goodness);
+}
+
 TEST(LatticeDetector, takesTheLargerTileWhereEveryOtherElementDiffers) {
     // Squares of 16 px, each second one darker: the tile is two of them (the source's fig. 5.1 c).
     Image board({160, 160}, 1);

@@ -101,4 +101,19 @@ TEST(Innovation, OfOnePixelIsNought) {
     EXPECT_EQ(innovation(PositionMap::identity({1, 1})), 0);
 }
 
+TEST(CopiedRegionsPicture, GivesPiecesOneColourAndBlackBorders) {
+    PositionMap map({8, 3}, {{20, 20}});
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 8; ++x)
+            map.at(x, y) = {static_cast<std::uint16_t>(x < 4 ? x + 5 : x), static_cast<std::uint16_t>(y), 0};
+    const Image picture = copiedRegionsPicture(map);
+    EXPECT_EQ(colorAt(picture, 0, 0), colorAt(picture, 3, 2));
+    EXPECT_EQ(colorAt(picture, 5, 0), colorAt(picture, 7, 2));
+    EXPECT_NE(colorAt(picture, 0, 0), colorAt(picture, 7, 2));
+    EXPECT_EQ(colorAt(picture, 4, 1), std::tuple(0.0F, 0.0F, 0.0F));
+    EXPECT_GT(std::get<0>(colorAt(picture, 0, 0)) + std::get<1>(colorAt(picture, 0, 0)) +
+                  std::get<2>(colorAt(picture, 0, 0)),
+              0.3F);
+}
+
 } // namespace texloom::test
