@@ -1,9 +1,12 @@
 #include "core/base/version.h"
+#include "ui/jobs/background.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+
+#include <memory>
 
 int main(int argc, char** argv) {
     const QApplication application(argc, argv);
@@ -24,8 +27,11 @@ int main(int argc, char** argv) {
     arguments.process(application);
 
     texloom::ui::applyAppearance(texloom::ui::savedAppearance());
-    texloom::ui::MainWindow window;
-    window.show();
-    window.openFiles(arguments.positionalArguments());
-    return QApplication::exec();
+    auto window = std::make_unique<texloom::ui::MainWindow>();
+    window->show();
+    window->openFiles(arguments.positionalArguments());
+    const int status = QApplication::exec();
+    window.reset();
+    texloom::ui::workers().waitForDone();
+    return status;
 }

@@ -73,13 +73,13 @@ std::vector<double> patches(std::span<const ImageView> images, int channels, std
     for (int n = 0; n < kPatches; ++n) {
         if (n % 256 == 0)
             context.check();
-        const auto draw = [&](std::size_t limit, int which) {
+        const auto draw = [&](int limit, int which) {
             return static_cast<int>(
                 context.random().below(static_cast<std::uint32_t>(limit), n, which, stream));
         };
-        const ImageView& image = images[static_cast<std::size_t>(draw(images.size(), 0))];
-        const int left = draw(static_cast<std::size_t>(image.width - kPatch + 1), 1);
-        const int top = draw(static_cast<std::size_t>(image.height - kPatch + 1), 2);
+        const int number = draw(static_cast<int>(images.size()), 0);
+        const ImageView& image = images[static_cast<std::size_t>(number)];
+        const int left = draw(image.width - kPatch + 1, 1), top = draw(image.height - kPatch + 1, 2);
         for (int c = 0; c < channels; ++c)
             for (int y = 0; y < kPatch; ++y)
                 for (int x = 0; x < kPatch; ++x)

@@ -1,6 +1,8 @@
 #include "tests/ui/window_fixture.h"
+#include "ui/blend/blend_window.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/wipe_viewer.h"
+#include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
@@ -9,18 +11,24 @@
 #include "ui/inspector/value_editor.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
+#include "ui/lattice/lattice_tool.h"
+#include "ui/plots/figures_panel.h"
+#include "ui/plots/variance_dialog.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/appearance.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QProcess>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -62,6 +70,10 @@ private Q_SLOTS:
         showExport(window);
         showPipeline(window);
         showCompare(window);
+        showMaps(window);
+        showLattice(window);
+        showFigures(window);
+        showTools(window);
         showManyRuns(window);
     }
 
@@ -193,6 +205,100 @@ private:
         QTRY_VERIFY(!window.controller()->running());
         child<QDockWidget>(window, "logDock")->raise();
         shoot(window, "log");
+    }
+
+    static void showMaps(MainWindow& window) {
+        auto* method = child<QComboBox>(window, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
+        window.inspector()->setThen({});
+        QSignalSpy finished(window.controller(), &RunController::finished);
+        window.startRun(true);
+        QVERIFY(finished.wait(60'000));
+        window.results()->setTab(ResultView::SynthesisTab);
+        shoot(window, "no-map");
+        child<QPushButton>(window, "synthesisViewerEstimate")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(window.results()->viewer(ResultView::SynthesisTab)->picture(), 60'000);
+        shoot(window, "estimated-map");
+        method->setCurrentIndex(method->findData(QStringLiteral("quilting")));
+        window.startRun(true);
+        QVERIFY(finished.wait(60'000));
+        window.results()->setTab(ResultView::CopiesTab);
+        QTRY_VERIFY(window.results()->viewer(ResultView::CopiesTab)->picture());
+        shoot(window, "copied-pieces");
+        window.results()->setTab(ResultView::ResultTab);
+        ImageViewer* const exemplar = window.exemplarPanel()->viewer();
+        Q_EMIT exemplar->hovered({240, 240});
+        QTRY_VERIFY_WITH_TIMEOUT((Q_EMIT exemplar->hovered({240, 240}),
+                                  !window.results()->viewer(ResultView::ResultTab)->rings().empty()),
+                                 20'000);
+        shoot(window, "copies-of-a-pixel");
+        Q_EMIT exemplar->unhovered();
+    }
+
+    static void showLattice(MainWindow& window) {
+        QSignalSpy opened(window.store(), &ExemplarStore::opened);
+        window.openFiles({bundledNamed(QStringLiteral("solar_cells"))});
+        QVERIFY(opened.wait());
+        child<QAction>(window, "lattice")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
+        window.lattice()->canvas()->setHandle(LatticeCanvas::Handle::First);
+        shoot(window, "lattice");
+        child<QPushButton>(window, "useLattice")->click();
+        QSignalSpy finished(window.controller(), &RunController::finished);
+        QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
+        shoot(window, "lattice-used");
+        window.openFiles({bundledNamed(QStringLiteral("gravel"))});
+        QVERIFY(opened.wait());
+        QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
+        shoot(window, "no-lattice");
+        window.inspector()->resetAll();
+        window.startRun(true);
+        QVERIFY(finished.wait(60'000));
+        window.results()->setTab(ResultView::ResultTab);
+        shoot(window, "notes");
+    }
+
+    static void showFigures(MainWindow& window) {
+        auto* dock = child<QDockWidget>(window, "figureDock");
+        dock->raise();
+        auto* panel = child<FiguresPanel>(window, "figuresPanel");
+        QTRY_VERIFY_WITH_TIMEOUT(!panel->titles().isEmpty(), 60'000);
+        window.resizeDocks({dock}, {window.height() * 2 / 5}, Qt::Vertical);
+        panel->showFigure(QStringLiteral("Patches: first component"));
+        shoot(window, "figures");
+        panel->plot()->setNumbers(true);
+        shoot(window, "figures-numbers");
+        panel->plot()->setNumbers(false);
+        panel->showFigure(QStringLiteral("Autocorrelation: exemplar"));
+        shoot(window, "figures-autocorrelation");
+        child<QDockWidget>(window, "resultDock")->raise();
+    }
+
+    static void showTools(MainWindow& window) {
+        QSignalSpy opened(window.store(), &ExemplarStore::opened);
+        window.openFiles({bundledNamed(QStringLiteral("soil_clods"))});
+        QVERIFY(opened.wait());
+        child<QAction>(window, "blend")->trigger();
+        auto* blend = child<BlendWindow>(window, "blendWindow");
+        shoot(*blend, "blend-sizes-differ");
+        child<QComboBox>(*blend, "blendFirst")->setCurrentIndex(1);
+        child<QComboBox>(*blend, "blendSecond")->setCurrentIndex(3);
+        QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
+        shoot(*blend, "blend");
+        child<QComboBox>(*blend, "blendShape")->setCurrentIndex(2);
+        child<QCheckBox>(*blend, "blendWay0")->setChecked(false);
+        child<QCheckBox>(*blend, "blendWay3")->setChecked(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
+        shoot(*blend, "blend-circular");
+        blend->close();
+        child<QAction>(window, "variance")->trigger();
+        auto* variance = child<VarianceDialog>(window, "varianceDialog");
+        shoot(*variance, "variance-empty");
+        child<QLineEdit>(*variance, "varianceNeighbours")->setText(QStringLiteral("5, 10, 30, 50"));
+        variance->compute();
+        QTRY_VERIFY_WITH_TIMEOUT(!variance->computing(), 60'000);
+        shoot(*variance, "variance");
+        variance->close();
     }
 
     static void showExport(MainWindow& window) {

@@ -189,7 +189,7 @@ void ExemplarPanel::fillList() {
 
 void ExemplarPanel::showCurrent() {
     const ExemplarEntry* const entry = m_store->current();
-    m_viewer->setPicture(entry != nullptr ? entry->picture : nullptr);
+    showPicture(entry);
     m_viewer->setMarker({});
     const QSignalBlocker blocker(m_list);
     for (int row = 0; row < m_list->count(); ++row)
@@ -215,16 +215,29 @@ void ExemplarPanel::showDetails(const ExemplarEntry* entry) {
 }
 
 void ExemplarPanel::showSource(const ExemplarEntry& entry, QPoint pixel) {
-    if (m_viewer->picture() != entry.picture)
-        m_viewer->setPicture(entry.picture);
+    showPicture(&entry);
     m_viewer->setMarker(pixel);
 }
 
 void ExemplarPanel::hideSource() {
     m_viewer->setMarker({});
-    const ExemplarEntry* const entry = m_store->current();
-    if (entry != nullptr && m_viewer->picture() != entry->picture)
-        m_viewer->setPicture(entry->picture);
+    showPicture(m_store->current());
+}
+
+void ExemplarPanel::setLegend(std::shared_ptr<const DisplayPicture> legend) {
+    m_legend = std::move(legend);
+    showPicture(m_store->current());
+}
+
+void ExemplarPanel::showPicture(const ExemplarEntry* entry) {
+    std::shared_ptr<const DisplayPicture> picture = entry != nullptr ? entry->picture : nullptr;
+    const bool legend =
+        m_legend && entry == m_store->current() && picture && m_legend->size() == picture->size();
+    if (legend)
+        picture = m_legend;
+    m_viewer->setBadge(legend ? tr("Position map") : QString());
+    if (m_viewer->picture() != picture)
+        m_viewer->setPicture(std::move(picture));
 }
 
 } // namespace texloom::ui

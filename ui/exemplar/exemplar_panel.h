@@ -31,6 +31,8 @@ public:
     /// Marks the pixel that the result's pixel under the cursor came from, in the exemplar it belongs to.
     void showSource(const ExemplarEntry& entry, QPoint pixel);
     void hideSource();
+    /// Shows the current exemplar in other colours, a map's legend; null: as it is.
+    void setLegend(std::shared_ptr<const DisplayPicture> legend);
     ImageViewer* viewer() const { return m_viewer; }
     /// Asks for a mask file for the current exemplar.
     void chooseMask();
@@ -45,6 +47,7 @@ private:
     void fillList();
     void showCurrent();
     void showDetails(const ExemplarEntry* entry);
+    void showPicture(const ExemplarEntry* entry);
 
     ExemplarStore* m_store;
     ImageViewer* m_viewer;
@@ -56,6 +59,7 @@ private:
     QToolButton* m_clearMask;
     QWidget* m_maskRow;
     QListWidget* m_list;
+    std::shared_ptr<const DisplayPicture> m_legend;
     bool m_several = false;
     bool m_filling = false;
 };

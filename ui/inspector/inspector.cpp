@@ -121,6 +121,11 @@ void Inspector::setValues(const Values& values) {
     m_form->setValues(values);
 }
 
+void Inspector::changeValues(const Values& values) {
+    m_form->adopt(values);
+    Q_EMIT edited();
+}
+
 std::vector<RecipeStep> Inspector::then() const {
     return m_then->steps();
 }

@@ -34,6 +34,8 @@ public:
     Values values() const;
     /// Sets these parameters and brings all others back to their defaults.
     void setValues(const Values& values);
+    /// Sets these parameters, those of them that the method has, and leaves all others.
+    void changeValues(const Values& values);
     /// The methods that follow, with all their parameters.
     std::vector<RecipeStep> then() const;
     void setThen(const std::vector<RecipeStep>& steps);

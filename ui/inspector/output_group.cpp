@@ -1,6 +1,7 @@
 #include "ui/inspector/output_group.h"
 
 #include "ui/exemplar/files.h"
+#include "ui/inspector/part_editor.h"
 #include "ui/inspector/seed_edit.h"
 #include "ui/jobs/background.h"
 #include "ui/window/elided_label.h"
@@ -51,7 +52,7 @@ OutputGroup::OutputGroup(QWidget* parent)
       m_height(makeSide(QStringLiteral("outputHeight"))), m_wrapX(new QCheckBox(tr("across (X)"), this)),
       m_wrapY(new QCheckBox(tr("down (Y)"), this)), m_seed(new SeedEdit(this)), m_lock(new QToolButton(this)),
       m_initialName(new ElidedLabel(this)), m_chooseInitial(new QToolButton(this)),
-      m_clearInitial(new QToolButton(this)), m_threads(new QSpinBox(this)) {
+      m_clearInitial(new QToolButton(this)), m_part(new PartEditor(this)), m_threads(new QSpinBox(this)) {
     m_width->setAccessibleName(tr("Width"));
     m_height->setAccessibleName(tr("Height"));
     m_threads->setObjectName(QStringLiteral("threads"));
@@ -71,7 +72,9 @@ OutputGroup::OutputGroup(QWidget* parent)
     form->addRow(tr("See&d"), makeSeedRow());
     qobject_cast<QLabel*>(form->labelForField(m_seed->parentWidget()))->setBuddy(m_seed);
     form->addRow(tr("Start from"), makeInitialRow());
+    form->addRow(tr("Make"), m_part);
     form->addRow(tr("&Threads"), m_threads);
+    connect(m_part, &PartEditor::edited, this, &OutputGroup::edited);
     connect(m_threads, &QSpinBox::valueChanged, this, &OutputGroup::edited);
     showInitial();
 }
@@ -86,6 +89,7 @@ QSpinBox* OutputGroup::makeSide(const QString& name) {
             tr("<b>Size</b> Width and height of the result in pixels, 1 to %1 each.").arg(kLargestSide));
     connect(side, &QSpinBox::valueChanged, this, [this] {
         m_sizeChosen = true;
+        m_part->setWhole(outputSize());
         Q_EMIT edited();
     });
     return side;
@@ -219,6 +223,14 @@ void OutputGroup::drawSeed() {
     m_seed->draw();
 }
 
+std::optional<Region> OutputGroup::part() const {
+    return m_part->part();
+}
+
+void OutputGroup::setPart(const std::optional<Region>& part) {
+    m_part->setPart(part);
+}
+
 int OutputGroup::threads() const {
     return m_threads->value();
 }
@@ -240,6 +252,11 @@ void OutputGroup::setMethod(const MethodInfo& info) {
                 : tr("<b>Start from</b> %1 cannot start from an image.").arg(title.toHtmlEscaped()));
     if (!info.startsFromImage)
         setInitial({});
+    m_part->setEnabled(info.makesRegions);
+    explain(m_part, info.makesRegions
+                        ? tr("<b>Only a part</b> Makes a rectangle of the output, which equals that part of "
+                             "the whole.")
+                        : tr("<b>Only a part</b> %1 can only make the whole.").arg(title.toHtmlEscaped()));
 }
 
 void OutputGroup::setExemplarSize(Size size) {
@@ -251,6 +268,7 @@ void OutputGroup::setExemplarSize(Size size) {
     const QSignalBlocker heightBlocker(m_height);
     m_width->setValue(std::min(size.width * 2, kLargestFirstSide));
     m_height->setValue(std::min(size.height * 2, kLargestFirstSide));
+    m_part->setWhole(outputSize());
 }
 
 void OutputGroup::multiply(int factor) {

@@ -16,6 +16,7 @@ class QToolButton;
 namespace texloom::ui {
 
 class ElidedLabel;
+class PartEditor;
 class SeedEdit;
 
 /// What every method is told of the output: its size, the axes on which it wraps, the seed, an image to start
@@ -37,6 +38,9 @@ public:
     void drawSeed();
     /// 0: one per core.
     int threads() const;
+    /// The part of the output that is made; none if it is all.
+    std::optional<Region> part() const;
+    void setPart(const std::optional<Region>& part);
     const std::optional<ExemplarFile>& initial() const { return m_initial; }
     void setInitial(std::optional<ExemplarFile> image);
 
@@ -78,6 +82,7 @@ private:
     ElidedLabel* m_initialName;
     QToolButton* m_chooseInitial;
     QToolButton* m_clearInitial;
+    PartEditor* m_part;
     QSpinBox* m_threads;
     std::optional<ExemplarFile> m_initial;
     Size m_exemplar;

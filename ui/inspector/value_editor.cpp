@@ -19,6 +19,8 @@ namespace {
 
 /// Positions of a slider over a range of reals.
 constexpr int kSliderSteps = 1000;
+/// A range of reals wider than this is open: a slider over it would be of no use.
+constexpr double kOpenSpan = 10'000;
 
 QHBoxLayout* rowFor(QWidget* widget) {
     auto* row = new QHBoxLayout(widget);
@@ -91,7 +93,7 @@ public:
         m_spin->setKeyboardTracking(false);
         m_spin->setSuffix(suffix(param));
         m_spin->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        if (param.hasRange()) {
+        if (param.hasRange() && spanOf(param) <= kOpenSpan) {
             m_spin->setStepType(QAbstractSpinBox::DefaultStepType);
             m_spin->setSingleStep((param.largest() - param.smallest()) / 100);
             m_slider = new QSlider(Qt::Horizontal, this);
@@ -122,9 +124,13 @@ public:
     }
 
 private:
+    static double spanOf(const Param& param) {
+        return param.hasRange() ? param.largest() - param.smallest() : 1;
+    }
+
     static int decimalsFor(const Param& param) {
-        const double span = param.hasRange() ? param.largest() - param.smallest() : 1;
-        return span > 100 ? 1 : span > 10 ? 2 : span >= 0.1 ? 3 : 6;
+        const double span = spanOf(param);
+        return span > kOpenSpan ? 3 : span > 100 ? 1 : span > 10 ? 2 : span >= 0.1 ? 3 : 6;
     }
 
     void follow(double value) {

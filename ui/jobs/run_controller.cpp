@@ -47,7 +47,7 @@ void RunController::stop() {
 void RunController::start(RunPlan plan, bool quick) {
     m_quick = quick;
     m_label = labelOf(plan);
-    m_size = plan.request.size;
+    m_size = plan.request.part().size;
     const int run = ++m_run;
     m_job = startRun(std::move(plan), true, [this, run] {
         QMetaObject::invokeMethod(

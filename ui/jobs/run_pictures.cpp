@@ -36,8 +36,10 @@ RunPictures picturesOf(Preview preview, Size output) {
     RunPictures pictures;
     pictures.step = preview.step;
     auto values = std::make_shared<const Image>(std::move(preview.image));
-    if (!preview.map.size().empty())
+    if (!preview.map.size().empty()) {
         pictures.map = std::make_shared<const PositionMap>(std::move(preview.map));
+        pictures.mapKind = MapKind::Exact;
+    }
     pictures.result = std::make_shared<const DisplayPicture>(std::move(values), preview.fullSize,
                                                              preview.step, pictures.map.get());
     if (pictures.map)
@@ -47,14 +49,24 @@ RunPictures picturesOf(Preview preview, Size output) {
     return pictures;
 }
 
+bool knowsExemplars(const Result& result) {
+    const std::vector<Exemplar>& exemplars = result.plan.request.exemplars;
+    return std::all_of(exemplars.begin(), exemplars.end(), [&](const Exemplar& exemplar) {
+        return exemplar.image->size().area() > 1 &&
+               exemplar.image->channels() >= result.synthesis.image.channels();
+    });
+}
+
 RunPictures picturesOf(const std::shared_ptr<const Result>& result) {
     RunPictures pictures;
     const Synthesis& synthesis = result->synthesis;
+    pictures.run = result;
     pictures.result =
         std::make_shared<const DisplayPicture>(std::shared_ptr<const Image>(result, &synthesis.image));
     if (synthesis.mapKind == MapKind::None || synthesis.map.size().empty())
         return pictures;
     pictures.map = std::shared_ptr<const PositionMap>(result, &synthesis.map);
+    pictures.mapKind = synthesis.mapKind;
     pictures.synthesis = std::make_shared<const DisplayPicture>(
         std::make_shared<const Image>(synthesisPicture(synthesis.map)));
     return pictures;

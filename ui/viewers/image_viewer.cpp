@@ -73,12 +73,26 @@ void ImageViewer::setMarker(std::optional<QPoint> pixel) {
     update();
 }
 
+void ImageViewer::setRings(std::vector<QPoint> pixels) {
+    if (m_rings == pixels)
+        return;
+    m_rings = std::move(pixels);
+    update();
+}
+
 void ImageViewer::setView(const ViewTransform& view, bool fitted) {
     m_fitted = fitted;
     m_view = view;
     if (fitted)
         fitQuietly();
     update();
+}
+
+void ImageViewer::lookAt(QPointF middle, double side) {
+    m_fitted = false;
+    m_view.setScaleAt({0, 0}, std::min(width(), height()) / side);
+    m_view.pan(QRectF(rect()).center() - m_view.toWidget(middle));
+    changedByHand();
 }
 
 std::optional<QPoint> ImageViewer::pixelAt(QPointF point) const {

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace texloom::ui {
 
@@ -34,10 +35,16 @@ public:
     void setMarker(std::optional<QPoint> pixel);
     const std::optional<QPoint>& marker() const { return m_marker; }
 
+    /// Rings around these image pixels: where the copies of a pixel are.
+    void setRings(std::vector<QPoint> pixels);
+    const std::vector<QPoint>& rings() const { return m_rings; }
+
     bool repeats() const { return m_repeat; }
     const ViewTransform& view() const { return m_view; }
     /// Takes over another viewer's zoom and pan, for pictures of the same size.
     void setView(const ViewTransform& view, bool fitted);
+    /// Shows a piece of the picture as large as can be, given by its middle and its width and height.
+    void lookAt(QPointF middle, double side);
     bool fitted() const { return m_fitted; }
     /// The image pixel at a point of the widget, if there is one; while the picture repeats there always is.
     std::optional<QPoint> pixelAt(QPointF point) const;
@@ -99,6 +106,7 @@ private:
     void paintBackdrop(QPainter& painter, const DisplayPicture& picture) const;
     QRectF placeOf(const DisplayPicture& picture) const;
     void paintMarker(QPainter& painter, QPoint pixel) const;
+    void paintRings(QPainter& painter) const;
     void paintBadge(QPainter& painter) const;
 
     std::shared_ptr<const DisplayPicture> m_picture;
@@ -111,6 +119,7 @@ private:
     QPointF m_dragPoint;
     std::optional<QPoint> m_marker;
     std::optional<QPoint> m_cursor;
+    std::vector<QPoint> m_rings;
 };
 
 } // namespace texloom::ui

@@ -39,6 +39,8 @@ void ImageViewer::paintEvent(QPaintEvent* event) {
     }
     if (m_picture && (m_cursor || m_marker))
         paintMarker(painter, m_cursor ? *m_cursor : *m_marker);
+    if (m_picture && !m_rings.empty())
+        paintRings(painter);
     paintBadge(painter);
     if (hasFocus()) {
         const int width = style()->pixelMetric(QStyle::PM_DefaultFrameWidth, nullptr, this) * 2;
@@ -128,6 +130,21 @@ void ImageViewer::paintMarker(QPainter& painter, QPoint pixel) const {
     painter.setPen(QPen(Qt::black, width * 3, Qt::SolidLine, Qt::RoundCap));
     painter.drawPath(path);
     painter.setPen(QPen(Qt::white, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(path);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+void ImageViewer::paintRings(QPainter& painter) const {
+    const double radius = fontMetrics().height() * 0.35;
+    QPainterPath path;
+    for (const QPoint pixel : m_rings)
+        path.addEllipse(m_view.toWidget(QPointF(pixel) + QPointF(0.5, 0.5)), radius, radius);
+    const double width = std::max(1.0, fontMetrics().lineWidth() * 1.5);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(Qt::black, width * 2.5));
+    painter.drawPath(path);
+    painter.setPen(QPen(Qt::white, width));
     painter.drawPath(path);
     painter.setRenderHint(QPainter::Antialiasing, false);
 }

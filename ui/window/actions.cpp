@@ -75,6 +75,13 @@ Actions::Actions(QMainWindow* window) {
     resultTab = make("showResult", tr("R&esult"), {Qt::CTRL | Qt::Key_1});
     synthesisTab = make("showSynthesisMap", tr("&Synthesis map"), {Qt::CTRL | Qt::Key_2});
     positionTab = make("showPositionMap", tr("&Position map"), {Qt::CTRL | Qt::Key_3});
+    copiesTab = make("showCopies", tr("&Copied pieces"), {Qt::CTRL | Qt::Key_4});
+    lattice = make("lattice", tr("&Lattice"), {Qt::CTRL | Qt::Key_L},
+                   tr("Find or set the vectors by which the exemplar repeats itself"), "lattice");
+    blend =
+        make("blend", tr("&Blend two images…"), {Qt::CTRL | Qt::Key_B}, tr("Join two images along a curve"));
+    variance = make("variance", tr("Patch &variance…"), {},
+                    tr("How much patches vary that are alike, by their size and number"));
     resetLayout = make("resetLayout", tr("Reset &layout"));
     fullScreen = make("fullScreen", tr("F&ull screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);

@@ -32,6 +32,10 @@ struct Actions {
     QAction* resultTab;
     QAction* synthesisTab;
     QAction* positionTab;
+    QAction* copiesTab;
+    QAction* lattice;
+    QAction* blend;
+    QAction* variance;
     QAction* resetLayout;
     QAction* fullScreen;
     QAction* shortcuts;

@@ -7,6 +7,8 @@
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
+#include "ui/lattice/lattice_tool.h"
+#include "ui/plots/figures_panel.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/appearance.h"
 #include "ui/window/message_bar.h"
@@ -33,7 +35,7 @@ namespace texloom::ui {
 namespace {
 
 /// Raised when docks or toolbars change, so that an older layout is not restored over them.
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 constexpr std::chrono::milliseconds kPlanPause{150};
 /// The method that a newcomer meets: quick, and good at most textures.
 const QString kFirstMethod = QStringLiteral("quilting");
@@ -84,6 +86,8 @@ MainWindow::MainWindow(QWidget* parent)
     connectStore();
     connectRun();
     connectHovers();
+    connectLattice();
+    connectTools();
     restoreLayout();
     setTabOrderThrough();
     methodChosen();
@@ -125,12 +129,20 @@ void MainWindow::makeDocks() {
     auto* column = new QVBoxLayout(parameters);
     column->addWidget(m_inspector, 1);
     column->addWidget(m_runPanel);
+    m_lattice = new LatticeTool(m_store, m_inspector, m_results);
+    m_results->addPage(
+        m_lattice, tr("Lattice"),
+        tr("The vectors by which the exemplar repeats itself: found, corrected, and given to the method."));
     addDockWidget(Qt::LeftDockWidgetArea,
                   dockFor(m_exemplars, tr("Exemplars"), QStringLiteral("exemplarDock"), this));
     addDockWidget(Qt::RightDockWidgetArea,
                   dockFor(parameters, tr("Parameters"), QStringLiteral("parameterDock"), this));
     m_bench->addDocks();
     m_bench->addPages(m_results);
+    m_figures = new FiguresPanel(this);
+    QDockWidget* const figures = dockFor(m_figures, tr("Figures"), QStringLiteral("figureDock"), this);
+    addDockWidget(Qt::BottomDockWidgetArea, figures);
+    tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("jobDock")), figures);
 }
 
 void MainWindow::makeMenus() {
@@ -151,7 +163,7 @@ void MainWindow::makeMenus() {
     menuBar()->addMenu(tr("&Edit"))->addAction(m_actions.copyResult);
     menuBar()
         ->addMenu(tr("E&xemplar"))
-        ->addActions({m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
+        ->addActions({m_actions.lattice, m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
     QMenu* const synthesis = menuBar()->addMenu(tr("&Synthesis"));
     synthesis->addActions(
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
@@ -163,6 +175,7 @@ void MainWindow::makeMenus() {
     menuBar()->addMenu(makeViewMenu());
     menuBar()->addMenu(m_bench->makeCompareMenu());
     menuBar()->addMenu(m_bench->makeResultsMenu());
+    menuBar()->addMenu(tr("&Tools"))->addActions({m_actions.blend, m_actions.variance});
     menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
 }
 
@@ -184,7 +197,8 @@ QMenu* MainWindow::makeViewMenu() {
     view->addActions(
         {m_actions.fit, m_actions.actualSize, m_actions.zoomIn, m_actions.zoomOut, m_actions.repeat});
     view->addSeparator();
-    view->addActions({m_actions.resultTab, m_actions.synthesisTab, m_actions.positionTab});
+    view->addActions(
+        {m_actions.resultTab, m_actions.synthesisTab, m_actions.positionTab, m_actions.copiesTab});
     view->addSeparator();
     for (const auto* dock : findChildren<QDockWidget*>())
         view->addAction(dock->toggleViewAction());
@@ -312,7 +326,8 @@ void MainWindow::connectViewActions() {
         if (m_bench->compare()->isVisible())
             frontViewer()->setRepeats(repeat);
     });
-    for (const auto tab : {ResultView::ResultTab, ResultView::SynthesisTab, ResultView::PositionTab})
+    for (const auto tab :
+         {ResultView::ResultTab, ResultView::SynthesisTab, ResultView::PositionTab, ResultView::CopiesTab})
         connect(m_results->viewer(tab), &ImageViewer::repeatsChanged, m_actions.repeat, &QAction::setChecked);
     connect(m_actions.resultTab, &QAction::triggered, this,
             [this] { m_results->setTab(ResultView::ResultTab); });
@@ -320,6 +335,8 @@ void MainWindow::connectViewActions() {
             [this] { m_results->setTab(ResultView::SynthesisTab); });
     connect(m_actions.positionTab, &QAction::triggered, this,
             [this] { m_results->setTab(ResultView::PositionTab); });
+    connect(m_actions.copiesTab, &QAction::triggered, this,
+            [this] { m_results->setTab(ResultView::CopiesTab); });
     connect(m_actions.fullScreen, &QAction::toggled, this,
             [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
 }
@@ -357,6 +374,7 @@ void MainWindow::connectHovers() {
     connect(m_results, &ResultView::resultHovered, this, &MainWindow::hoverResult);
     connect(m_results, &ResultView::positionHovered, this,
             [this](QPoint pixel) { hoverExemplar(m_store->current(), pixel); });
+    connect(m_results, &ResultView::legendChanged, m_exemplars, &ExemplarPanel::setLegend);
     connect(m_results, &ResultView::unhovered, this, &MainWindow::endHover);
     connect(m_exemplars, &ExemplarPanel::hovered, this,
             [this](QPoint pixel) { hoverExemplar(m_store->current(), pixel); });

@@ -3,6 +3,7 @@
 #include "core/session/preset.h"
 #include "core/session/run.h"
 #include "ui/exemplar/exemplar_store.h"
+#include "ui/exemplar/named_image.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/window/actions.h"
 
@@ -21,8 +22,10 @@ namespace texloom::ui {
 
 class ExemplarPanel;
 class ExportDialog;
+class FiguresPanel;
 class ImageViewer;
 class Inspector;
+class LatticeTool;
 class MessageBar;
 class Readout;
 class ResultView;
@@ -75,6 +78,7 @@ public:
     RunPanel* runPanel() const { return m_runPanel; }
     ExemplarPanel* exemplarPanel() const { return m_exemplars; }
     Workbench* workbench() const { return m_bench; }
+    LatticeTool* lattice() const { return m_lattice; }
     /// The finished result that was shown last; null if there is none.
     const std::shared_ptr<const Result>& result() const { return m_result; }
 
@@ -99,6 +103,9 @@ private:
     void connectStore();
     void connectRun();
     void connectHovers();
+    void connectLattice();
+    void connectTools();
+    std::vector<NamedImage> images() const;
     void restoreLayout();
 
     void fillRecentMenu(QMenu* menu);
@@ -134,6 +141,7 @@ private:
 
     void hoverResult(QPoint pixel);
     void hoverExemplar(const ExemplarEntry* entry, QPoint pixel);
+    void showCopies(const ExemplarEntry& entry, QPoint pixel);
     void endHover();
     void showShortcuts();
     void showAbout();
@@ -149,6 +157,8 @@ private:
     ExemplarPanel* m_exemplars = nullptr;
     Inspector* m_inspector = nullptr;
     RunPanel* m_runPanel = nullptr;
+    LatticeTool* m_lattice = nullptr;
+    FiguresPanel* m_figures = nullptr;
     Readout* m_readout = nullptr;
     QComboBox* m_method;
     QByteArray m_defaultLayout;

@@ -180,6 +180,7 @@ void MainWindow::applySettings(const RunInput& input) {
     output->setWrap(input.wrap);
     output->setSeed(input.seed);
     output->setInitial(input.initial);
+    output->setPart(input.region);
     m_inspector->setValues(input.settings);
     m_inspector->setThen(input.then);
     plan();
@@ -210,12 +211,16 @@ void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
         input.size = size;
         input.wrap = recipe.wrap;
         input.seed = recipe.seed;
+        if (!keepSize)
+            input.region = recipe.region;
         return applySettings(input);
     }
     inBackground(
         this, [recipe] { return loadRecipe(recipe); },
-        [this, size](RunInput input) {
+        [this, size, keepSize](RunInput input) {
             input.size = size;
+            if (keepSize)
+                input.region.reset();
             restore(input);
         },
         [this](const QString& why) { fail(translated(why.toStdString())); });

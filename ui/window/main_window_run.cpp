@@ -6,6 +6,7 @@
 #include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/log/log_panel.h"
+#include "ui/plots/figures_panel.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -88,6 +89,8 @@ RunInput MainWindow::input(bool quick) const {
     input.wrap = output->wrap();
     input.seed = output->seed();
     input.threads = output->threads();
+    if (!quick)
+        input.region = output->part();
     if (output->initial())
         input.initial = quick ? croppedTo(*output->initial(), input.size) : output->initial();
     return input;
@@ -172,6 +175,7 @@ void MainWindow::updateActions() {
     m_actions.setMask->setEnabled(current != nullptr && masks);
     m_actions.clearMask->setEnabled(current != nullptr && current->exemplar.mask);
     m_actions.removeExemplar->setEnabled(current != nullptr);
+    m_actions.lattice->setEnabled(current != nullptr);
 }
 
 void MainWindow::startRun(bool quick) {
@@ -223,6 +227,7 @@ void MainWindow::watch(int id) {
     if (m_bench->compare()->isVisible())
         m_results->setTab(ResultView::ResultTab);
     m_resultShown = false;
+    m_results->setNotes({});
     m_results->setTitle(
         (job->quick ? tr("Quick preview under way: %1") : tr("Under way: %1")).arg(job->label));
     updateActions();
@@ -274,6 +279,11 @@ void MainWindow::showResult() {
                               .arg(m_result->plan.request.seed)
                               .arg(sizeText(size), QString::fromStdString(durationText(m_result->seconds)));
     m_results->setTitle(m_resultQuick ? tr("Quick preview: %1").arg(label) : label);
+    QStringList notes;
+    for (const std::string& note : m_result->synthesis.notes)
+        notes += translated(note);
+    m_results->setNotes(notes);
+    m_figures->setResult(m_result);
     m_resultShown = true;
     updateActions();
 }
@@ -327,6 +337,7 @@ void MainWindow::hoverResult(QPoint pixel) {
     else
         m_exemplars->hideSource();
     m_results->markPosition(entry, {source.x, source.y});
+    m_results->hideCopies();
 }
 
 void MainWindow::hoverExemplar(const ExemplarEntry* entry, QPoint pixel) {
@@ -339,12 +350,29 @@ void MainWindow::hoverExemplar(const ExemplarEntry* entry, QPoint pixel) {
         tr("%1 · %2").arg(QString::fromStdString(file.space), QString::fromStdString(file.info.depth)));
     m_results->markPosition(entry, pixel);
     m_exemplars->showSource(*entry, pixel);
+    showCopies(*entry, pixel);
+}
+
+void MainWindow::showCopies(const ExemplarEntry& entry, QPoint pixel) {
+    for (std::size_t i = 0; i < m_shownExemplars.size(); ++i) {
+        if (m_store->find(m_shownExemplars[i].image) != &entry)
+            continue;
+        const auto number = [](std::size_t value) { return static_cast<std::uint16_t>(value); };
+        const std::size_t count = m_results->showCopies(
+            {static_cast<std::uint16_t>(pixel.x()), static_cast<std::uint16_t>(pixel.y()), number(i)});
+        if (count > 0)
+            m_readout->addToPlace(count == 1 ? tr("once in the result")
+                                             : tr("%1 times in the result").arg(count));
+        return;
+    }
+    m_results->hideCopies();
 }
 
 void MainWindow::endHover() {
     m_readout->clear();
     m_exemplars->hideSource();
     m_results->markPosition(nullptr, {});
+    m_results->hideCopies();
 }
 
 } // namespace texloom::ui

@@ -23,6 +23,10 @@ void Readout::show(const QString& place, const QString& values, const QString& k
     m_kind->setText(kind);
 }
 
+void Readout::addToPlace(const QString& text) {
+    m_place->setFullText(tr("%1 · %2").arg(m_place->fullText(), text));
+}
+
 void Readout::clear() {
     show({}, {}, {});
 }

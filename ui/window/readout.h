@@ -19,6 +19,8 @@ public:
     /// @param place "x 10, y 20 → bark x 3, y 4"; @param values the pixel's; @param kind colour space and
     /// depth.
     void show(const QString& place, const QString& values, const QString& kind);
+    /// Says more of the place.
+    void addToPlace(const QString& text);
     void clear();
     /// All of it in one line.
     QString text() const;

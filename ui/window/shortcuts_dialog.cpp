@@ -48,6 +48,9 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction*>& actions, QWidget* parent
         {tr("Drag"), tr("In a picture: move it")},
         {tr("Arrow keys"), tr("In a picture: move it")},
         {tr("Shift+arrow keys"), tr("In a picture: move from pixel to pixel and show where each came from")},
+        {tr("Space"),
+         tr("In the lattice: go to the next handle; the arrow keys move it by 1 px, with Shift by "
+            "10 px, with Ctrl by 0.1 px")},
         {tr("Double click"), tr("On a parameter's label: reset it")},
         {tr("Return"), tr("In a comparison: take over the settings of the picture in use")},
         {tr("Ctrl+arrow keys"), tr("In a wipe: move the line")},

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "core/analysis/lattice_detector.h"
+#include "ui/exemplar/exemplar_store.h"
+#include "ui/jobs/task.h"
+#include "ui/lattice/lattice_canvas.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace texloom::ui {
+
+class Inspector;
+class TaskBar;
+
+/// The workspace for the lattice of the exemplar that is looked at: what is found in the background, drawn
+/// over the exemplar and over its correlation with itself, corrected by hand, and then given to the method.
+class LatticeTool : public QWidget {
+    Q_OBJECT
+
+public:
+    LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* parent = nullptr);
+
+    /// Looks for the lattice again.
+    void detect();
+    LatticeCanvas* canvas() const { return m_canvas; }
+    LatticeCanvas* correlationCanvas() const { return m_gamma; }
+    const std::optional<Lattice>& lattice() const { return m_canvas->lattice(); }
+    /// What was found in the exemplar; null before, and while it is looked for.
+    const std::shared_ptr<const LatticeAnalysis>& analysis() const { return m_analysis; }
+    /// What is said of it, and whether the method uses the lattice shown.
+    QString verdict() const;
+    QString useText() const;
+
+Q_SIGNALS:
+    /// The method in the inspector follows no lattice; this one does and is asked for.
+    void methodWanted(const QString& id);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Detected {
+        std::shared_ptr<const LatticeAnalysis> analysis;
+        std::shared_ptr<const DisplayPicture> picture;
+    };
+
+    QWidget* makePanel();
+    QWidget* makeFields();
+    QWidget* makeButtons();
+    void makeTable();
+    void connectCanvases();
+    void followExemplar();
+    void take(Detected detected);
+    void lookAtVectors();
+    void fillTable();
+    void chooseRow(int row);
+    void setLattice(const std::optional<Lattice>& lattice);
+    void setOrigin(Vec2 origin);
+    void canvasEdited(LatticeCanvas* canvas, LatticeCanvas::Handle handle);
+    void fieldsEdited();
+    void showFields();
+    void refit();
+    void use();
+    void refreshUse();
+    void sayVerdict();
+    QString problem() const;
+    Vec2 middleOrigin(const Lattice& lattice) const;
+
+    ExemplarStore* m_store;
+    Inspector* m_inspector;
+    LatticeCanvas* m_canvas;
+    LatticeCanvas* m_gamma;
+    QTableWidget* m_table;
+    std::array<QDoubleSpinBox*, 6> m_fields{}; ///< both vectors and the origin, each right and down
+    QPushButton* m_detect = nullptr;
+    QPushButton* m_fit = nullptr;
+    QPushButton* m_use = nullptr;
+    QLabel* m_verdict;
+    QLabel* m_useText;
+    TaskBar* m_bar;
+    std::shared_ptr<const Image> m_exemplar;
+    QString m_name;
+    std::shared_ptr<const LatticeAnalysis> m_analysis;
+    QString m_failure;
+    bool m_originMoved = false;
+    bool m_filling = false;
+    bool m_edited = false; ///< by hand, since it was found or chosen
+    Task<Detected> m_detection;
+    Task<LatticeCandidate> m_fitting;
+};
+
+} // namespace texloom::ui

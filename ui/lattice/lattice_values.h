@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/analysis/lattice.h"
+#include "core/methods/method.h"
+
+#include <optional>
+
+namespace texloom::ui {
+
+/// Whether a method has the parameters of a lattice (core/analysis/lattice_settings.h).
+bool followsLattice(const Method& method);
+
+/// The settings by which a method that follows a lattice uses this one.
+/// @param origin where a tile begins, in pixels of the exemplar; none where the method chooses.
+Values latticeValues(const Method& method, const Lattice& lattice, const std::optional<Vec2>& origin);
+
+/// The lattice that these settings of the method give; none where it finds one by itself or follows none.
+std::optional<Lattice> givenLattice(const Method& method, const Values& values);
+
+} // namespace texloom::ui

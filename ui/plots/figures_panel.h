@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/session/run.h"
+#include "ui/jobs/task.h"
+#include "ui/plots/plot.h"
+#include "ui/viewers/display_picture.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+class QLabel;
+class QListWidget;
+class QStackedWidget;
+class QTableWidget;
+
+namespace texloom::ui {
+
+class ImageViewer;
+class TaskBar;
+
+/// The dock of figures about a result: its numbers, colours and patches beside the exemplar's, the curves and
+/// pictures that its method made, and how both repeat themselves. Made in the background, only while it is
+/// seen.
+class FiguresPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FiguresPanel(QWidget* parent = nullptr);
+
+    /// The result that it is about; null for none.
+    void setResult(std::shared_ptr<const Result> result);
+    /// Titles of the figures there are, in order.
+    QStringList titles() const;
+    void showFigure(const QString& title);
+    Plot* plot() const { return m_plot; }
+    ImageViewer* viewer() const { return m_viewer; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    /// A named number as it is shown.
+    struct Number {
+        QString name, value;
+    };
+    struct Entry {
+        QString title;
+        std::variant<PlotData, std::shared_ptr<const DisplayPicture>, std::vector<Number>> content;
+    };
+
+    static std::vector<Entry> entriesOf(const Result& result, JobContext& context);
+    static void addHistograms(const Result& result, std::vector<Entry>& entries, JobContext& context);
+    static void addCorrelations(const Result& result, std::vector<Entry>& entries, JobContext& context);
+    void begin();
+    void take(std::vector<Entry> entries);
+    void showEntry(int row);
+
+    std::shared_ptr<const Result> m_result;
+    std::shared_ptr<const Result> m_made; ///< the result that the entries are of
+    std::vector<Entry> m_entries;
+    QListWidget* m_list;
+    QStackedWidget* m_stack;
+    QLabel* m_hint;
+    Plot* m_plot;
+    ImageViewer* m_viewer;
+    QTableWidget* m_table;
+    TaskBar* m_bar;
+    Task<std::vector<Entry>> m_task;
+};
+
+} // namespace texloom::ui
