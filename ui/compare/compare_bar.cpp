@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace texloom::ui {
@@ -123,7 +124,12 @@ QWidget* CompareBar::makeModes(const CompareActions& actions) {
     for (QAction* action : {actions.grid, actions.wipe, actions.toggle, actions.difference, actions.exemplar,
                             actions.link, actions.sheet}) {
         bar->addAction(action);
-        bar->widgetForAction(action)->setFocusPolicy(Qt::StrongFocus);
+        auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+        button->setFocusPolicy(Qt::StrongFocus);
+        if (action == actions.link || action == actions.sheet) {
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+            button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+        }
     }
     m_exposure->setObjectName(QStringLiteral("compareExposure"));
     m_exposure->setRange(-kMostStops, kMostStops);

@@ -75,19 +75,9 @@ SweepDialog::SweepDialog(RunInput input, QWidget* parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
-    auto* form = new QFormLayout;
-    form->addRow(tr("&Across"), m_across.target);
-    form->addRow(QString(), m_across.values);
-    form->addRow(QString(), m_across.limits);
-    form->addRow(tr("&Down"), m_down.target);
-    form->addRow(QString(), m_down.values);
-    form->addRow(QString(), m_down.limits);
-    form->addRow(tr("Seed"), same);
-    form->addRow(QString(), m_varySeed);
-    form->addRow(tr("Size"), m_quick);
     auto* column = new QVBoxLayout(this);
     column->addWidget(intro);
-    column->addLayout(form);
+    column->addLayout(makeForm(same));
     column->addWidget(m_said);
     column->addStretch();
     column->addWidget(buttons);
@@ -102,6 +92,20 @@ SweepDialog::SweepDialog(RunInput input, QWidget* parent)
         targetChosen(row);
     }
     connect(m_varySeed, &QRadioButton::toggled, this, &SweepDialog::refresh);
+}
+
+QFormLayout* SweepDialog::makeForm(QWidget* sameSeed) {
+    auto* form = new QFormLayout;
+    form->addRow(tr("&Across"), m_across.target);
+    form->addRow(QString(), m_across.values);
+    form->addRow(QString(), m_across.limits);
+    form->addRow(tr("&Down"), m_down.target);
+    form->addRow(QString(), m_down.values);
+    form->addRow(QString(), m_down.limits);
+    form->addRow(tr("Seed"), sameSeed);
+    form->addRow(QString(), m_varySeed);
+    form->addRow(tr("Size"), m_quick);
+    return form;
 }
 
 SweepDialog::Row SweepDialog::makeRow(const QString& name, const QString& title) {

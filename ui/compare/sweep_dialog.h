@@ -6,6 +6,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -41,6 +42,7 @@ private:
         QLabel* limits;
     };
 
+    QFormLayout* makeForm(QWidget* sameSeed);
     void listTargets();
     Row makeRow(const QString& name, const QString& title);
     void targetChosen(const Row& row);

@@ -52,12 +52,22 @@ LogPanel::LogPanel(QWidget* parent) : QWidget(parent), m_text(new QPlainTextEdit
 }
 
 void LogPanel::add(const QString& text) {
-    QScrollBar* const bar = m_text->verticalScrollBar();
-    const bool follows = !isVisible() || bar->value() == bar->maximum();
+    const QScrollBar* const bar = m_text->verticalScrollBar();
+    const bool follows = bar->value() == bar->maximum();
     m_text->appendPlainText(
         tr("%1  %2").arg(QTime::currentTime().toString(QStringLiteral("HH:mm:ss")), text));
     if (follows)
-        bar->setValue(bar->maximum());
+        scrollToEnd();
+}
+
+void LogPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    // What was added while it was hidden has no place yet.
+    QMetaObject::invokeMethod(this, &LogPanel::scrollToEnd, Qt::QueuedConnection);
+}
+
+void LogPanel::scrollToEnd() {
+    m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
 }
 
 QString LogPanel::text() const {

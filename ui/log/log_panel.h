@@ -17,7 +17,12 @@ public:
     void add(const QString& text);
     QString text() const;
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
+    void scrollToEnd();
+
     QPlainTextEdit* m_text;
 };
 

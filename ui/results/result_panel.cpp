@@ -94,6 +94,16 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
 
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(makeBar());
+    column->addWidget(m_empty, 1);
+    column->addWidget(m_list, 1);
+    connectActions();
+    explainEmpty();
+    updateActions();
+}
+
+QLayout* ResultPanel::makeBar() {
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_search, 1);
     for (QAction* action :
@@ -106,13 +116,7 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
     }
     bar->addStretch();
     bar->addWidget(m_usage);
-    auto* column = new QVBoxLayout(this);
-    column->addLayout(bar);
-    column->addWidget(m_empty, 1);
-    column->addWidget(m_list, 1);
-    connectActions();
-    explainEmpty();
-    updateActions();
+    return bar;
 }
 
 void ResultPanel::connectActions() {

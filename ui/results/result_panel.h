@@ -6,6 +6,7 @@
 
 class QAction;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QListView;
 class QSortFilterProxyModel;
@@ -49,6 +50,7 @@ Q_SIGNALS:
     void removed(const QString& sentence);
 
 private:
+    QLayout* makeBar();
     void connectActions();
     void removeSelected();
     void pinSelected();
