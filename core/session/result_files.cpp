@@ -220,7 +220,7 @@ void readSynthesis(const fs::path& folder, const ResultEntry& entry, Synthesis& 
 
 void writeSynthesis(const fs::path& folder, const Synthesis& synthesis) {
     writePixels(folder / kImage, synthesis.image);
-    if (synthesis.mapKind != MapKind::None)
+    if (synthesis.mapKind != MapKind::None && !synthesis.map.size().empty())
         writePositionMap(folder / kMap, synthesis.map);
     for (std::size_t i = 0; i < synthesis.pictures.size(); ++i)
         writePixels(folder / numbered("picture", i), synthesis.pictures[i].image);

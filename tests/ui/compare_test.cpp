@@ -112,6 +112,18 @@ private Q_SLOTS:
         QVERIFY(first->repeats() && second->repeats());
     }
 
+    void theSamePlaceIsMarkedInPicturesOfTheSameSize() {
+        Fixture fixture;
+        QSignalSpy hovered(&fixture.view, &CompareView::hovered);
+        Q_EMIT fixture.view.viewer(0)->hovered({5, 6});
+        QVERIFY(!fixture.view.viewer(0)->marker());
+        QCOMPARE(fixture.view.viewer(1)->marker(), QPoint(5, 6));
+        QVERIFY(!fixture.view.viewer(2)->marker());
+        QCOMPARE(hovered.front().at(2).toString(), QStringLiteral("1.000 0.000 0.000"));
+        Q_EMIT fixture.view.viewer(0)->unhovered();
+        QVERIFY(!fixture.view.viewer(1)->marker());
+    }
+
     void wipePartsTwoPicturesAtAnyAngle() {
         Fixture fixture;
         fixture.view.bar()->setPair(0, 1);

@@ -128,6 +128,8 @@ void CompareView::fillGrid() {
         m_link->add(cell->viewer());
         grid->addWidget(cell, i / m_columns, i % m_columns);
         connect(cell, &CompareCell::entered, this, [this, i] { entered(i); });
+        connect(cell->viewer(), &ImageViewer::hovered, this, [this, i](QPoint pixel) { hover(i, pixel); });
+        connect(cell->viewer(), &ImageViewer::unhovered, this, &CompareView::endHover);
         connect(cell, &CompareCell::useWanted, this,
                 [this, i] { Q_EMIT useWanted(m_items[static_cast<std::size_t>(i)].key); });
     }
@@ -171,6 +173,25 @@ void CompareView::entered(int index) {
     // The last two that were looked at are the pair of the other modes.
     m_bar->setPair(std::min(m_last, index), std::max(m_last, index));
     m_last = index;
+}
+
+void CompareView::hover(int index, QPoint pixel) {
+    const CompareItem& item = m_items[static_cast<std::size_t>(index)];
+    // The same place is marked in all pictures of the same size.
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        const bool alike = item.picture && m_items[i].picture &&
+                           item.picture->size() == m_items[i].picture->size() &&
+                           static_cast<int>(i) != index && m_link->linked();
+        m_cells[i]->viewer()->setMarker(alike ? std::optional(pixel) : std::nullopt);
+    }
+    if (item.picture)
+        Q_EMIT hovered(item.label, pixel, item.picture->valueText(pixel.x(), pixel.y()));
+}
+
+void CompareView::endHover() {
+    for (const CompareCell* cell : m_cells)
+        cell->viewer()->setMarker({});
+    Q_EMIT unhovered();
 }
 
 void CompareView::setMode(CompareMode mode) {

@@ -49,6 +49,9 @@ public:
 Q_SIGNALS:
     /// Other pictures took the place of all.
     void replaced();
+    /// The cursor is over a pixel of a picture; its values as text.
+    void hovered(const QString& label, QPoint pixel, const QString& values);
+    void unhovered();
     /// The settings of this result are to be taken over.
     void useWanted(const std::string& key);
 
@@ -58,6 +61,8 @@ private:
     void look();
     void lookAt(int index);
     void entered(int index);
+    void hover(int index, QPoint pixel);
+    void endHover();
     void showPair();
     void showDifference();
     std::shared_ptr<const DisplayPicture> shownPicture(int index) const;

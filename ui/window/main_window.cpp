@@ -379,6 +379,13 @@ void MainWindow::connectHovers() {
     connect(m_exemplars, &ExemplarPanel::hovered, this,
             [this](QPoint pixel) { hoverExemplar(m_store->current(), pixel); });
     connect(m_exemplars, &ExemplarPanel::unhovered, this, &MainWindow::endHover);
+    const CompareView* const compare = m_bench->compare();
+    connect(compare, &CompareView::hovered, this,
+            [this](const QString& label, QPoint pixel, const QString& values) {
+                m_readout->show(tr("%1: x %2, y %3").arg(label).arg(pixel.x()).arg(pixel.y()), values,
+                                tr("working space · float"));
+            });
+    connect(compare, &CompareView::unhovered, this, &MainWindow::endHover);
 }
 
 } // namespace texloom::ui
