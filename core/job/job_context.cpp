@@ -138,9 +138,9 @@ void JobContext::preview(Size full, const std::function<Image(Size size, int ste
 }
 
 void JobContext::makePreview(Size full, const std::function<Preview(Size size, int step)>& made) {
-    const auto now = Clock::now();
-    if (!m_previews || now < m_nextPreview)
+    if (!previewDue())
         return;
+    const auto now = Clock::now();
     const int step = (full.longerSide() + kPreviewSide - 1) / kPreviewSide;
     m_monitor.m_preview.put(made({(full.width + step - 1) / step, (full.height + step - 1) / step}, step));
     const auto done = Clock::now();

@@ -89,6 +89,8 @@ public:
     /// The same for work that is not at hand as one image of its full size: `made` is called, only if a
     /// preview is due, for an image of `size` that holds every `step`-th pixel of the work.
     void preview(Size full, const std::function<Image(Size size, int step)>& made);
+    /// Whether preview() would take a picture now, for methods that must make one for it.
+    bool previewDue() const { return m_previews && Clock::now() >= m_nextPreview; }
     /// Random numbers of this job; see Random.
     const Random& random() const { return m_random; }
     int threads() const { return m_threads; }

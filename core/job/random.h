@@ -26,4 +26,21 @@ private:
     std::uint32_t m_stream;
 };
 
+/// A few numbers from one draw of Random (Marsaglia's xorshift), where a draw each would cost too much.
+class QuickRandom {
+public:
+    explicit QuickRandom(std::uint32_t bits) : m_state(bits | 1U) {}
+    /// In [-radius, radius].
+    int within(int radius) {
+        m_state ^= m_state << 13U;
+        m_state ^= m_state >> 17U;
+        m_state ^= m_state << 5U;
+        const auto range = static_cast<std::uint64_t>(2 * radius + 1);
+        return static_cast<int>((m_state * range) >> 32U) - radius;
+    }
+
+private:
+    std::uint32_t m_state;
+};
+
 } // namespace texloom

@@ -2,6 +2,7 @@
 
 #include "core/job/pool.h"
 #include "core/match/interleaved.h"
+#include "core/match/patch_target.h"
 #include "core/match/patch_tree.h"
 
 #include <algorithm>
@@ -16,77 +17,6 @@ namespace {
 constexpr int kTile = 64;
 /// Leaves of the tree that a start looks into, unless an equal patch is met.
 constexpr int kLeaves = 4;
-
-/// One image to find patches in.
-class Target {
-public:
-    Target(const PatchSource& source, int patch)
-        : m_pixels(source.image.size(), source.image.channels), m_positions{source.image.width - patch + 1,
-                                                                            source.image.height - patch + 1} {
-        m_pixels.load(source.image, 0, 0, source.image.size());
-        if (source.mask.data)
-            allow(source.mask, patch);
-    }
-
-    const Interleaved& pixels() const { return m_pixels; }
-    int longerSide() const { return m_positions.longerSide(); }
-    std::int64_t count() const {
-        return m_allowed.empty() ? m_positions.area() : static_cast<std::int64_t>(m_list.size());
-    }
-    bool has(int x, int y) const {
-        return x >= 0 && y >= 0 && x < m_positions.width && y < m_positions.height &&
-               (m_allowed.empty() || m_allowed[index(x, y)] != 0);
-    }
-    /// The nth patch that may be found, row by row.
-    Source nth(std::int64_t n, std::uint16_t exemplar) const {
-        const std::int64_t at = m_allowed.empty() ? n : m_list[static_cast<std::size_t>(n)];
-        return {static_cast<std::uint16_t>(at % m_positions.width),
-                static_cast<std::uint16_t>(at / m_positions.width), exemplar};
-    }
-
-private:
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +
-               static_cast<std::size_t>(x);
-    }
-
-    void allow(const PlaneView& mask, int patch) {
-        m_allowed.assign(static_cast<std::size_t>(m_positions.area()), 1);
-        for (int y = 0; y < mask.height; ++y)
-            for (int x = 0; x < mask.width; ++x) {
-                if (mask(x, y) != 0)
-                    continue;
-                for (int py = std::max(0, y - patch + 1); py <= std::min(y, m_positions.height - 1); ++py)
-                    for (int px = std::max(0, x - patch + 1); px <= std::min(x, m_positions.width - 1); ++px)
-                        m_allowed[index(px, py)] = 0;
-            }
-        for (std::size_t i = 0; i < m_allowed.size(); ++i)
-            if (m_allowed[i] != 0)
-                m_list.push_back(static_cast<std::int32_t>(i));
-    }
-
-    Interleaved m_pixels;
-    Size m_positions;
-    std::vector<std::uint8_t> m_allowed; ///< empty: all
-    std::vector<std::int32_t> m_list;    ///< the allowed ones
-};
-
-/// A few numbers from one draw by place (Marsaglia's xorshift), since a draw costs as much as a distance.
-class Stretched {
-public:
-    explicit Stretched(std::uint32_t bits) : m_state(bits | 1U) {}
-    /// In [-radius, radius].
-    int within(int radius) {
-        m_state ^= m_state << 13U;
-        m_state ^= m_state >> 17U;
-        m_state ^= m_state << 5U;
-        const auto range = 2 * static_cast<std::uint64_t>(radius) + 1;
-        return static_cast<int>((m_state * range) >> 32U) - radius;
-    }
-
-private:
-    std::uint32_t m_state;
-};
 
 class Matcher {
 public:
@@ -103,7 +33,7 @@ public:
             context.check();
         }
         std::vector<const Interleaved*> images;
-        for (const Target& target : m_targets)
+        for (const PatchTarget& target : m_targets)
             images.push_back(&target.pixels());
         m_tree.emplace(
             images, query.channels, m_patch,
@@ -237,7 +167,7 @@ private:
                 attempt(near.exemplar, near.x, near.y + ahead);
             }
         }
-        Stretched random(m_context.random().bits(x, y, static_cast<std::uint32_t>(iteration) + 1));
+        QuickRandom random(m_context.random().bits(x, y, static_cast<std::uint32_t>(iteration) + 1));
         for (int radius = m_targets[best.source.exemplar].longerSide(); radius >= 1; radius /= 2) {
             const int toX = best.source.x + random.within(radius);
             attempt(best.source.exemplar, toX, best.source.y + random.within(radius));
@@ -250,7 +180,7 @@ private:
     int m_iterations;
     int m_startStep;
     JobContext& m_context;
-    std::vector<Target> m_targets;
+    std::vector<PatchTarget> m_targets;
     std::int64_t m_count = 0; ///< patches in all targets
     std::optional<PatchTree> m_tree;
     PatchField m_field;

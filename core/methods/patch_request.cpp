@@ -52,6 +52,18 @@ void checkPatchRequest(const Request& request, int patch) {
     checkWrap(request.wrap.y, request.size.height, "height", patch);
 }
 
+Image copied(const PositionMap& map, const Request& request, JobContext& context) {
+    Image image(map.size(), request.channels());
+    context.parallel(0, image.height(), [&](int y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Source& source = map.at(x, y);
+            for (int c = 0; c < image.channels(); ++c)
+                image(x, y, c) = (*request.exemplars[source.exemplar].image)(source.x, source.y, c);
+        }
+    });
+    return image;
+}
+
 std::uint64_t patchSearchBytes(const Request& request, int patch, int threads) {
     // On an axis that wraps overlaps differ by a pixel: at most seven kinds along a row, for five kinds of
     // row.

@@ -18,6 +18,9 @@ std::vector<PatchSource> patchSources(const Request& request);
 /// large enough to wrap. @throws UsageError
 void checkPatchRequest(const Request& request, int patch);
 
+/// The picture that a map makes of the exemplars (see PositionMap::apply()), made in parallel.
+Image copied(const PositionMap& map, const Request& request, JobContext& context);
+
 /// Bytes of a PatchSearch over the request's exemplars with one Scratch a thread, for the shapes that a
 /// growing output compares.
 std::uint64_t patchSearchBytes(const Request& request, int patch, int threads);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/image/image.h"
+
+namespace texloom {
+
+/// The image at half its size, rounded down (a side of 1 stays): filtered with a Gaussian of standard
+/// deviation 0.8 px, borders repeated, so that pixel x of the result lies in the middle of pixels 2x and
+/// 2x + 1.
+Image halved(const ImageView& image);
+
+/// A mask of one channel at half its size: 1 where no pixel that halved() joins here is 0.
+Image halvedMask(const PlaneView& mask);
+
+/// The image at this size by bilinear interpolation; rows and columns close on themselves.
+Image enlarged(const ImageView& image, Size size);
+/// One channel of row `y` of it, in `to`.
+void enlargeRow(const PlaneView& plane, Size size, int y, float* to);
+
+} // namespace texloom

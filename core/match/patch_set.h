@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/image/position_map.h"
+#include "core/match/interleaved.h"
+#include "core/match/patch_match.h"
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace texloom {
+
+/// Few numbers for a patch whose squared distance is never more than that of the patches: coordinates along
+/// the principal axes of the patches' means over 8 × 8 blocks.
+class PatchBasis {
+public:
+    static constexpr int kAxes = 16;
+    using Descriptor = std::array<float, kAxes>;
+
+    /// Learns the axes. @param channels in the images; the first three count. @param check may throw.
+    PatchBasis(std::span<const Interleaved* const> images, int channels, int patch,
+               const std::function<void()>& check);
+
+    int patch() const { return m_patch; }
+    /// @param pixels where the patch begins, a row of it every `stride` floats.
+    Descriptor describe(const float* pixels, std::ptrdiff_t stride) const;
+
+private:
+    void blocks(const float* pixels, std::ptrdiff_t stride, float* means) const;
+
+    int m_patch, m_pixel, m_channels;
+    int m_blocks; ///< along a side
+    std::vector<float> m_axes; ///< kAxes for each block mean
+};
+
+/// Patches of images that are searched exactly: by rising first coordinate, outwards from that of the patch
+/// that is looked for, past all that the descriptors rule out.
+class PatchSet {
+public:
+    /// @param images must outlive the set. @param has says which patches, by top left pixel, are in it.
+    /// @param check called every few milliseconds; may throw.
+    PatchSet(std::vector<const Interleaved*> images, const PatchBasis& basis, int stride,
+             const std::function<bool(const Source&)>& has, const std::function<void()>& check);
+
+    int count() const { return static_cast<int>(m_entries.size()); }
+    /// Of the nth patch, in order of reading.
+    const std::vector<Source>& sources() const { return m_sources; }
+
+    /// Adds this to the distance of the nth patch from now on; empty for none. Not negative.
+    void setPenalties(std::vector<float> penalties);
+
+    /// The nearest patch, penalties included; of equal ones the first in order of reading.
+    /// @param pixels where the patch begins that is looked for, a row of it every `stride` floats.
+    /// @param hint one of the set's patches that may be near, or one that is not valid.
+    /// @return distance without the penalty.
+    PatchMatch nearest(const float* pixels, std::ptrdiff_t stride, const PatchMatch& hint) const;
+
+private:
+    struct Entry {
+        PatchBasis::Descriptor descriptor;
+        int number;
+    };
+    struct Best {
+        int number = 0;
+        float distance = 0, cost = 0;
+        float slack = 0; ///< what rounding may add to the distance of two descriptors
+        float limit = 0; ///< of the squared distance of descriptors whose patches may cost less
+
+        void setCost(float least) {
+            const float root = std::sqrt(least) + slack;
+            cost = least;
+            limit = root * root;
+        }
+    };
+    void consider(const Entry& entry, const PatchBasis::Descriptor& wanted, const float* pixels,
+                  std::ptrdiff_t stride, Best& best) const;
+    float distance(const float* pixels, std::ptrdiff_t stride, const Source& source, float limit) const;
+    float penalty(int number) const {
+        return m_penalties.empty() ? 0 : m_penalties[static_cast<std::size_t>(number)];
+    }
+
+    std::vector<const Interleaved*> m_images;
+    const PatchBasis& m_basis;
+    std::vector<Entry> m_entries; ///< by rising first coordinate
+    std::vector<Source> m_sources;
+    std::vector<float> m_penalties;
+};
+
+} // namespace texloom

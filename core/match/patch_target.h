@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/match/interleaved.h"
+#include "core/match/patch_match.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace texloom {
+
+/// One image to find patches in, its pixels laid out for distances.
+class PatchTarget {
+public:
+    PatchTarget(const PatchSource& source, int patch)
+        : m_pixels(source.image.size(), source.image.channels), m_positions{source.image.width - patch + 1,
+                                                                            source.image.height - patch + 1} {
+        m_pixels.load(source.image, 0, 0, source.image.size());
+        if (source.mask.data)
+            allow(source.mask, patch);
+    }
+
+    /// Top left pixels of patches, whether they may be found or not.
+    Size positions() const { return m_positions; }
+    const Interleaved& pixels() const { return m_pixels; }
+    int longerSide() const { return m_positions.longerSide(); }
+    /// Patches that may be found.
+    std::int64_t count() const {
+        return m_allowed.empty() ? m_positions.area() : static_cast<std::int64_t>(m_list.size());
+    }
+    /// Whether the patch with this top left pixel may be found.
+    bool has(int x, int y) const {
+        return x >= 0 && y >= 0 && x < m_positions.width && y < m_positions.height &&
+               (m_allowed.empty() || m_allowed[index(x, y)] != 0);
+    }
+    /// The nth patch that may be found, row by row.
+    Source nth(std::int64_t n, std::uint16_t exemplar) const {
+        const std::int64_t at = m_allowed.empty() ? n : m_list[static_cast<std::size_t>(n)];
+        return {static_cast<std::uint16_t>(at % m_positions.width),
+                static_cast<std::uint16_t>(at / m_positions.width), exemplar};
+    }
+
+private:
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    void allow(const PlaneView& mask, int patch) {
+        m_allowed.assign(static_cast<std::size_t>(m_positions.area()), 1);
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x) {
+                if (mask(x, y) != 0)
+                    continue;
+                for (int py = std::max(0, y - patch + 1); py <= std::min(y, m_positions.height - 1); ++py)
+                    for (int px = std::max(0, x - patch + 1); px <= std::min(x, m_positions.width - 1); ++px)
+                        m_allowed[index(px, py)] = 0;
+            }
+        for (std::size_t i = 0; i < m_allowed.size(); ++i)
+            if (m_allowed[i] != 0)
+                m_list.push_back(static_cast<std::int32_t>(i));
+    }
+
+    Interleaved m_pixels;
+    Size m_positions;
+    std::vector<std::uint8_t> m_allowed; ///< empty: all
+    std::vector<std::int32_t> m_list;    ///< the allowed ones
+};
+
+} // namespace texloom

@@ -1,0 +1,53 @@
+#include "core/image/half_scale.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+namespace texloom::test {
+
+TEST(HalfScale, constantStaysConstantAtAnySize) {
+    for (const Size size : {Size{1, 1}, Size{2, 5}, Size{31, 64}}) {
+        const Image half = halved(constant(size, 2, 0.75F));
+        EXPECT_EQ(half.size(), (Size{std::max(1, size.width / 2), std::max(1, size.height / 2)}));
+        EXPECT_NEAR(valueRange(half).smallest, 0.75, 1e-6);
+        EXPECT_NEAR(valueRange(half).largest, 0.75, 1e-6);
+    }
+}
+
+TEST(HalfScale, pixelLiesInTheMiddleOfTheTwoItStandsFor) {
+    Image ramp({40, 40}, 2);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            ramp(x, y, 0) = static_cast<float>(x);
+            ramp(x, y, 1) = static_cast<float>(y);
+        }
+    const Image half = halved(ramp);
+    for (int y = 2; y < 18; ++y)
+        for (int x = 2; x < 18; ++x) {
+            EXPECT_NEAR(half(x, y, 0), 2 * x + 0.5, 1e-4);
+            EXPECT_NEAR(half(x, y, 1), 2 * y + 0.5, 1e-4);
+        }
+}
+
+TEST(HalfScale, maskKeepsOnlyWhatIsWholeUnderneath) {
+    Image mask = constant({6, 5}, 1, 1);
+    mask(3, 2, 0) = 0;
+    const Image half = halvedMask(mask.view().plane(0));
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 3; ++x)
+            EXPECT_EQ(half(x, y, 0), x == 1 && y == 1 ? 0 : 1);
+}
+
+TEST(HalfScale, enlargedInterpolatesAndClosesOnItself) {
+    Image image({2, 1}, 1);
+    image(0, 0, 0) = 0;
+    image(1, 0, 0) = 1;
+    const Image twice = enlarged(image, {4, 2});
+    const float expected[] = {0.25F, 0.25F, 0.75F, 0.75F};
+    for (int x = 0; x < 4; ++x)
+        EXPECT_FLOAT_EQ(twice(x, 1, 0), expected[x]);
+    const Image same = blobs({13, 9}, 3);
+    EXPECT_TRUE(samePixels(enlarged(same, {13, 9}), same));
+}
+
+} // namespace texloom::test
