@@ -189,30 +189,6 @@ void attach(RunInput& input, const SynthOptions& options) {
         input.exemplars[i / each].companions.push_back(loadData(options.companions[i]));
 }
 
-RunInput inputFor(const SynthOptions& options) {
-    const std::vector<RecipeStep> steps = stepsOf(options);
-    RunInput input;
-    input.method = steps.front().method;
-    input.settings = steps.front().parameters;
-    input.then.assign(steps.begin() + 1, steps.end());
-    input.wrap = parseWrap(options.wrap);
-    input.seed = parseSeed(options.seed);
-    input.region = parseRegion(options.region);
-    if (!options.size.empty())
-        input.size = parseSize(options.size);
-    for (const fs::path& path : options.exemplars)
-        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
-    attach(input, options);
-    if (options.initial)
-        input.initial = loadExemplar(*options.initial);
-    if (options.size.empty()) {
-        const Size exemplar = input.exemplars.front().image.image->size();
-        input.size =
-            input.initial ? input.initial->image->size() : Size{2 * exemplar.width, 2 * exemplar.height};
-    }
-    return input;
-}
-
 Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs::path& path) {
     if (text.empty())
         return depthLike(exemplar, path);
@@ -262,16 +238,7 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     options.sidecar = !out.noSidecar;
     options.check = checkInterrupt;
 
-    const auto make = [&out](RunPlan run) {
-        const auto job = startRun(std::move(run), false);
-        follow(*job, out.quiet);
-        Outcome<Result> outcome = job->take();
-        if (std::holds_alternative<Cancelled>(outcome))
-            throw Cancelled{};
-        if (const auto* failure = std::get_if<Failure>(&outcome))
-            throw Error(failure->message);
-        return std::get<Result>(std::move(outcome));
-    };
+    const auto make = [&out](RunPlan run) { return runToEnd(std::move(run), out.quiet); };
     const Result result = plan.stripRows > 0 ? exportStrips(plan, options, make) : make(std::move(plan));
     if (result.plan.stripRows == 0)
         exportResult(result, options);
@@ -286,6 +253,41 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
 }
 
 } // namespace
+
+RunInput inputFor(const SynthOptions& options) {
+    const std::vector<RecipeStep> steps = stepsOf(options);
+    RunInput input;
+    input.method = steps.front().method;
+    input.settings = steps.front().parameters;
+    input.then.assign(steps.begin() + 1, steps.end());
+    input.wrap = parseWrap(options.wrap);
+    input.seed = parseSeed(options.seed);
+    input.region = parseRegion(options.region);
+    if (!options.size.empty())
+        input.size = parseSize(options.size);
+    for (const fs::path& path : options.exemplars)
+        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
+    attach(input, options);
+    if (options.initial)
+        input.initial = loadExemplar(*options.initial);
+    if (options.size.empty()) {
+        const Size exemplar = input.exemplars.front().image.image->size();
+        input.size =
+            input.initial ? input.initial->image->size() : Size{2 * exemplar.width, 2 * exemplar.height};
+    }
+    return input;
+}
+
+Result runToEnd(RunPlan plan, bool quiet) {
+    const auto job = startRun(std::move(plan), false);
+    follow(*job, quiet);
+    Outcome<Result> outcome = job->take();
+    if (std::holds_alternative<Cancelled>(outcome))
+        throw Cancelled{};
+    if (const auto* failure = std::get_if<Failure>(&outcome))
+        throw Error(failure->message);
+    return std::get<Result>(std::move(outcome));
+}
 
 void listMethods(const std::string& id, bool json) {
     Json all = Json::array();

@@ -61,6 +61,15 @@ struct LatticeOptions {
 void runInput(RunInput input, const OutputOptions& out);
 /// loadRecipe() that tells of files that have changed.
 RunInput loadAndWarn(const Recipe& recipe);
+struct StressOptions {
+    SynthOptions synth;
+    int rounds = 5;
+};
+
+/// What the options of `synth` ask for, with its images loaded. @throws Error, UsageError
+RunInput inputFor(const SynthOptions& options);
+/// Runs a plan with a progress bar. @throws Error, Cancelled
+Result runToEnd(RunPlan plan, bool quiet);
 
 /// Each does one command. @throws Error, UsageError, Cancelled
 void listMethods(const std::string& id, bool json);
@@ -68,5 +77,6 @@ void synth(const SynthOptions& options);
 void runRecipe(const RunOptions& options);
 void applyMap(const ApplyOptions& options);
 void printLattice(const LatticeOptions& options);
+void stress(const StressOptions& options);
 
 } // namespace texloom::cli

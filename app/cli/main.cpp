@@ -1,3 +1,4 @@
+#include "app/cli/analyze_quality.h"
 #include "app/cli/analyze_statistics.h"
 #include "app/cli/batch_command.h"
 #include "app/cli/blend_command.h"
@@ -48,43 +49,64 @@ void addMethods(CLI::App& app) {
     command->callback([] { cli::listMethods(id, json); });
 }
 
-void addSynth(CLI::App& app) {
-    static cli::SynthOptions options;
-    CLI::App* command = app.add_subcommand("synth", "Make a texture from one or more exemplars");
-    command->add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
-    command->add_option("exemplar", options.exemplars, "Images to learn from")->required();
-    command->add_option("--size", options.size,
+void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
+    command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
+    command.add_option("exemplar", options.exemplars, "Images to learn from")->required();
+    command.add_option("--size", options.size,
                         "Size of the output, as 512x256 or 512; twice the exemplar if not given");
-    command->add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
+    command.add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
     command
-        ->add_option("--then", options.then,
+        .add_option("--then", options.then,
                      "Method that follows, starting from the image made so far; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command
-        ->add_option("--set", options.settings,
+        .add_option("--set", options.settings,
                      "Parameter of the method, as name=value, or METHOD.name=value for one that follows; may "
                      "be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
-    command->add_option("--region", options.region,
+    command.add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
+    command.add_option("--region", options.region,
                         "Part of the output to make, as x,y,width,height; it equals that part of the whole");
     command
-        ->add_option("--companion", options.companions,
+        .add_option("--companion", options.companions,
                      "Map of the exemplar's size to lay out alike; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--init", options.initial, "Image of the output's size to start from");
+    command.add_option("--init", options.initial, "Image of the output's size to start from");
     command
-        ->add_option("--mask", options.masks,
+        .add_option("--mask", options.masks,
                      "Image of the exemplar's size; where it is black nothing is copied")
         ->take_all()
         ->allow_extra_args(false);
-    command->add_option("--space", options.exemplarSpace,
+    command.add_option("--space", options.exemplarSpace,
                         "Colour space of the exemplars; what the file says if not given");
+}
+
+void addSynth(CLI::App& app) {
+    static cli::SynthOptions options;
+    CLI::App* command = app.add_subcommand("synth", "Make a texture from one or more exemplars");
+    addSynthOptions(*command, options);
     addOutputOptions(*command, options.out, true);
     command->callback([] { cli::synth(options); });
+}
+
+void addStress(CLI::App& app) {
+    static cli::StressOptions options;
+    CLI::App* command =
+        app.add_subcommand("stress", "Make a texture from the last one, again and again, and measure each");
+    addSynthOptions(*command, options.synth);
+    command->add_option("--rounds", options.rounds, "How often; 5 if not given")->check(CLI::Range(1, 1000));
+    command
+        ->add_option("-o,--output", options.synth.out.output,
+                     "Beginning of the files to write: PREFIX_1.png and so on")
+        ->required();
+    command->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--report", options.synth.out.report, "JSON file for the figures of all rounds");
+    command->add_flag("--quiet", options.synth.out.quiet, "Print nothing but errors");
+    command->callback([] { cli::stress(options); });
 }
 
 void addRun(CLI::App& app) {
@@ -122,6 +144,7 @@ void addAnalyze(CLI::App& app) {
     lattice->add_flag("--json", options.json, "As JSON");
     lattice->callback([] { cli::printLattice(options); });
     cli::addAnalyzeStatistics(*command);
+    cli::addAnalyzeQuality(*command);
 }
 
 int complain(const std::string& sentence, Exit code) {
@@ -140,12 +163,13 @@ int run(int argc, char** argv) {
     addApply(app);
     cli::addBlend(app);
     addAnalyze(app);
+    addStress(app);
     cli::silenceLibraries();
     cli::watchInterrupts();
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return complain("Name a command: methods, synth, run, batch, apply, blend or analyze. See "
+            return complain("Name a command: methods, synth, run, batch, apply, blend, analyze or stress. See "
                             "texloom-cli --help.",
                             Usage);
         return Done;

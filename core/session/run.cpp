@@ -1,6 +1,7 @@
 #include "core/session/run.h"
 
 #include "core/analysis/map_pictures.h"
+#include "core/analysis/map_usage.h"
 #include "core/analysis/seam.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -149,16 +150,32 @@ std::optional<std::uint64_t> kernelFigure(const char* list, std::string_view nam
     return std::nullopt;
 }
 
-std::vector<Figure> measure(const Synthesis& synthesis, JobContext& context) {
+void append(std::vector<Figure>& figures, const std::vector<Figure>& more) {
+    figures.insert(figures.end(), more.begin(), more.end());
+}
+
+void addOccurrences(const std::vector<Image>& occurrences, std::vector<Picture>& pictures) {
+    for (std::size_t e = 0; e < occurrences.size(); ++e) {
+        const std::string number = occurrences.size() > 1 ? fmt::format(" {}", e + 1) : "";
+        pictures.push_back({TR("Occurrence") + number, occurrencePicture(occurrences[e])});
+    }
+}
+
+std::vector<Figure> measure(Synthesis& synthesis, const Request& request, JobContext& context) {
     const auto check = [&context] { context.check(); };
     std::vector<Figure> figures = synthesis.figures;
-    if (synthesis.mapKind == MapKind::Estimated)
-        figures.push_back({TR("Innovation, estimated"), innovation(synthesis.map, check)});
-    else if (synthesis.mapKind != MapKind::None)
-        figures.push_back({TR("Innovation"), innovation(synthesis.map, check)});
+    if (synthesis.mapKind != MapKind::None) {
+        const std::vector<Image> occurrences = occurrencesOf(synthesis.map, check);
+        append(figures, mapFigures(synthesis.map, synthesis.mapKind, occurrences, check));
+        addOccurrences(occurrences, synthesis.pictures);
+    }
     const SeamScore seam = seamScore(synthesis.image, check);
     figures.push_back({TR("Seam, left to right"), seam.x});
     figures.push_back({TR("Seam, top to bottom"), seam.y});
+    std::vector<ImageView> exemplars;
+    for (const Exemplar& exemplar : request.exemplars)
+        exemplars.push_back(exemplar.image->view().channelRange(0, request.resultChannels()));
+    append(figures, distanceFigures(textureDistance(synthesis.image, exemplars, context)));
     return figures;
 }
 
@@ -189,7 +206,7 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     }
     unstack(result, plan);
     context.stage(0, TR("Measuring the result"));
-    result.figures = measure(result.synthesis, context);
+    result.figures = measure(result.synthesis, request, context);
     result.plan = plan;
     result.stages = context.stageTimes();
     for (const StageTime& stage : result.stages)
@@ -234,6 +251,28 @@ ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
 }
 
 } // namespace
+
+std::vector<Figure> mapFigures(const PositionMap& map, MapKind kind, const std::vector<Image>& occurrences,
+                               const std::function<void()>& check) {
+    std::vector<Figure> figures;
+    if (kind == MapKind::Exact || kind == MapKind::Dominant) {
+        figures.push_back({TR("Innovation"), innovation(map, check)});
+        figures.push_back({TR("Largest verbatim region, %"), 100 * largestVerbatimRegion(map, check)});
+    } else if (kind == MapKind::Estimated) {
+        figures.push_back({TR("Innovation, estimated"), innovation(map, check)});
+    }
+    figures.push_back({TR("Patch-occurrence entropy"), occurrenceEntropy(occurrences)});
+    return figures;
+}
+
+std::vector<Figure> distanceFigures(const TextureDistance& distance) {
+    return {{TR("Colour histograms apart"), distance.color},
+            {TR("Patches apart, first principal axis"), distance.components[0]},
+            {TR("Patches apart, second principal axis"), distance.components[1]},
+            {TR("Patches apart, sliced Wasserstein"), distance.wasserstein[0]},
+            {TR("Patches apart, sliced Wasserstein at half scale"), distance.wasserstein[1]},
+            {TR("Patches apart, sliced Wasserstein at quarter scale"), distance.wasserstein[2]}};
+}
 
 RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     RunPlan plan;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/texture_distance.h"
 #include "core/io/recipe.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
@@ -98,6 +99,13 @@ struct Result {
     /// "bark_quilting_s1_512x512": the name of an exported file, without its extension.
     std::string fileName() const;
 };
+
+/// What a map says of a result, under the names that reports and the window show.
+/// @param occurrences as occurrencesOf() gives them.
+std::vector<Figure> mapFigures(const PositionMap& map, MapKind kind, const std::vector<Image>& occurrences,
+                               const std::function<void()>& check);
+/// The distances under the names that reports and the window show.
+std::vector<Figure> distanceFigures(const TextureDistance& distance);
 
 using SynthesisJob = Job<Result>;
 

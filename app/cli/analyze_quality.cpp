@@ -1,0 +1,94 @@
+#include "app/cli/analyze_quality.h"
+
+#include "app/cli/console.h"
+#include "core/analysis/map_usage.h"
+#include "core/analysis/seam.h"
+#include "core/base/error.h"
+#include "core/io/json_field.h"
+#include "core/io/map_file.h"
+#include "core/session/run.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace texloom::cli {
+
+namespace {
+
+struct QualityOptions {
+    std::filesystem::path result;
+    std::vector<std::filesystem::path> exemplars;
+    std::filesystem::path map; ///< or empty
+    bool json = false;
+};
+
+void checkChannels(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
+    for (const ExemplarFile& exemplar : exemplars)
+        if (exemplar.image->channels() != result.image->channels())
+            failUsage("{} has {} channels and {} has {}; compare images with the same number.", result.name(),
+                      result.image->channels(), exemplar.name(), exemplar.image->channels());
+}
+
+std::vector<Figure> measured(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
+    std::vector<ImageView> images;
+    for (const ExemplarFile& exemplar : exemplars)
+        images.push_back(*exemplar.image);
+    Job<TextureDistance> job(
+        {}, [&](JobContext& context) { return textureDistance(*result.image, images, context); });
+    follow(job, true);
+    Outcome<TextureDistance> outcome = job.take();
+    if (std::holds_alternative<Cancelled>(outcome))
+        throw Cancelled{};
+    if (const auto* failure = std::get_if<Failure>(&outcome))
+        throw Error(failure->message);
+    std::vector<Figure> figures = distanceFigures(std::get<TextureDistance>(outcome));
+    const SeamScore seam = seamScore(*result.image, checkInterrupt);
+    figures.push_back({"Seam, left to right", seam.x});
+    figures.push_back({"Seam, top to bottom", seam.y});
+    return figures;
+}
+
+std::vector<Figure> copied(const QualityOptions& options, const std::vector<ExemplarFile>& exemplars) {
+    std::vector<Size> sizes;
+    for (const ExemplarFile& exemplar : exemplars)
+        sizes.push_back(exemplar.image->size());
+    const PositionMap map = readPositionMap(options.map, sizes);
+    return mapFigures(map, MapKind::Exact, occurrencesOf(map, checkInterrupt), checkInterrupt);
+}
+
+void analyzeQuality(const QualityOptions& options) {
+    const ExemplarFile result = loadExemplar(options.result);
+    std::vector<ExemplarFile> exemplars;
+    for (const std::filesystem::path& path : options.exemplars)
+        exemplars.push_back(loadExemplar(path));
+    checkChannels(result, exemplars);
+    std::vector<Figure> figures = measured(result, exemplars);
+    if (!options.map.empty()) {
+        const std::vector<Figure> more = copied(options, exemplars);
+        figures.insert(figures.end(), more.begin(), more.end());
+    }
+    if (options.json) {
+        JsonField::Json json;
+        for (const Figure& figure : figures)
+            json[figure.name] = figure.value;
+        fmt::print("{}\n", json.dump(2));
+        return;
+    }
+    for (const Figure& figure : figures)
+        fmt::print("{:50} {:8.4f}\n", figure.name, figure.value);
+}
+
+} // namespace
+
+void addAnalyzeQuality(CLI::App& analyze) {
+    static QualityOptions options;
+    CLI::App* command = analyze.add_subcommand("quality", "How like its exemplars a texture is");
+    command->add_option("result", options.result, "The texture")->required();
+    command->add_option("exemplar", options.exemplars, "Images that it was made from")->required();
+    command->add_option("--map", options.map, "Its position map, for the figures of what was copied");
+    command->add_flag("--json", options.json, "As JSON");
+    command->callback([] { analyzeQuality(options); });
+}
+
+} // namespace texloom::cli

@@ -1,0 +1,73 @@
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "core/base/error.h"
+#include "core/io/json_field.h"
+#include "core/session/export.h"
+
+namespace texloom::cli {
+
+namespace {
+
+using Json = JsonField::Json;
+
+/// The figures of one round: the run's own, and how far its image is from the first exemplars.
+Json figuresOf(const Result& result, const TextureDistance& distance) {
+    Json json;
+    for (const Figure& figure : result.figures)
+        json["run"][figure.name] = figure.value;
+    for (const Figure& figure : distanceFigures(distance))
+        json["fromTheFirst"][figure.name] = figure.value;
+    return json;
+}
+
+TextureDistance distanceFrom(const std::vector<RunExemplar>& exemplars, const Image& image, int threads) {
+    std::vector<ImageView> views;
+    for (const RunExemplar& exemplar : exemplars)
+        views.push_back(*exemplar.image.image);
+    Job<TextureDistance> job({0, threads, false},
+                             [&](JobContext& context) { return textureDistance(image, views, context); });
+    follow(job, true);
+    const Outcome<TextureDistance> outcome = job.take();
+    if (const auto* distance = std::get_if<TextureDistance>(&outcome))
+        return *distance;
+    throw Cancelled{};
+}
+
+void printRound(int round, const TextureDistance& distance) {
+    fmt::print("{:5} {:8.4f} {:8.4f} {:8.4f} {:8.4f} {:8.4f} {:8.4f}\n", round, distance.color,
+               distance.components[0], distance.components[1], distance.wasserstein[0],
+               distance.wasserstein[1], distance.wasserstein[2]);
+}
+
+} // namespace
+
+void stress(const StressOptions& options) {
+    RunInput input = inputFor(options.synth);
+    input.threads = options.synth.out.threads;
+    if (!input.exemplars.front().companions.empty() || input.initial)
+        failUsage("stress: --companion and --init belong to a single run; leave them out.");
+    const std::vector<RunExemplar> first = input.exemplars;
+    Json rounds = Json::array();
+    if (!options.synth.out.quiet)
+        fmt::print("round   colour     PCA1     PCA2      SW 1    SW 1/2    SW 1/4\n");
+    for (int round = 1; round <= options.rounds; ++round) {
+        const Result result = runToEnd(planRun(input), options.synth.out.quiet);
+        const TextureDistance distance = distanceFrom(first, result.synthesis.image, input.threads);
+        ExportOptions file;
+        file.image = fmt::format("{}_{}.png", options.synth.out.output.string(), round);
+        file.sidecar = false;
+        file.check = checkInterrupt;
+        exportResult(result, file);
+        rounds.push_back(figuresOf(result, distance));
+        if (!options.synth.out.quiet)
+            printRound(round, distance);
+        input.exemplars.resize(1);
+        input.exemplars.front().mask.reset();
+        input.exemplars.front().image.image = std::make_shared<const Image>(result.synthesis.image);
+        ++input.seed;
+    }
+    if (!options.synth.out.report.empty())
+        writeText(options.synth.out.report, Json{{"rounds", rounds}}.dump(2) + "\n");
+}
+
+} // namespace texloom::cli
