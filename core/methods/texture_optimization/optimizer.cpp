@@ -1,0 +1,409 @@
+#include "core/methods/texture_optimization/optimizer.h"
+
+#include "core/base/text.h"
+#include "core/image/half_scale.h"
+#include "core/job/pool.h"
+#include "core/match/patch_use.h"
+#include "core/methods/patch_request.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace texloom::texture_optimization {
+
+namespace {
+
+constexpr int kLargestPatch = 32;
+constexpr int kMargin = kLargestPatch - 1;
+/// Patches and half as many between them must fit side by side, or there is nothing to choose from.
+constexpr int kSmallestSide = 2 * Optimizer::kSmallestPatch;
+/// Scales on which an initial image is worked on.
+constexpr int kInitialLevels = 2;
+constexpr int kPreviewSide = 640;
+constexpr int kBand = 8;
+/// Rounds of PatchMatch before the first projection.
+constexpr int kFirstRounds = 6;
+/// Share of the mean distance below which patches count as equally good.
+constexpr double kFloor = 1e-3;
+
+double exponent(Aggregation aggregation) {
+    return aggregation == Aggregation::Mean ? 2 : aggregation == Aggregation::Median ? 1 : 0.8;
+}
+
+/// Gaussian with a standard deviation of a quarter of the patch (Kwatra et al.).
+std::vector<float> gaussianFalloff(int patch) {
+    std::vector<float> weights;
+    const double sigma = patch / 4.0;
+    for (int y = 0; y < patch; ++y)
+        for (int x = 0; x < patch; ++x) {
+            const double dx = x - (patch - 1) / 2.0, dy = y - (patch - 1) / 2.0;
+            weights.push_back(static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma))));
+        }
+    return weights;
+}
+
+} // namespace
+
+struct Optimizer::Pass {
+    Pass(std::span<const PatchSource> sources, const PatchLattice& shape, int channels, JobContext& context)
+        : lattice(shape), field(shape.count()) {
+        for (const PatchSource& source : sources) {
+            targets.emplace_back(source, shape.patch);
+            context.check();
+        }
+        for (const PatchTarget& target : targets)
+            images.push_back(&target.pixels());
+        const auto check = [&context] { context.check(); };
+        basis.emplace(images, channels, shape.patch, check);
+        set.emplace(
+            images, *basis, shape.stride,
+            [this](const Source& source) { return targets[source.exemplar].has(source.x, source.y); }, check);
+        proposals.images = images;
+        proposals.lattice = lattice;
+        proposals.field = &field;
+    }
+
+    PatchLattice lattice;
+    PatchField field;
+    std::vector<PatchTarget> targets;
+    std::vector<const Interleaved*> images;
+    std::optional<PatchBasis> basis;
+    std::optional<PatchSet> set;
+    std::optional<GridMatcher> matcher; ///< where PatchMatch searches
+    std::optional<ColorBalance> balance;
+    std::vector<float> use; ///< how often each patch of the set is used
+    PatchProposals proposals;
+};
+
+Size Optimizer::canvasFor(Size output, Wrap wrap) {
+    return {wrap.x ? output.width : std::max(output.width, kLargestPatch),
+            wrap.y ? output.height : std::max(output.height, kLargestPatch)};
+}
+
+int Optimizer::levelsFor(const Request& request, const Settings& settings) {
+    const int wanted =
+        std::min(settings.scales, ExemplarPyramid::levelsFor(request.exemplarSizes(), kSmallestSide));
+    return request.initial ? std::min(wanted, kInitialLevels) : wanted;
+}
+
+Optimizer::Optimizer(const Request& request, const Settings& settings, JobContext& context)
+    : m_request(request), m_settings(settings), m_context(context),
+      m_pyramid(patchSources(request), levelsFor(request, settings), kSmallestPatch,
+                [&context] { context.check(); }) {
+    m_result.curves.push_back({TR("Energy of a patch"), {}});
+}
+
+Size Optimizer::canvas(int level) const {
+    Size size = canvasFor(m_request.size, m_request.wrap);
+    for (; level > 0; --level)
+        size = {(size.width + 1) / 2, (size.height + 1) / 2};
+    return size;
+}
+
+/// Patch widths that the exemplars of a scale hold.
+std::vector<int> Optimizer::widths(int level) const {
+    int side = m_pyramid.sizes(level).front().shorterSide();
+    for (const Size& size : m_pyramid.sizes(level))
+        side = std::min(side, size.shorterSide());
+    std::vector<int> fitting;
+    for (int width = m_settings.largestPatch; width > kSmallestPatch; width /= 2)
+        if (2 * width <= side)
+            fitting.push_back(width);
+    fitting.push_back(kSmallestPatch);
+    return fitting;
+}
+
+Synthesis Optimizer::run() {
+    double whole = 0;
+    for (int level = 0; level < m_pyramid.levels(); ++level)
+        whole += std::pow(0.4, level) * static_cast<double>(widths(level).size());
+    for (int level = m_pyramid.levels() - 1; level >= 0; --level) {
+        const bool first = level + 1 == m_pyramid.levels();
+        std::optional<Image> coarse;
+        if (!first)
+            coarse = image(1);
+        m_size = canvas(level);
+        m_canvas.reset();
+        m_canvas.emplace(Size{m_size.width + kMargin, m_size.height + kMargin}, m_request.channels());
+        if (first)
+            startRandom(level);
+        else
+            load(*coarse);
+        coarse.reset();
+        for (const int width : widths(level)) {
+            m_context.stage(0.98 * std::pow(0.4, level) / whole,
+                            fmt::format("Scale 1/{}, patches of {} px", 1 << level, width));
+            optimize(level, width);
+        }
+    }
+    return std::move(m_result);
+}
+
+void Optimizer::startRandom(int level) {
+    if (m_request.initial) {
+        Image initial(*m_request.initial);
+        for (int i = 0; i < level; ++i)
+            initial = halved(initial);
+        return load(initial);
+    }
+    // Squares of the exemplar at random places: the right colours from the start.
+    const GridMatcher matcher(m_pyramid.level(level), {m_size, kSmallestPatch, kSmallestPatch}, m_context);
+    for (int y = 0; y < m_size.height; ++y) {
+        m_context.check();
+        for (int x = 0; x < m_size.width; ++x) {
+            const Source corner = matcher.any(x / kSmallestPatch, y / kSmallestPatch);
+            const float* from = matcher.target(corner.exemplar)
+                                    .pixels()
+                                    .at(corner.x + x % kSmallestPatch, corner.y + y % kSmallestPatch);
+            std::copy_n(from, m_canvas->pixel,
+                        m_canvas->data.begin() + y * m_canvas->stride() + x * m_canvas->pixel);
+        }
+    }
+    close();
+}
+
+/// Takes the image, enlarged where it is smaller than the canvas.
+void Optimizer::load(const ImageView& image) {
+    m_context.parallel(0, m_size.height, [&](int y) {
+        std::vector<float> row(static_cast<std::size_t>(m_size.width));
+        float* to = m_canvas->data.data() + y * m_canvas->stride();
+        for (int c = 0; c < image.channels; ++c) {
+            enlargeRow(image.plane(c), m_size, y, row.data());
+            for (int x = 0; x < m_size.width; ++x)
+                to[x * m_canvas->pixel + c] = row[static_cast<std::size_t>(x)];
+        }
+    });
+    close();
+}
+
+/// Writes the first rows and columns once more behind the last.
+void Optimizer::close() {
+    const int pixel = m_canvas->pixel;
+    m_context.parallel(0, m_size.height, [&](int y) {
+        float* row = m_canvas->data.data() + y * m_canvas->stride();
+        std::copy_n(row, kMargin * pixel, row + static_cast<std::ptrdiff_t>(m_size.width) * pixel);
+    });
+    for (int y = 0; y < kMargin; ++y)
+        std::copy_n(m_canvas->data.begin() + y * m_canvas->stride(), m_canvas->stride(),
+                    m_canvas->data.begin() + (m_size.height + y) * m_canvas->stride());
+}
+
+void Optimizer::optimize(int level, int patch) {
+    Pass pass(m_pyramid.level(level), {m_size, patch, patch / 4}, m_request.channels(), m_context);
+    if (pass.set->count() == 0)
+        return;
+    if (m_settings.search == Search::PatchMatch) {
+        pass.matcher.emplace(m_pyramid.level(level), pass.lattice, m_context);
+        for (int y = 0; y < pass.field.size().height; ++y)
+            for (int x = 0; x < pass.field.size().width; ++x)
+                pass.field.at(x, y).source = pass.matcher->any(x, y);
+    }
+    if (m_settings.aggregation == Aggregation::RobustFalloff)
+        pass.proposals.falloff = gaussianFalloff(patch);
+    if (m_settings.histogram)
+        pass.proposals.balance = &pass.balance.emplace(pass.images, m_request.channels());
+    for (int iteration = 0; iteration < m_settings.iterations; ++iteration) {
+        const bool changed = project(pass, iteration);
+        weigh(pass);
+        if (m_settings.bidirectional)
+            addInverse(pass);
+        if (pass.balance)
+            pass.balance->compare(*m_canvas, m_size);
+        aggregate(pass);
+        offer();
+        m_context.progress((iteration + 1.0) / m_settings.iterations);
+        if (!changed)
+            break;
+        discourage(pass);
+    }
+    if (level == 0 && patch == kSmallestPatch)
+        finish(pass);
+}
+
+/// @return whether any patch has another neighbour than before.
+bool Optimizer::project(Pass& pass, int iteration) {
+    const PatchField before = pass.field;
+    if (!pass.matcher) {
+        project(pass, pass.field);
+    } else {
+        const auto pixels = [&](int x, int y, Size extent, Interleaved& to) {
+            for (int row = 0; row < extent.height; ++row)
+                for (int column = 0; column < extent.width; ++column)
+                    std::copy_n(m_canvas->at((x + column) % m_size.width, (y + row) % m_size.height),
+                                to.pixel, to.data.begin() + row * to.stride() + column * to.pixel);
+        };
+        const int rounds = iteration == 0 ? kFirstRounds : 2;
+        for (int round = 0; round < rounds; ++round)
+            pass.matcher->improve(pass.field, pixels, 8 * iteration + round, 1 << 16);
+    }
+    const Size count = pass.field.size();
+    std::vector<double> energies(static_cast<std::size_t>(count.height), 0);
+    std::atomic<bool> changed = false;
+    const double area = static_cast<double>(pass.lattice.patch) * pass.lattice.patch;
+    const double power = exponent(m_settings.aggregation) / 2;
+    m_context.parallel(0, count.height, [&](int y) {
+        for (int x = 0; x < count.width; ++x) {
+            const PatchMatch& match = pass.field.at(x, y);
+            energies[static_cast<std::size_t>(y)] += std::pow(static_cast<double>(match.distance) / area, power);
+            if (!(match.source == before.at(x, y).source))
+                changed = true;
+        }
+    });
+    double energy = 0;
+    for (const double row : energies)
+        energy += row;
+    m_result.curves.front().values.push_back(energy / static_cast<double>(count.area()));
+    return changed;
+}
+
+void Optimizer::project(Pass& pass, PatchField& field) const {
+    const int stride = pass.lattice.stride;
+    m_context.parallel(0, field.size().height, [&](int y) {
+        for (int x = 0; x < field.size().width; ++x) {
+            m_context.check();
+            field.at(x, y) = pass.set->nearest(m_canvas->at(x * stride, y * stride), m_canvas->stride(),
+                                               field.at(x, y));
+        }
+    });
+}
+
+/// Lets every exemplar patch propose itself where the image has its nearest neighbour (eq. 3.9).
+void Optimizer::addInverse(Pass& pass) {
+    const int stride = pass.lattice.stride;
+    const auto check = [this] { m_context.check(); };
+    const PatchSet made({&*m_canvas}, *pass.basis, stride,
+                        [this](const Source& at) { return at.x < m_size.width && at.y < m_size.height; }, check);
+    const std::vector<Source>& ours = pass.set->sources();
+    std::vector<int> chosen(ours.size());
+    const int columns = pass.field.size().width;
+    constexpr int kChunk = 64;
+    const int count = static_cast<int>(ours.size());
+    m_context.parallel(0, (count + kChunk - 1) / kChunk, [&](int chunk) {
+        for (int n = chunk * kChunk; n < std::min(count, (chunk + 1) * kChunk); ++n) {
+            m_context.check();
+            const Source& source = ours[static_cast<std::size_t>(n)];
+            const Interleaved& image = *pass.images[source.exemplar];
+            const Source at = made.nearest(image.at(source.x, source.y), image.stride(), {}).source;
+            chosen[static_cast<std::size_t>(n)] = at.y / stride * columns + at.x / stride;
+        }
+    });
+    PatchProposals& proposals = pass.proposals;
+    proposals.extraBegin.assign(static_cast<std::size_t>(pass.field.size().area()) + 1, 0);
+    for (const int at : chosen)
+        ++proposals.extraBegin[static_cast<std::size_t>(at) + 1];
+    for (std::size_t i = 1; i < proposals.extraBegin.size(); ++i)
+        proposals.extraBegin[i] += proposals.extraBegin[i - 1];
+    std::vector<int> next = proposals.extraBegin;
+    proposals.extra.resize(ours.size());
+    for (std::size_t n = 0; n < ours.size(); ++n)
+        proposals.extra[static_cast<std::size_t>(next[static_cast<std::size_t>(chosen[n])]++)] = ours[n];
+    const double share = (1 - m_settings.alpha) / m_settings.alpha;
+    proposals.extraWeight =
+        static_cast<float>(share * static_cast<double>(pass.field.size().area()) / static_cast<double>(count));
+}
+
+/// The weights ω of iteratively reweighted least squares (eq. 3.6), with the mean distance as the unit.
+void Optimizer::weigh(Pass& pass) {
+    const Size count = pass.field.size();
+    std::vector<float>& weights = pass.proposals.weights;
+    weights.assign(static_cast<std::size_t>(count.area()), 1);
+    const double mean = pass.field.meanDistance();
+    const bool robust = m_settings.aggregation == Aggregation::Robust ||
+                        m_settings.aggregation == Aggregation::RobustFalloff;
+    if (!robust || mean <= 0)
+        return;
+    const double power = (exponent(m_settings.aggregation) - 2) / 2;
+    m_context.parallel(0, count.height, [&](int y) {
+        for (int x = 0; x < count.width; ++x)
+            weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(count.width) +
+                    static_cast<std::size_t>(x)] =
+                static_cast<float>(std::pow(kFloor + static_cast<double>(pass.field.at(x, y).distance) / mean, power));
+    });
+}
+
+/// Spatial uniformity: patches in frequent use cost more in the next projection. Half of the use is that of the
+/// rounds before, since all patches choose at once and would all leave a good one together.
+void Optimizer::discourage(Pass& pass) {
+    if (m_settings.uniformity <= 0)
+        return;
+    if (pass.matcher)
+        return pass.matcher->discourage(pass.field, m_settings.uniformity);
+    std::vector<Size> sizes;
+    std::vector<std::vector<float>> use;
+    for (const Interleaved* image : pass.images)
+        sizes.push_back(image->size);
+    for (std::size_t e = 0; e < sizes.size(); ++e)
+        use.push_back(patchUse(pass.field, sizes, static_cast<int>(e), pass.lattice.patch,
+                               [this] { m_context.check(); }));
+    const auto unit = static_cast<float>(m_settings.uniformity * pass.field.meanDistance());
+    const bool fresh = pass.use.empty();
+    pass.use.resize(pass.set->sources().size());
+    for (std::size_t n = 0; n < pass.use.size(); ++n) {
+        const Source& source = pass.set->sources()[n];
+        const auto columns = static_cast<std::size_t>(sizes[source.exemplar].width - pass.lattice.patch + 1);
+        const float now = unit * use[source.exemplar][source.y * columns + source.x];
+        pass.use[n] = fresh ? now : 0.5F * (now + pass.use[n]);
+    }
+    pass.set->setPenalties(pass.use);
+}
+
+void Optimizer::aggregate(Pass& pass) {
+    Pool<ProposalRow> rows;
+    m_context.parallel(0, (m_size.height + kBand - 1) / kBand, [&](int band) {
+        const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
+        for (int y = band * kBand; y < std::min(m_size.height, (band + 1) * kBand); ++y) {
+            m_context.check();
+            float* pixels = m_canvas->data.data() + y * m_canvas->stride();
+            if (m_settings.aggregation == Aggregation::Median)
+                row->median(y, ProposalRow::Solver::Weiszfeld, pixels);
+            else
+                row->mean(y, pixels);
+        }
+    });
+    close();
+}
+
+void Optimizer::finish(Pass& pass) {
+    m_context.stage(0.02, TR("Tracing the pixels"));
+    PositionMap map(m_size, m_request.exemplarSizes());
+    Pool<ProposalRow> rows;
+    m_context.parallel(0, (m_size.height + kBand - 1) / kBand, [&](int band) {
+        const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
+        for (int y = band * kBand; y < std::min(m_size.height, (band + 1) * kBand); ++y)
+            row->nearest(y, m_canvas->at(0, y), &map.at(0, y));
+    });
+    map.shrink(m_request.size);
+    if (m_settings.finish == Finish::Copy) {
+        m_result.image = copied(map, m_request, m_context);
+        m_result.mapKind = MapKind::Exact;
+    } else {
+        m_result.image = image(1);
+        m_result.image.shrink(m_request.size);
+        m_result.mapKind = MapKind::Dominant;
+    }
+    m_result.map = std::move(map);
+    m_context.progress(1);
+}
+
+/// Every `step`-th pixel of the canvas.
+Image Optimizer::image(int step) const {
+    Image picture({(m_size.width + step - 1) / step, (m_size.height + step - 1) / step}, m_request.channels());
+    m_context.parallel(0, picture.height(), [&](int y) {
+        for (int c = 0; c < picture.channels(); ++c) {
+            float* to = picture.plane(c).row(y);
+            for (int x = 0; x < picture.width(); ++x)
+                to[x] = m_canvas->at(x * step, y * step)[c];
+        }
+    });
+    return picture;
+}
+
+void Optimizer::offer() const {
+    if (m_context.previewDue())
+        m_context.preview(image((m_size.longerSide() + kPreviewSide - 1) / kPreviewSide));
+}
+
+} // namespace texloom::texture_optimization

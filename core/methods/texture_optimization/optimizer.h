@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/job/job_context.h"
+#include "core/match/exemplar_pyramid.h"
+#include "core/match/patch_proposals.h"
+#include "core/match/patch_set.h"
+#include "core/methods/synthesis.h"
+#include "core/methods/texture_optimization/settings.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace texloom::texture_optimization {
+
+/// Makes an image whose patches are like the exemplar's (Kwatra et al., SIGGRAPH 2005): projects every patch to
+/// its nearest neighbour, joins the neighbours, and again, for patches of 32, 16 and 8 px on each scale from
+/// coarse to fine. The image closes on both axes.
+class Optimizer {
+public:
+    static constexpr int kSmallestPatch = 8;
+
+    Optimizer(const Request& request, const Settings& settings, JobContext& context);
+    Synthesis run();
+
+    /// Size of what is worked on for this output.
+    static Size canvasFor(Size output, Wrap wrap);
+    static int levelsFor(const Request& request, const Settings& settings);
+
+private:
+    struct Pass; ///< the work with one patch width on one scale
+
+    Size canvas(int level) const;
+    std::vector<int> widths(int level) const;
+    void startRandom(int level);
+    void load(const ImageView& image);
+    void close();
+    void optimize(int level, int patch);
+    bool project(Pass& pass, int iteration);
+    void project(Pass& pass, PatchField& field) const;
+    void addInverse(Pass& pass);
+    void weigh(Pass& pass);
+    void discourage(Pass& pass);
+    void aggregate(Pass& pass);
+    void finish(Pass& pass);
+    void offer() const;
+    Image image(int step) const;
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    ExemplarPyramid m_pyramid;
+    Size m_size;                         ///< of the present scale's canvas
+    std::optional<Interleaved> m_canvas; ///< with its first rows and columns once more at the end
+    Synthesis m_result;
+};
+
+} // namespace texloom::texture_optimization

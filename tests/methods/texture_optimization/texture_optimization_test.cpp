@@ -1,0 +1,96 @@
+#include "core/analysis/map_usage.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace texloom::test {
+
+namespace {
+
+Synthesis made(const Request& request, const Values& settings) {
+    const Method& method = findMethod("texture-optimization");
+    const Values all = method.resolved(settings, request.exemplars.front().image->size());
+    method.check(request, all);
+    Job<Synthesis> job({request.seed, 2, false},
+                       [&](JobContext& context) { return method.run(request, all, context); });
+    return std::get<Synthesis>(job.take());
+}
+
+Request requestFor(Image exemplar, Size size) {
+    Request request;
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar)), nullptr});
+    request.size = size;
+    request.seed = 3;
+    return request;
+}
+
+const Values kOnePass = {{"scales", 1}, {"largest-patch", 8}, {"iterations", 12}};
+
+Values with(Values settings, const Values& more) {
+    for (const auto& [name, value] : more)
+        settings[name] = value;
+    return settings;
+}
+
+} // namespace
+
+TEST(TextureOptimization, energyNeverRisesWithExactSteps) {
+    const Request request = requestFor(blobs({48, 48}, 3), {64, 64});
+    const Synthesis result = made(request, with(kOnePass, {{"aggregation", std::string("mean")}}));
+    const std::vector<double>& energy = result.curves.front().values;
+    ASSERT_GE(energy.size(), 3U);
+    for (std::size_t i = 1; i < energy.size(); ++i)
+        EXPECT_LE(energy[i], energy[i - 1] * (1 + 1e-6)) << "iteration " << i;
+    EXPECT_LT(energy.back(), energy.front());
+}
+
+TEST(TextureOptimization, patchMatchComesNearTheExactEnergy) {
+    const Request request = requestFor(blobs({64, 64}, 3), {96, 96});
+    const double exact = made(request, kOnePass).curves.front().values.front();
+    const double near =
+        made(request, with(kOnePass, {{"search", std::string("patchmatch")}})).curves.front().values.front();
+    EXPECT_LT(near, 1.1 * exact);
+}
+
+TEST(TextureOptimization, everySwitchChangesTheResultAndKeepsItSound) {
+    const Request request = requestFor(blobs({48, 48}, 3), {70, 60});
+    const Image plain = made(request, {}).image;
+    const ValueRange range = valueRange(*request.exemplars.front().image);
+    const std::vector<Values> switches = {{{"aggregation", std::string("mean")}},
+                                          {{"aggregation", std::string("robust")}},
+                                          {{"aggregation", std::string("median")}},
+                                          {{"histogram", true}},
+                                          {{"bidirectional", true}},
+                                          {{"uniformity", 1.0}},
+                                          {{"search", std::string("patchmatch")}},
+                                          {{"finish", std::string("copy")}}};
+    for (const Values& settings : switches) {
+        const Image image = made(request, settings).image;
+        EXPECT_FALSE(samePixels(image, plain)) << settings.begin()->first;
+        EXPECT_GE(valueRange(image).smallest, range.smallest - 1e-4F);
+        EXPECT_LE(valueRange(image).largest, range.largest + 1e-4F);
+    }
+}
+
+TEST(TextureOptimization, copyHasAnExactMap) {
+    const Request request = requestFor(blobs({48, 48}, 3), {70, 60});
+    const Synthesis result = made(request, {{"finish", std::string("copy")}});
+    EXPECT_EQ(result.mapKind, MapKind::Exact);
+    EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));
+}
+
+TEST(TextureOptimization, uniformityAndBothDirectionsUseMoreOfTheExemplar) {
+    const Request request = requestFor(blobs({64, 64}, 3), {128, 128});
+    const auto entropy = [&](const Values& settings) {
+        return occurrenceEntropy(occurrencesOf(made(request, settings).map));
+    };
+    const double plain = entropy({});
+    EXPECT_GT(entropy({{"uniformity", 1.0}}), plain);
+    EXPECT_GT(entropy({{"bidirectional", true}}), plain);
+}
+
+} // namespace texloom::test
