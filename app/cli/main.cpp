@@ -53,17 +53,17 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
     command.add_option("exemplar", options.exemplars, "Images to learn from")->required();
     command.add_option("--size", options.size,
-                        "Size of the output, as 512x256 or 512; twice the exemplar if not given");
+                       "Size of the output, as 512x256 or 512; twice the exemplar if not given");
     command.add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
     command
         .add_option("--then", options.then,
-                     "Method that follows, starting from the image made so far; may be repeated")
+                    "Method that follows, starting from the image made so far; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command
         .add_option("--set", options.settings,
-                     "Parameter of the method, as name=value, or METHOD.name=value for one that follows; may "
-                     "be repeated")
+                    "Parameter of the method, as name=value, or METHOD.name=value for one that follows; may "
+                    "be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
@@ -71,17 +71,17 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                         "Part of the output to make, as x,y,width,height; it equals that part of the whole");
     command
         .add_option("--companion", options.companions,
-                     "Map of the exemplar's size to lay out alike; may be repeated")
+                    "Map of the exemplar's size to lay out alike; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--init", options.initial, "Image of the output's size to start from");
     command
         .add_option("--mask", options.masks,
-                     "Image of the exemplar's size; where it is black nothing is copied")
+                    "Image of the exemplar's size; where it is black nothing is copied")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--space", options.exemplarSpace,
-                        "Colour space of the exemplars; what the file says if not given");
+                       "Colour space of the exemplars; what the file says if not given");
 }
 
 void addSynth(CLI::App& app) {
@@ -102,7 +102,8 @@ void addStress(CLI::App& app) {
         ->add_option("-o,--output", options.synth.out.output,
                      "Beginning of the files to write: PREFIX_1.png and so on")
         ->required();
-    command->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
+    command
+        ->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
         ->check(CLI::Range(1, 1024));
     command->add_option("--report", options.synth.out.report, "JSON file for the figures of all rounds");
     command->add_flag("--quiet", options.synth.out.quiet, "Print nothing but errors");

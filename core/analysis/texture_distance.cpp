@@ -37,7 +37,8 @@ struct Place {
 
 class Places {
 public:
-    Places(std::span<const ImageView> images, std::uint32_t stream) : m_images(images), m_random(kSeed, stream) {
+    Places(std::span<const ImageView> images, std::uint32_t stream)
+        : m_images(images), m_random(kSeed, stream) {
         for (const ImageView& image : images)
             m_pixels += image.size().area();
     }
@@ -47,7 +48,8 @@ public:
         for (; n >= image->size().area(); ++image)
             n -= image->size().area();
         const auto draw = [&](int length, std::uint32_t which) {
-            return static_cast<int>(m_random.below(static_cast<std::uint32_t>(length - side + 1), number, 1, which));
+            return static_cast<int>(
+                m_random.below(static_cast<std::uint32_t>(length - side + 1), number, 1, which));
         };
         return {image, draw(image->width, 0), draw(image->height, 1)};
     }
@@ -73,7 +75,8 @@ void readPatch(const Place& place, int patch, int scale, int channels, float* to
             for (int x = 0; x < patch; ++x, ++to) {
                 float sum = 0;
                 for (int v = 0; v < scale; ++v) {
-                    const float* row = place.image->plane(c).row(place.y + y * scale + v) + place.x + x * scale;
+                    const float* row =
+                        place.image->plane(c).row(place.y + y * scale + v) + place.x + x * scale;
                     for (int u = 0; u < scale; ++u)
                         sum += row[u];
                 }
@@ -162,8 +165,8 @@ double colorDistance(std::span<const ImageView> result, std::span<const ImageVie
 
 std::array<double, 2> componentDistances(const Samples& exemplar, const Samples& result) {
     const std::vector<double> learnt(exemplar.values.begin(),
-                                     exemplar.values.begin() + static_cast<std::ptrdiff_t>(
-                                                                   kLearnt * at(exemplar.dimension)));
+                                     exemplar.values.begin() +
+                                         static_cast<std::ptrdiff_t>(kLearnt * at(exemplar.dimension)));
     const PrincipalAxes principal =
         principalAxes(learnt, exemplar.dimension, std::min(2, exemplar.dimension));
     std::array<double, 2> distances{};

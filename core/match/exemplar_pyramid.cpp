@@ -8,7 +8,8 @@ namespace texloom {
 
 namespace {
 
-/// Whether the mask leaves a whole square of `patch` pixels, by growing squares from their lower right corner.
+/// Whether the mask leaves a whole square of `patch` pixels, by growing squares from their lower right
+/// corner.
 bool leavesPatch(const PatchSource& source, int patch) {
     if (source.image.size().shorterSide() < patch)
         return false;
@@ -45,9 +46,8 @@ ExemplarPyramid::ExemplarPyramid(std::span<const PatchSource> exemplars, int lev
         const bool small = std::any_of(next.begin(), next.end(), [&](const PatchSource& source) {
             return source.image.size().shorterSide() < patch;
         });
-        if (small || std::none_of(next.begin(), next.end(), [&](const PatchSource& source) {
-                return leavesPatch(source, patch);
-            }))
+        if (small || std::none_of(next.begin(), next.end(),
+                                  [&](const PatchSource& source) { return leavesPatch(source, patch); }))
             break;
         m_levels.push_back(std::move(next));
     }

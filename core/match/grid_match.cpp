@@ -91,12 +91,11 @@ void GridMatcher::improveTile(PatchField& field, const Gather& gather, int numbe
     const Tile area = tile(number);
     const int columns = area.right - area.left, rows = area.bottom - area.top;
     const int side = (kTile - 1) * m_lattice.stride + m_lattice.patch;
-    const auto pixels =
-        m_pool.borrow([&] { return Interleaved({side, side}, m_channels); });
-    gather(area.left * m_lattice.stride, area.top * m_lattice.stride,
-           {(columns - 1) * m_lattice.stride + m_lattice.patch,
-            (rows - 1) * m_lattice.stride + m_lattice.patch},
-           *pixels);
+    const auto pixels = m_pool.borrow([&] { return Interleaved({side, side}, m_channels); });
+    gather(
+        area.left * m_lattice.stride, area.top * m_lattice.stride,
+        {(columns - 1) * m_lattice.stride + m_lattice.patch, (rows - 1) * m_lattice.stride + m_lattice.patch},
+        *pixels);
     const int step = round % 2 == 0 ? 1 : -1;
     for (int j = 0; j < rows; ++j) {
         m_context.check();
@@ -125,9 +124,8 @@ void GridMatcher::improvePatch(PatchField& field, int x, int y, const float* pat
         if (extra >= cost)
             return;
         const Interleaved& pixels = target.pixels();
-        const float found =
-            squaredDistance(patch, stride, pixels.at(toX, toY), pixels.stride(), m_lattice.patch,
-                            m_lattice.patch * pixels.pixel, cost - extra);
+        const float found = squaredDistance(patch, stride, pixels.at(toX, toY), pixels.stride(),
+                                            m_lattice.patch, m_lattice.patch * pixels.pixel, cost - extra);
         if (found + extra < cost) {
             best = {source, found};
             cost = found + extra;

@@ -43,9 +43,9 @@ public:
     /// `source` if there is a patch that may be found, else one drawn for place (x, y).
     Source allowed(const Source& source, int x, int y) const;
 
-    /// Makes patches that are used often cost more from now on: Kaspar's spatial uniformity (Gutierrez, thesis
-    /// 2020, eq. 3.10–3.12), with the mean distance of the matches as the unit, and half of what it was before:
-    /// all patches choose at once, and would all leave a good one together.
+    /// Makes patches that are used often cost more from now on: Kaspar's spatial uniformity (Gutierrez,
+    /// thesis 2020, eq. 3.10–3.12), with the mean distance of the matches as the unit, and half of what it
+    /// was before: all patches choose at once, and would all leave a good one together.
     /// @param weight λ_occ; 0 for none.
     void discourage(const PatchField& field, double weight);
 

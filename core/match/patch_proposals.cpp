@@ -10,7 +10,7 @@ namespace texloom {
 namespace {
 
 /// Precision of medians, as a share of how far the proposals lie apart.
-constexpr double kTolerance = 1e-5;
+constexpr double kTolerance = 1e-4;
 
 } // namespace
 
@@ -61,7 +61,8 @@ void ColorBalance::compare(const Interleaved& canvas, Size size) {
     constexpr double kRare = 1e-3; // of a share below it little can be said
     const std::vector<double> shares = histogram(canvas, size);
     for (std::size_t i = 0; i < m_excess.size(); ++i)
-        m_excess[i] = static_cast<float>(std::max(0.0, shares[i] - m_wanted[i]) / std::max(m_wanted[i], kRare));
+        m_excess[i] =
+            static_cast<float>(std::max(0.0, shares[i] - m_wanted[i]) / std::max(m_wanted[i], kRare));
 }
 
 float ColorBalance::factor(const float* pixel) const {
@@ -75,19 +76,20 @@ ProposalRow::ProposalRow(const PatchProposals& proposals)
     : m_proposals(proposals), m_pixel(proposals.images.front()->pixel),
       m_weight(static_cast<std::size_t>(proposals.lattice.canvas.width)) {}
 
-/// Calls visit(x, first pixel, its place in the patch, length, weight) for what one patch proposes in its line
-/// `line`, from source `first` on: in several pieces where it reaches round the border.
+/// Calls visit(x, first pixel, its place in the patch, length, weight) for what one patch proposes in its
+/// line `line`, from source `first` on: in several pieces where it reaches round the border.
 template <class Visit>
-void ProposalRow::visitPatch(int column, int line, const Source& first, float weight, const Visit& visit) const {
+void ProposalRow::visitPatch(int column, int line, const Source& first, float weight,
+                             const Visit& visit) const {
     const int width = m_proposals.lattice.canvas.width, patch = m_proposals.lattice.patch;
-    const float* from =
-        m_proposals.images[first.exemplar]->at(first.x, first.y + line);
+    const float* from = m_proposals.images[first.exemplar]->at(first.x, first.y + line);
     int x = column * m_proposals.lattice.stride;
     for (int done = 0; done < patch;) {
         const int length = std::min(patch - done, width - x);
         const Source source{static_cast<std::uint16_t>(first.x + done),
                             static_cast<std::uint16_t>(first.y + line), first.exemplar};
-        visit(x, from + static_cast<std::ptrdiff_t>(done) * m_pixel, source, line * patch + done, length, weight);
+        visit(x, from + static_cast<std::ptrdiff_t>(done) * m_pixel, source, line * patch + done, length,
+              weight);
         done += length;
         x = 0;
     }

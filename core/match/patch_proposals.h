@@ -6,8 +6,8 @@
 
 namespace texloom {
 
-/// Colours that there should be fewer of: Kopf's histogram matching (Gutierrez, thesis 2020, eq. 3.8) with the
-/// histograms of the last round, so that pixels do not depend on the order in which they are made.
+/// Colours that there should be fewer of: Kopf's histogram matching (Gutierrez, thesis 2020, eq. 3.8) with
+/// the histograms of the last round, so that pixels do not depend on the order in which they are made.
 class ColorBalance {
 public:
     /// @param images the exemplars, channels side by side.
@@ -58,8 +58,8 @@ public:
 
 private:
     template <class Visit> void everyRun(int y, const Visit& visit) const;
-    template <class Visit> void visitPatch(int column, int line, const Source& first, float weight,
-                                           const Visit& visit) const;
+    template <class Visit>
+    void visitPatch(int column, int line, const Source& first, float weight, const Visit& visit) const;
     template <int kPixel> void meanOf(int y, float* pixels);
     template <int kPixel> void nearestOf(int y, const float* pixels, Source* sources) const;
     void collect(int y);

@@ -111,7 +111,8 @@ void PatchSet::setPenalties(std::vector<float> penalties) {
     m_penalties = std::move(penalties);
 }
 
-float PatchSet::distance(const float* pixels, std::ptrdiff_t stride, const Source& source, float limit) const {
+float PatchSet::distance(const float* pixels, std::ptrdiff_t stride, const Source& source,
+                         float limit) const {
     const Interleaved& image = *m_images[source.exemplar];
     return squaredDistance(pixels, stride, image.at(source.x, source.y), image.stride(), m_basis.patch(),
                            m_basis.patch() * image.pixel, limit);

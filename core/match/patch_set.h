@@ -31,7 +31,7 @@ private:
     void blocks(const float* pixels, std::ptrdiff_t stride, float* means) const;
 
     int m_patch, m_pixel, m_channels;
-    int m_blocks; ///< along a side
+    int m_blocks;              ///< along a side
     std::vector<float> m_axes; ///< kAxes for each block mean
 };
 

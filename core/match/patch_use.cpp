@@ -64,8 +64,8 @@ std::vector<float> patchUse(const PatchField& field, std::span<const Size> sizes
     std::vector<float> shares;
     for (int y = 0; y + patch <= image.height; ++y)
         for (int x = 0; x + patch <= image.width; ++x) {
-            const std::int64_t count = sums.at(x + patch, y + patch) - sums.at(x, y + patch) -
-                                       sums.at(x + patch, y) + sums.at(x, y);
+            const std::int64_t count =
+                sums.at(x + patch, y + patch) - sums.at(x, y + patch) - sums.at(x + patch, y) + sums.at(x, y);
             shares.push_back(static_cast<float>(static_cast<double>(count) / expected));
         }
     return shares;

@@ -2,7 +2,7 @@
 """Times texloom-cli beside another program on the same task, turn by turn, and prints medians and the median of the
 ratios pair by pair. CPU time is user plus system of the whole process less that of the program merely starting.
 
-    tests/bench/pairs.py build/release/bin/texloom-cli                      quilting beside G'MIC's patch matching
+    tests/bench/pairs.py build/release/bin/texloom-cli                      quilting and PatchMatch beside G'MIC's
     tests/bench/pairs.py build/release/bin/texloom-cli --ipol PATH          quilting beside the IPOL 171 reference
 """
 import argparse
@@ -60,8 +60,12 @@ def main():
             crop = os.path.join(folder, f"crop{side}.png")
             subprocess.run(["oiiotool", options.exemplar, "--crop", f"{side}x{side}+0+0", "--fullpixels", "-o", crop],
                            check=True)
-            ours = [options.texloom_cli, "synth", "quilting", crop, "-o", out, "--size", str(output), "--seed", "1",
-                    "--set", f"patch={patch}", "--threads", "1", "--no-sidecar", "--quiet"]
+            def ours(method, *settings):
+                return [options.texloom_cli, "synth", method, crop, "-o", out, "--size", str(output), "--seed", "1",
+                        *settings, "--threads", "1", "--no-sidecar", "--quiet"]
+
+            own_start = startup([options.texloom_cli, "--version"])
+            quilting = ours("quilting", "--set", f"patch={patch}")
             if options.ipol:
                 maps = [os.path.join(folder, "map1.png"), os.path.join(folder, "map2.png")]
                 theirs = [options.ipol, "-p", str(patch), "-r", str(output // side), "-t", "0.1", "-o", "0.25", "-s", "1",
@@ -70,8 +74,10 @@ def main():
             else:
                 theirs = ["gmic", "-v", "-", crop, "srand", "1", "syntexturize_matchpatch", f"{output},{output}", "o", out]
                 their_start = startup(["gmic", "-v", "-", "1"])
-            compare(f"{side} to {output}", ours, startup([options.texloom_cli, "--version"]), theirs, their_start,
-                    options.runs)
+            compare(f"quilting {side} to {output}", quilting, own_start, theirs, their_start, options.runs)
+            if not options.ipol:
+                compare(f"patchmatch {side} to {output}", ours("patchmatch"), own_start, theirs, their_start,
+                        options.runs)
 
 
 if __name__ == "__main__":

@@ -17,13 +17,13 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const std::vector<Size> exemplars = request.exemplarSizes();
     Estimate need;
     // The map with the coarser one it was made from, and the matches of the lattice.
-    need.bytes = PositionMap::bytesFor(canvas) * 5 / 4 +
-                 PatchField::bytesFor({canvas.width / 2 + 1, canvas.height / 2 + 1}) * 4 / 3 +
-                 Image::bytesFor(request.size, request.channels()) +
-                 ExemplarPyramid::bytesFor(exemplars, request.channels()) +
-                 GridMatcher::bytesFor(exemplars, request.channels(), settings.patch, Synthesizer::kStride,
-                                       threads) +
-                 (4U << 20U);
+    need.bytes =
+        PositionMap::bytesFor(canvas) * 5 / 4 +
+        PatchField::bytesFor({canvas.width / 2 + 1, canvas.height / 2 + 1}) * 4 / 3 +
+        Image::bytesFor(request.size, request.channels()) +
+        ExemplarPyramid::bytesFor(exemplars, request.channels()) +
+        GridMatcher::bytesFor(exemplars, request.channels(), settings.patch, Synthesizer::kStride, threads) +
+        (4U << 20U);
     if (request.initial)
         need.bytes += Image::bytesFor(request.size, request.channels()) * 3 / 2;
     const double values = settings.patch * settings.patch * (request.channels() + 1);
@@ -40,9 +40,10 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("PatchMatch"),
-     .summary = TR("Lets overlapping patches of the output find similar ones in the exemplar, from coarse to fine, "
-                   "and copies the pixels that most of them agree on. Very fast, at its best on textures without "
-                   "large structure."),
+     .summary =
+         TR("Lets overlapping patches of the output find similar ones in the exemplar, from coarse to fine, "
+            "and copies the pixels that most of them agree on. Very fast, at its best on textures without "
+            "large structure."),
      .citation = "Barnes et al., SIGGRAPH 2009; Han et al. 2006; Kaspar et al., Eurographics 2015",
      .wraps = true,
      .startsFromImage = true,
@@ -53,7 +54,8 @@ const Method self = method<Settings>(
          .range(3, 32)
          .unit("px")
          .symbol("w")
-         .help(TR("Side of the patches that are compared: larger keeps larger structures, smaller varies more.")),
+         .help(TR(
+             "Side of the patches that are compared: larger keeps larger structures, smaller varies more.")),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 50)
          .help(TR("Rounds of matching and voting on each scale: more join better, but take longer.")),
@@ -64,8 +66,9 @@ const Method self = method<Settings>(
      field(&Settings::uniformity, "uniformity", TR("Uniformity"))
          .range(0, 100)
          .symbol("λ_occ")
-         .help(TR("How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
-                  "whatever fits best."))},
+         .help(TR(
+             "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
+             "whatever fits best."))},
     run, check, estimate);
 
 } // namespace texloom::patchmatch

@@ -21,8 +21,8 @@ constexpr int kInitialLevels = 2;
 constexpr int kFineRounds = 4;
 constexpr int kFineRadius = 8;
 constexpr int kPreviewSide = 640;
-/// While patches still disagree their mean would level everything out: there the best of them decide. Later it
-/// makes the better joins.
+/// While patches still disagree their mean would level everything out: there the best of them decide. Later
+/// it makes the better joins.
 constexpr VoteWeight kDecided{0.05F, 3}, kSettled{0.3F, 2}, kAgreed{1, 1};
 /// Rows of the canvas that one thread votes on at a time.
 constexpr int kBand = 16;
@@ -39,8 +39,7 @@ Size Synthesizer::canvasFor(Size output, Wrap wrap, int patch) {
 }
 
 int Synthesizer::levelsFor(const Request& request, const Settings& settings) {
-    const int fitting =
-        ExemplarPyramid::levelsFor(request.exemplarSizes(), kPatchesAcross * settings.patch);
+    const int fitting = ExemplarPyramid::levelsFor(request.exemplarSizes(), kPatchesAcross * settings.patch);
     const int wanted = std::min(settings.scales, fitting);
     return request.initial ? std::min(wanted, kInitialLevels) : wanted;
 }
@@ -120,8 +119,8 @@ void Synthesizer::adopt(const GridMatcher& matcher, PatchField& field) const {
     const int middle = m_settings.patch / 2;
     m_context.parallel(0, field.size().height, [&](int y) {
         for (int x = 0; x < field.size().width; ++x) {
-            Source source = m_map.at((x * kStride + middle) % m_map.width(),
-                                     (y * kStride + middle) % m_map.height());
+            Source source =
+                m_map.at((x * kStride + middle) % m_map.width(), (y * kStride + middle) % m_map.height());
             source.x = static_cast<std::uint16_t>(std::max(0, source.x - middle));
             source.y = static_cast<std::uint16_t>(std::max(0, source.y - middle));
             field.at(x, y).source = matcher.allowed(source, x, y);
@@ -135,7 +134,9 @@ void Synthesizer::refine(int level, GridMatcher& matcher, PatchField& field) {
                        : level == 0 ? std::min(kFineRounds, m_settings.iterations)
                                     : m_settings.iterations;
     const int radius = level == 0 && !first ? kFineRadius : 1 << 16;
-    const auto pixels = [&](int x, int y, Size extent, Interleaved& to) { gather(matcher, x, y, extent, to); };
+    const auto pixels = [&](int x, int y, Size extent, Interleaved& to) {
+        gather(matcher, x, y, extent, to);
+    };
     for (int round = 0; round < rounds; ++round) {
         matcher.improve(field, pixels, 2 * round, radius);
         if (level > 1 || first)

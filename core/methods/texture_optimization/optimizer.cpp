@@ -247,7 +247,8 @@ bool Optimizer::project(Pass& pass, int iteration) {
     m_context.parallel(0, count.height, [&](int y) {
         for (int x = 0; x < count.width; ++x) {
             const PatchMatch& match = pass.field.at(x, y);
-            energies[static_cast<std::size_t>(y)] += std::pow(static_cast<double>(match.distance) / area, power);
+            energies[static_cast<std::size_t>(y)] +=
+                std::pow(static_cast<double>(match.distance) / area, power);
             if (!(match.source == before.at(x, y).source))
                 changed = true;
         }
@@ -264,8 +265,8 @@ void Optimizer::project(Pass& pass, PatchField& field) const {
     m_context.parallel(0, field.size().height, [&](int y) {
         for (int x = 0; x < field.size().width; ++x) {
             m_context.check();
-            field.at(x, y) = pass.set->nearest(m_canvas->at(x * stride, y * stride), m_canvas->stride(),
-                                               field.at(x, y));
+            field.at(x, y) =
+                pass.set->nearest(m_canvas->at(x * stride, y * stride), m_canvas->stride(), field.at(x, y));
         }
     });
 }
@@ -274,8 +275,9 @@ void Optimizer::project(Pass& pass, PatchField& field) const {
 void Optimizer::addInverse(Pass& pass) {
     const int stride = pass.lattice.stride;
     const auto check = [this] { m_context.check(); };
-    const PatchSet made({&*m_canvas}, *pass.basis, stride,
-                        [this](const Source& at) { return at.x < m_size.width && at.y < m_size.height; }, check);
+    const PatchSet made(
+        {&*m_canvas}, *pass.basis, stride,
+        [this](const Source& at) { return at.x < m_size.width && at.y < m_size.height; }, check);
     const std::vector<Source>& ours = pass.set->sources();
     std::vector<int> chosen(ours.size());
     const int columns = pass.field.size().width;
@@ -301,8 +303,8 @@ void Optimizer::addInverse(Pass& pass) {
     for (std::size_t n = 0; n < ours.size(); ++n)
         proposals.extra[static_cast<std::size_t>(next[static_cast<std::size_t>(chosen[n])]++)] = ours[n];
     const double share = (1 - m_settings.alpha) / m_settings.alpha;
-    proposals.extraWeight =
-        static_cast<float>(share * static_cast<double>(pass.field.size().area()) / static_cast<double>(count));
+    proposals.extraWeight = static_cast<float>(share * static_cast<double>(pass.field.size().area()) /
+                                               static_cast<double>(count));
 }
 
 /// The weights ω of iteratively reweighted least squares (eq. 3.6), with the mean distance as the unit.
@@ -311,8 +313,8 @@ void Optimizer::weigh(Pass& pass) {
     std::vector<float>& weights = pass.proposals.weights;
     weights.assign(static_cast<std::size_t>(count.area()), 1);
     const double mean = pass.field.meanDistance();
-    const bool robust = m_settings.aggregation == Aggregation::Robust ||
-                        m_settings.aggregation == Aggregation::RobustFalloff;
+    const bool robust =
+        m_settings.aggregation == Aggregation::Robust || m_settings.aggregation == Aggregation::RobustFalloff;
     if (!robust || mean <= 0)
         return;
     const double power = (exponent(m_settings.aggregation) - 2) / 2;
@@ -320,12 +322,13 @@ void Optimizer::weigh(Pass& pass) {
         for (int x = 0; x < count.width; ++x)
             weights[static_cast<std::size_t>(y) * static_cast<std::size_t>(count.width) +
                     static_cast<std::size_t>(x)] =
-                static_cast<float>(std::pow(kFloor + static_cast<double>(pass.field.at(x, y).distance) / mean, power));
+                static_cast<float>(
+                    std::pow(kFloor + static_cast<double>(pass.field.at(x, y).distance) / mean, power));
     });
 }
 
-/// Spatial uniformity: patches in frequent use cost more in the next projection. Half of the use is that of the
-/// rounds before, since all patches choose at once and would all leave a good one together.
+/// Spatial uniformity: patches in frequent use cost more in the next projection. Half of the use is that of
+/// the rounds before, since all patches choose at once and would all leave a good one together.
 void Optimizer::discourage(Pass& pass) {
     if (m_settings.uniformity <= 0)
         return;
@@ -390,7 +393,8 @@ void Optimizer::finish(Pass& pass) {
 
 /// Every `step`-th pixel of the canvas.
 Image Optimizer::image(int step) const {
-    Image picture({(m_size.width + step - 1) / step, (m_size.height + step - 1) / step}, m_request.channels());
+    Image picture({(m_size.width + step - 1) / step, (m_size.height + step - 1) / step},
+                  m_request.channels());
     m_context.parallel(0, picture.height(), [&](int y) {
         for (int c = 0; c < picture.channels(); ++c) {
             float* to = picture.plane(c).row(y);

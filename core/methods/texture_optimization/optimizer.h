@@ -13,9 +13,9 @@
 
 namespace texloom::texture_optimization {
 
-/// Makes an image whose patches are like the exemplar's (Kwatra et al., SIGGRAPH 2005): projects every patch to
-/// its nearest neighbour, joins the neighbours, and again, for patches of 32, 16 and 8 px on each scale from
-/// coarse to fine. The image closes on both axes.
+/// Makes an image whose patches are like the exemplar's (Kwatra et al., SIGGRAPH 2005): projects every patch
+/// to its nearest neighbour, joins the neighbours, and again, for patches of 32, 16 and 8 px on each scale
+/// from coarse to fine. The image closes on both axes.
 class Optimizer {
 public:
     static constexpr int kSmallestPatch = 8;

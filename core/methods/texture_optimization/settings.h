@@ -5,8 +5,8 @@ namespace texloom::texture_optimization {
 /// How the nearest patch is found.
 enum class Search { Exact, PatchMatch };
 
-/// How overlapping patches are joined: the mean (r = 2), iteratively reweighted least squares (r = 0.8), the same
-/// with a Gaussian over the patch, or the geometric median.
+/// How overlapping patches are joined: the mean (r = 2), iteratively reweighted least squares (r = 0.8), the
+/// same with a Gaussian over the patch, or the geometric median.
 enum class Aggregation { Mean, Robust, RobustFalloff, Median };
 
 /// What becomes of the image at the end.
@@ -14,8 +14,8 @@ enum class Finish { Blend, Copy };
 
 /// Parameters of texture optimisation (Kwatra et al. 2005; Gutierrez, thesis 2020, sections 3.1 and 3.2).
 struct Settings {
-    int scales = 3;       ///< at most
-    int iterations = 8;   ///< at most, for each patch width of each scale
+    int scales = 3;        ///< at most
+    int iterations = 8;    ///< at most, for each patch width of each scale
     int largestPatch = 32; ///< widths are 32, 16 and 8 px up to this
     Aggregation aggregation = Aggregation::RobustFalloff;
     Search search = Search::Exact;

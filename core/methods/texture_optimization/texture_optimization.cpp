@@ -20,11 +20,12 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const auto patches = static_cast<std::uint64_t>(canvas.area()) / 4 + 4096;
     Estimate need;
     // The canvas, the image made of it, the map, and for every patch two matches and a weight.
-    need.bytes = static_cast<std::uint64_t>(padded.area()) * pixel + Image::bytesFor(canvas, channels) * 3 / 2 +
-                 PositionMap::bytesFor(canvas) + patches * (2 * sizeof(PatchMatch) + sizeof(float)) +
-                 ExemplarPyramid::bytesFor(exemplars, channels) +
-                 static_cast<std::uint64_t>(threads) * static_cast<std::uint64_t>(canvas.width) * 16 * (pixel + 4) +
-                 (8U << 20U);
+    need.bytes =
+        static_cast<std::uint64_t>(padded.area()) * pixel + Image::bytesFor(canvas, channels) * 3 / 2 +
+        PositionMap::bytesFor(canvas) + patches * (2 * sizeof(PatchMatch) + sizeof(float)) +
+        ExemplarPyramid::bytesFor(exemplars, channels) +
+        static_cast<std::uint64_t>(threads) * static_cast<std::uint64_t>(canvas.width) * 16 * (pixel + 4) +
+        (8U << 20U);
     double candidates = 0;
     for (const Size& size : exemplars) {
         need.bytes += static_cast<std::uint64_t>(size.area()) * (pixel * 2 + 64);
@@ -48,10 +49,12 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Texture optimisation"),
-     .summary = TR("Changes the whole output until all its patches are like patches of the exemplar, from coarse to "
-                   "fine and with ever smaller patches. Smooth joins and good large structure; may simplify what "
-                   "is irregular."),
-     .citation = "Kwatra et al., SIGGRAPH 2005; Kopf et al., SIGGRAPH 2007; Wei et al. 2008; Kaspar et al. 2015",
+     .summary =
+         TR("Changes the whole output until all its patches are like patches of the exemplar, from coarse to "
+            "fine and with ever smaller patches. Smooth joins and good large structure; may simplify what "
+            "is irregular."),
+     .citation =
+         "Kwatra et al., SIGGRAPH 2005; Kopf et al., SIGGRAPH 2007; Wei et al. 2008; Kaspar et al. 2015",
      .wraps = true,
      .startsFromImage = true,
      .usesMask = true,
@@ -68,43 +71,51 @@ const Method self = method<Settings>(
          .range(8, 32)
          .unit("px")
          .symbol("w")
-         .help(TR("Patches shrink from this size to 8 px by halves: larger ones keep larger structures whole.")),
+         .help(TR(
+             "Patches shrink from this size to 8 px by halves: larger ones keep larger structures whole.")),
      field(&Settings::aggregation, "aggregation", TR("Aggregation"))
          .choices({{"mean", TR("Mean")},
                    {"robust", TR("Robust")},
                    {"robust-falloff", TR("Robust, Gaussian falloff")},
                    {"median", TR("Geometric median")}})
          .symbol("r")
-         .help(TR("How overlapping patches are joined: the mean (r = 2) blurs, robust weights (r = 0.8) and the "
-                  "geometric median stay sharp.")),
+         .help(TR(
+             "How overlapping patches are joined: the mean (r = 2) blurs, robust weights (r = 0.8) and the "
+             "geometric median stay sharp.")),
      field(&Settings::search, "search", TR("Search"))
          .choices({{"exact", TR("Exact")}, {"patchmatch", TR("PatchMatch")}})
          .group(TR("Advanced"))
-         .help(TR("How the most similar patch is found: exactly, or nearly and faster with large exemplars.")),
+         .help(
+             TR("How the most similar patch is found: exactly, or nearly and faster with large exemplars.")),
      field(&Settings::histogram, "histogram", TR("Match colours"))
          .group(TR("Uniformity"))
-         .help(TR("Avoids colours that there are too many of already, so that all colours of the exemplar show.")),
+         .help(TR(
+             "Avoids colours that there are too many of already, so that all colours of the exemplar show.")),
      field(&Settings::bidirectional, "bidirectional", TR("Both directions"))
          .group(TR("Uniformity"))
-         .help(TR("Every patch of the exemplar looks for its place in the output, too, so that less gets lost.")),
+         .help(TR(
+             "Every patch of the exemplar looks for its place in the output, too, so that less gets lost.")),
      field(&Settings::alpha, "alpha", TR("Forward share"))
          .range(0.05, 1)
          .symbol("α")
          .when("bidirectional", true)
          .group(TR("Uniformity"))
-         .help(TR("How much the output's patches count against the exemplar's: larger joins better, smaller loses "
-                  "less.")),
+         .help(TR(
+             "How much the output's patches count against the exemplar's: larger joins better, smaller loses "
+             "less.")),
      field(&Settings::uniformity, "uniformity", TR("Uniformity"))
          .range(0, 100)
          .symbol("λ_occ")
          .group(TR("Uniformity"))
-         .help(TR("How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
-                  "whatever fits best.")),
+         .help(TR(
+             "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
+             "whatever fits best.")),
      field(&Settings::finish, "finish", TR("Finish"))
          .choices({{"blend", TR("Blend")}, {"copy", TR("Copy")}})
          .group(TR("Advanced"))
-         .help(TR("Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with "
-                  "an exact map."))},
+         .help(TR(
+             "Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with "
+             "an exact map."))},
     run, check, estimate);
 
 } // namespace texloom::texture_optimization

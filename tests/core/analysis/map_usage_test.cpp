@@ -19,7 +19,8 @@ PositionMap pieces(Size size, Size exemplar, int block) {
         for (int x = 0; x < size.width; ++x) {
             const auto which = random.below(3, x / block, y / block);
             map.at(x, y) = {static_cast<std::uint16_t>((x + 5 * static_cast<int>(which)) % exemplar.width),
-                            static_cast<std::uint16_t>((y + 7 * static_cast<int>(which)) % exemplar.height), 0};
+                            static_cast<std::uint16_t>((y + 7 * static_cast<int>(which)) % exemplar.height),
+                            0};
         }
     return map;
 }
@@ -28,9 +29,7 @@ PositionMap pieces(Size size, Size exemplar, int block) {
 double floodedShare(const PositionMap& map) {
     const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * map.width() + x); };
     std::vector<bool> seen(static_cast<std::size_t>(map.size().area()), false);
-    const auto offset = [&](int x, int y) {
-        return std::pair{map.at(x, y).x - x, map.at(x, y).y - y};
-    };
+    const auto offset = [&](int x, int y) { return std::pair{map.at(x, y).x - x, map.at(x, y).y - y}; };
     std::int64_t largest = 0;
     for (int y = 0; y < map.height(); ++y)
         for (int x = 0; x < map.width(); ++x) {

@@ -11,9 +11,11 @@ namespace texloom::test {
 
 namespace {
 
-TextureDistance distanceOf(const ImageView& result, const std::vector<ImageView>& exemplars, int threads = 2) {
-    Job<TextureDistance> job({0, threads, false},
-                             [&](JobContext& context) { return textureDistance(result, exemplars, context); });
+TextureDistance distanceOf(const ImageView& result, const std::vector<ImageView>& exemplars,
+                           int threads = 2) {
+    Job<TextureDistance> job({0, threads, false}, [&](JobContext& context) {
+        return textureDistance(result, exemplars, context);
+    });
     return std::get<TextureDistance>(job.take());
 }
 

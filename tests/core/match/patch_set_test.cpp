@@ -51,7 +51,8 @@ TEST(PatchSet, nearestIsThatOfExhaustiveSearch) {
                             const Source& at = set.sources()[static_cast<std::size_t>(n)];
                             const double extra =
                                 penalised ? static_cast<double>(penalties[static_cast<std::size_t>(n)]) : 0;
-                            best = std::min(best, extra + distanceOf(query, x, y, exemplar, at.x, at.y, patch));
+                            best =
+                                std::min(best, extra + distanceOf(query, x, y, exemplar, at.x, at.y, patch));
                         }
                         const PatchMatch found = set.nearest(query.at(x, y), query.stride(), {});
                         double extra = 0;
@@ -71,7 +72,8 @@ TEST(PatchSet, hintChangesNothing) {
     for (int n = 0; n < 200; ++n) {
         const float* pixels = query.at(n % 32, n / 32 * 4);
         const PatchMatch alone = set.nearest(pixels, query.stride(), {});
-        const auto hint = static_cast<std::size_t>(Random(1).below(static_cast<std::uint32_t>(set.count()), n, 0));
+        const auto hint =
+            static_cast<std::size_t>(Random(1).below(static_cast<std::uint32_t>(set.count()), n, 0));
         EXPECT_EQ(set.nearest(pixels, query.stride(), {set.sources()[hint], 0}).source, alone.source);
         EXPECT_EQ(set.nearest(pixels, query.stride(), alone).source, alone.source);
     }
@@ -80,7 +82,8 @@ TEST(PatchSet, hintChangesNothing) {
 TEST(PatchSet, findsEveryPatchOfItsOwnAndOnlyThose) {
     const Interleaved exemplar = interleaved(noise({40, 40}, 3));
     const PatchBasis basis(std::vector{&exemplar}, 3, 8, kNothing);
-    const PatchSet set({&exemplar}, basis, 2, [](const Source& source) { return source.x >= 8; }, kNothing);
+    const PatchSet set(
+        {&exemplar}, basis, 2, [](const Source& source) { return source.x >= 8; }, kNothing);
     EXPECT_EQ(set.count(), 13 * 17);
     for (const Source& source : set.sources()) {
         const PatchMatch found = set.nearest(exemplar.at(source.x, source.y), exemplar.stride(), {});

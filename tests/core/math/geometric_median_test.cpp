@@ -28,7 +28,8 @@ struct Cloud {
         for (int i = 0; i < count; ++i) {
             double square = 0;
             for (int d = 0; d < dimension; ++d)
-                square += std::pow(static_cast<double>(x[d] - points[static_cast<std::size_t>(i * dimension + d)]), 2);
+                square += std::pow(
+                    static_cast<double>(x[d] - points[static_cast<std::size_t>(i * dimension + d)]), 2);
             sum += static_cast<double>(weights[static_cast<std::size_t>(i)]) * std::sqrt(square);
         }
         return sum;

@@ -67,7 +67,8 @@ TEST(PatchMatchSynthesis, startsFromWhatTheInitialImageShows) {
     const Image exemplar = blobs({96, 96}, 3);
     Request request = requestFor(exemplar, {96, 96});
     request.initial = std::make_shared<const Image>(exemplar);
-    EXPECT_LT(meanDifference(made(request).image, exemplar), 0.25 * meanDifference(blobs({96, 96}, 3, 9), exemplar));
+    EXPECT_LT(meanDifference(made(request).image, exemplar),
+              0.25 * meanDifference(blobs({96, 96}, 3, 9), exemplar));
 }
 
 TEST(PatchMatchSynthesis, uniformityEvensOutWhatIsUsed) {
@@ -78,7 +79,8 @@ TEST(PatchMatchSynthesis, uniformityEvensOutWhatIsUsed) {
 }
 
 TEST(PatchMatchSynthesis, energyIsRecordedForEveryRound) {
-    const Synthesis result = made(requestFor(blobs({96, 96}, 1), {128, 128}), {{"iterations", 4}, {"scales", 3}});
+    const Synthesis result =
+        made(requestFor(blobs({96, 96}, 1), {128, 128}), {{"iterations", 4}, {"scales", 3}});
     ASSERT_EQ(result.curves.size(), 1U);
     EXPECT_EQ(result.curves.front().values.size(), 2U * 4 + 4 + 4);
     EXPECT_LT(result.curves.front().values[7], result.curves.front().values[0]);

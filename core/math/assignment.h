@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/job/job_context.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace texloom {
+
+/// What it costs to give persons objects: for every person a row of costs, of all objects or of some.
+struct AssignmentCosts {
+    int persons = 0;
+    int objects = 0;
+    std::vector<float> costs; ///< row by row
+    /// The objects that the costs of a row belong to, as many for every row; empty: all, in order.
+    std::vector<std::int32_t> choices;
+    int perRow = 0; ///< costs in a row
+
+    const float* row(int person) const {
+        return costs.data() + static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow);
+    }
+    int object(int person, int place) const {
+        return choices.empty() ? place
+                               : choices[static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow) +
+                                         static_cast<std::size_t>(place)];
+    }
+};
+
+/// How well persons are to be assigned.
+struct AssignmentOptions {
+    /// The sum of costs is at most this much a person above the smallest possible; 0 for the smallest itself.
+    double epsilon = 0;
+    /// ρ of the relaxed assignment: what each person too many, or too few, costs at an object (Gutierrez,
+    /// thesis 2020, eq. 3.29). Infinite: there are never too many. With less an auction with `epsilon`, or a
+    /// small one for 0, finds it.
+    double relaxation = std::numeric_limits<double>::infinity();
+};
+
+/// Gives each of many persons one object, each object to as many persons as it has places, for the smallest
+/// sum of costs: the linear assignment problem. The auction algorithm with ε-scaling (Bertsekas 1988), whose
+/// bids are made in parallel and taken in order of the persons, so that threads change nothing; for the exact
+/// solution shortest augmenting paths (Jonker & Volgenant 1987) mend what the auction left. Prices are kept
+/// from one assignment to the next, where costs that changed little need few bids.
+class Assigner {
+public:
+    /// @param places of each object, at least 0.
+    explicit Assigner(std::vector<int> places);
+
+    /// @param costs whose rows hold all objects where the relaxation is infinite; then there must be a place
+    /// for everybody.
+    /// @return the object of each person.
+    std::vector<int> assign(const AssignmentCosts& costs, const AssignmentOptions& options,
+                            JobContext& context);
+
+private:
+    struct Bid {
+        int object = -1;
+        double price = 0;
+    };
+    void reset(double price);
+    void auction(const AssignmentCosts& costs, double epsilon, double ceiling, JobContext& context);
+    Bid bidOf(const AssignmentCosts& costs, int person, double epsilon, double ceiling) const;
+    void take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting);
+    void refreshPrice(int object);
+    void sink(int object);
+    void solveExactly(const AssignmentCosts& costs, JobContext& context);
+    std::vector<int> push(const AssignmentCosts& costs, std::vector<int> waiting, JobContext& context);
+    int freePlace(int object) const;
+    void augment(const AssignmentCosts& costs, int person, JobContext& context);
+    void release(int person);
+
+    std::vector<int> m_places;
+    std::vector<int>
+        m_begin; ///< first place of each object, and one behind the last; each object's are a heap by price
+    std::vector<double> m_placePrice; ///< of each place
+    std::vector<int> m_holder;        ///< of each place, or −1
+    std::vector<double> m_price;      ///< the lowest of each object's places
+    std::vector<double> m_second;     ///< the second lowest
+    std::vector<float> m_scanned;     ///< m_price once more, for fast rows
+    std::vector<int> m_object;        ///< of each person, or −1
+    bool m_warm = false;
+};
+
+} // namespace texloom

@@ -1,0 +1,409 @@
+#include "core/methods/patch_assignment/optimizer.h"
+
+#include "core/base/text.h"
+#include "core/image/half_scale.h"
+#include "core/job/pool.h"
+#include "core/methods/patch_request.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::patch_assignment {
+
+namespace {
+
+/// Scales on which an initial image is worked on.
+constexpr int kInitialLevels = 2;
+constexpr int kPreviewSide = 640;
+constexpr int kBandRows = 8;
+/// Where choices are narrowed: ε, and what a use too many costs, as shares of the mean cost.
+constexpr double kNarrowEpsilon = 0.02, kNarrowRho = 1;
+/// Where choices are narrowed, iterations end when no more than this share of the patches changes.
+constexpr double kNarrowChange = 0.02;
+/// Patches of the output whose costs one thread computes at a time.
+constexpr int kPersons = 4;
+
+} // namespace
+
+struct Optimizer::Band {
+    int top, bottom; ///< rows of the lattice; bottom excluded
+    Assigner assigner;
+};
+
+struct Optimizer::Pass {
+    Pass(std::span<const PatchSource> sources, const Settings& settings, bool random, Size canvas,
+         JobContext& context)
+        : patches(sources, settings, random, context), lattice{canvas, settings.patch, settings.stride()},
+          field(lattice.count()), chosen(static_cast<std::size_t>(lattice.count().area()), -1) {
+        proposals.images = patches.images();
+        proposals.lattice = lattice;
+        proposals.field = &field;
+        proposals.weights.assign(chosen.size(), 1);
+    }
+
+    ExemplarPatches patches;
+    PatchLattice lattice;
+    PatchField field;        ///< sources in the mirrored exemplars, and costs
+    std::vector<int> chosen; ///< the exemplar patch of each patch of the lattice
+    std::vector<Band> bands;
+    bool narrowed = false;
+    double meanCost = 0;
+    PatchProposals proposals;
+};
+
+Size Optimizer::canvasFor(Size output, Wrap wrap, int patch) {
+    return {wrap.x ? output.width : std::max(output.width, 4 * patch),
+            wrap.y ? output.height : std::max(output.height, 4 * patch)};
+}
+
+int Optimizer::levelsFor(const Request& request, const Settings& settings) {
+    const int wanted =
+        std::min(settings.scales, ExemplarPyramid::levelsFor(request.exemplarSizes(), 2 * settings.patch));
+    return request.initial ? std::min(wanted, kInitialLevels) : wanted;
+}
+
+double Optimizer::exemplarPatches(const Request& request, const Settings& settings) {
+    double count = 0;
+    for (const Size& size : request.exemplarSizes())
+        count += static_cast<double>(size.area()) / (settings.stride() * settings.stride());
+    return count;
+}
+
+Optimizer::Optimizer(const Request& request, const Settings& settings, JobContext& context)
+    : m_request(request), m_settings(settings), m_context(context),
+      m_pyramid(patchSources(request), levelsFor(request, settings), settings.patch,
+                [&context] { context.check(); }) {
+    ValueRange range = valueRange(*request.exemplars.front().image);
+    for (const Exemplar& exemplar : request.exemplars) {
+        const ValueRange own = valueRange(*exemplar.image);
+        range = {std::min(range.smallest, own.smallest), std::max(range.largest, own.largest)};
+    }
+    m_range = static_cast<double>(range.largest - range.smallest);
+    m_result.curves.push_back({TR("Mean cost of a patch"), {}});
+}
+
+Size Optimizer::canvas(int level) const {
+    Size size = canvasFor(m_request.size, m_request.wrap, m_settings.patch);
+    for (; level > 0; --level)
+        size = {(size.width + 1) / 2, (size.height + 1) / 2};
+    return size;
+}
+
+Synthesis Optimizer::run() {
+    double whole = 0;
+    for (int level = 0; level < m_pyramid.levels(); ++level)
+        whole += iterations(level) * std::pow(0.25, level);
+    for (int level = m_pyramid.levels() - 1; level >= 0; --level) {
+        m_context.stage(0.98 * iterations(level) * std::pow(0.25, level) / whole,
+                        fmt::format("Scale 1/{}", 1 << level));
+        start(level);
+        optimize(level);
+    }
+    return std::move(m_result);
+}
+
+/// The canvas of a scale as its iterations find it: the coarser one enlarged, the initial image, or noise
+/// with the exemplar's mean and spread.
+void Optimizer::start(int level) {
+    std::optional<Image> coarse;
+    if (level + 1 < m_pyramid.levels())
+        coarse = image(1);
+    m_size = canvas(level);
+    m_canvas.reset();
+    m_canvas.emplace(Size{m_size.width + m_settings.patch - 1, m_size.height + m_settings.patch - 1},
+                     m_request.channels());
+    if (coarse)
+        return load(*coarse);
+    if (m_request.initial) {
+        Image initial(*m_request.initial);
+        for (int i = 0; i < level; ++i)
+            initial = halved(initial);
+        return load(initial);
+    }
+    const ImageView exemplar = m_pyramid.level(level).front().image;
+    const std::vector<double> means = channelMeans(exemplar);
+    for (int c = 0; c < exemplar.channels; ++c) {
+        double square = 0;
+        for (int y = 0; y < exemplar.height; ++y)
+            for (int x = 0; x < exemplar.width; ++x)
+                square +=
+                    std::pow(static_cast<double>(exemplar(x, y, c)) - means[static_cast<std::size_t>(c)], 2);
+        const double deviation = std::sqrt(square / static_cast<double>(exemplar.size().area()));
+        m_context.parallel(0, m_size.height, [&](int y) {
+            float* row = m_canvas->data.data() + y * m_canvas->stride() + c;
+            for (int x = 0; x < m_size.width; ++x)
+                row[x * m_canvas->pixel] = static_cast<float>(
+                    means[static_cast<std::size_t>(c)] +
+                    deviation * m_context.random().normal(x, y, static_cast<std::uint32_t>(c)));
+        });
+    }
+    close();
+}
+
+/// Takes the image, enlarged where it is smaller than the canvas.
+void Optimizer::load(const ImageView& image) {
+    m_context.parallel(0, m_size.height, [&](int y) {
+        std::vector<float> row(static_cast<std::size_t>(m_size.width));
+        float* to = m_canvas->data.data() + y * m_canvas->stride();
+        for (int c = 0; c < image.channels; ++c) {
+            enlargeRow(image.plane(c), m_size, y, row.data());
+            for (int x = 0; x < m_size.width; ++x)
+                to[x * m_canvas->pixel + c] = row[static_cast<std::size_t>(x)];
+        }
+    });
+    close();
+}
+
+/// Writes the first rows and columns once more behind the last.
+void Optimizer::close() {
+    const int pixel = m_canvas->pixel, margin = m_settings.patch - 1;
+    for (int y = 0; y < m_canvas->size.height; ++y) {
+        float* row = m_canvas->data.data() + y * m_canvas->stride();
+        if (y >= m_size.height)
+            std::copy_n(m_canvas->at(0, y % m_size.height), m_canvas->stride(), row);
+        else
+            for (int x = 0; x < margin; ++x)
+                std::copy_n(row + (x % m_size.width) * pixel, pixel, row + (m_size.width + x) * pixel);
+    }
+}
+
+void Optimizer::optimize(int level) {
+    const bool random = m_settings.grid == Grid::Random || (m_settings.grid == Grid::Hybrid && level > 0);
+    Pass pass(m_pyramid.level(level), m_settings, random, m_size, m_context);
+    plan(pass, level);
+    const int count = iterations(level);
+    for (int iteration = 0; iteration < count; ++iteration) {
+        const double changed = project(pass);
+        aggregate(pass);
+        offer();
+        m_context.progress((iteration + 1.0) / count);
+        if (changed <= (pass.narrowed ? kNarrowChange : 0))
+            break;
+    }
+    if (level == 0)
+        finish(pass);
+}
+
+/// Shares the lattice and the exemplar's patches out to bands that are assigned one after another.
+void Optimizer::plan(Pass& pass, int level) const {
+    const Size count = pass.lattice.count();
+    const double persons = static_cast<double>(count.area()), objects = pass.patches.count();
+    pass.narrowed = persons * objects * iterations(level) > kMostWork;
+    if (pass.narrowed)
+        pass.patches.findSimilar(m_context);
+    const double perRow = pass.narrowed ? kChoices : objects;
+    const int rows = std::clamp(static_cast<int>(kMostCosts / (perRow * count.width)), 1, count.height);
+    const int bands = (count.height + rows - 1) / rows;
+    const std::vector<int> supply =
+        pass.patches.supply(static_cast<int>(count.area()), m_settings.supply, m_context);
+    for (int band = 0; band < bands; ++band) {
+        const int top = count.height * band / bands, bottom = count.height * (band + 1) / bands;
+        std::vector<int> places(static_cast<std::size_t>(pass.patches.count()), 0);
+        for (int n = top * count.width; n < bottom * count.width; ++n)
+            ++places[static_cast<std::size_t>(supply[static_cast<std::size_t>(n)])];
+        pass.bands.push_back({top, bottom, Assigner(std::move(places))});
+    }
+}
+
+AssignmentOptions Optimizer::options(const Pass& pass) const {
+    AssignmentOptions options;
+    options.epsilon = m_settings.epsilon * m_range;
+    if (m_settings.relaxed)
+        options.relaxation = m_settings.rho * m_range;
+    if (pass.narrowed) {
+        options.epsilon = std::max(options.epsilon, kNarrowEpsilon * pass.meanCost);
+        options.relaxation = std::min(options.relaxation, kNarrowRho * pass.meanCost);
+    }
+    return options;
+}
+
+/// @return the share of the lattice's patches that have another one than before.
+double Optimizer::project(Pass& pass) {
+    const std::vector<int> before = pass.chosen;
+    double cost = 0;
+    for (Band& band : pass.bands)
+        cost += assign(pass, band);
+    m_result.curves.front().values.push_back(cost / static_cast<double>(pass.chosen.size()));
+    std::int64_t changed = 0;
+    for (std::size_t n = 0; n < before.size(); ++n)
+        changed += pass.chosen[n] != before[n];
+    return static_cast<double>(changed) / static_cast<double>(before.size());
+}
+
+double Optimizer::assign(Pass& pass, Band& band) {
+    const int columns = pass.lattice.count().width;
+    AssignmentCosts costs;
+    costs.persons = (band.bottom - band.top) * columns;
+    costs.objects = pass.patches.count();
+    if (pass.narrowed)
+        costSome(pass, band, costs);
+    else
+        costAll(pass, band, costs);
+    double sum = 0;
+    std::int64_t seen = 0;
+    for (std::size_t i = 0; i < costs.costs.size(); i += 997, ++seen)
+        sum += static_cast<double>(costs.costs[i]);
+    pass.meanCost = std::max(sum / static_cast<double>(seen), 1e-12);
+    const std::vector<int> objects = band.assigner.assign(costs, options(pass), m_context);
+    double total = 0;
+    for (int person = 0; person < costs.persons; ++person) {
+        if (person % 4096 == 0)
+            m_context.check();
+        const int object = objects[static_cast<std::size_t>(person)];
+        float cost = 0;
+        for (int place = pass.narrowed ? 0 : object; place < costs.perRow; ++place)
+            if (costs.object(person, place) == object) {
+                cost = costs.row(person)[place];
+                break;
+            }
+        total += static_cast<double>(cost);
+        const int n = band.top * columns + person;
+        pass.chosen[static_cast<std::size_t>(n)] = object;
+        pass.field.at(n % columns, n / columns) = {pass.patches.sources()[static_cast<std::size_t>(object)],
+                                                   cost};
+    }
+    return total;
+}
+
+void Optimizer::costAll(const Pass& pass, const Band& band, AssignmentCosts& costs) const {
+    costs.perRow = costs.objects;
+    costs.costs.resize(static_cast<std::size_t>(costs.persons) * static_cast<std::size_t>(costs.perRow));
+    const int columns = pass.lattice.count().width, stride = pass.lattice.stride;
+    m_context.parallel(0, (costs.persons + kPersons - 1) / kPersons, [&](int chunk) {
+        const int first = chunk * kPersons, count = std::min(kPersons, costs.persons - first);
+        const auto floats = static_cast<std::size_t>(pass.patches.patchFloats());
+        std::vector<float> wanted(floats * kPersons);
+        for (int i = 0; i < count; ++i) {
+            const int n = band.top * columns + first + i;
+            pass.patches.planar(m_canvas->at(n % columns * stride, n / columns * stride), m_canvas->stride(),
+                                wanted.data() + static_cast<std::size_t>(i) * floats);
+        }
+        float* row =
+            costs.costs.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(costs.perRow);
+        for (int object = 0; object < costs.objects; ++object) {
+            if (object % 4096 == 0)
+                m_context.check();
+            for (int i = 0; i < count; ++i)
+                row[static_cast<std::ptrdiff_t>(i) * costs.perRow + object] =
+                    pass.patches.cost(wanted.data() + static_cast<std::size_t>(i) * floats, object);
+        }
+    });
+}
+
+void Optimizer::costSome(const Pass& pass, const Band& band, AssignmentCosts& costs) const {
+    costs.perRow = std::min(kChoices, costs.objects);
+    const auto size = static_cast<std::size_t>(costs.persons) * static_cast<std::size_t>(costs.perRow);
+    costs.costs.resize(size);
+    costs.choices.resize(size);
+    const int columns = pass.lattice.count().width, stride = pass.lattice.stride;
+    m_context.parallel(band.top, band.bottom, [&](int y) {
+        std::vector<float> wanted(static_cast<std::size_t>(pass.patches.patchFloats()));
+        for (int x = 0; x < columns; ++x) {
+            if (x % 64 == 0)
+                m_context.check();
+            const auto begin = static_cast<std::size_t>((y - band.top) * columns + x) *
+                               static_cast<std::size_t>(costs.perRow);
+            choices(pass, x, y, costs.choices.data() + begin);
+            pass.patches.planar(m_canvas->at(x * stride, y * stride), m_canvas->stride(), wanted.data());
+            for (int i = 0; i < costs.perRow; ++i)
+                costs.costs[begin + static_cast<std::size_t>(i)] =
+                    pass.patches.cost(wanted.data(), costs.choices[begin + static_cast<std::size_t>(i)]);
+        }
+    });
+}
+
+/// Different exemplar patches for one patch of the output: its own, those that continue its neighbours', ones
+/// that are like these, and random ones for the rest.
+void Optimizer::choices(const Pass& pass, int x, int y, std::int32_t* list) const {
+    const Size count = pass.lattice.count();
+    const int wanted = std::min(kChoices, pass.patches.count());
+    int have = 0;
+    const auto add = [&](int patch) {
+        if (patch >= 0 && have < wanted && std::find(list, list + have, patch) == list + have)
+            list[have++] = patch;
+    };
+    const auto chosen = [&](int column, int row) {
+        const int u = (column + count.width) % count.width, v = (row + count.height) % count.height;
+        return pass.chosen[static_cast<std::size_t>(v) * static_cast<std::size_t>(count.width) +
+                           static_cast<std::size_t>(u)];
+    };
+    add(chosen(x, y));
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+            if (const int near = chosen(x + dx, y + dy); near >= 0) {
+                const Source& source = pass.patches.sources()[static_cast<std::size_t>(near)];
+                add(pass.patches.nearest(source.exemplar, source.x - dx * pass.lattice.stride,
+                                         source.y - dy * pass.lattice.stride));
+            }
+    const int first = have;
+    for (int k = 0; k < ExemplarPatches::kSimilar; ++k)
+        for (int i = 0; i < first && have < wanted - 2; ++i)
+            add(pass.patches.similar(list[i])[k]);
+    const auto all = static_cast<std::uint32_t>(pass.patches.count());
+    for (std::uint32_t draw = 200; have < wanted && draw < 400; ++draw)
+        add(static_cast<int>(m_context.random().below(all, x, y, draw)));
+    for (int patch = 0; have < wanted; ++patch)
+        add(patch);
+}
+
+void Optimizer::aggregate(Pass& pass) {
+    const auto solver = m_settings.median == Median::Weiszfeld ? ProposalRow::Solver::Weiszfeld
+                                                               : ProposalRow::Solver::DouglasRachford;
+    Pool<ProposalRow> rows;
+    m_context.parallel(0, (m_size.height + kBandRows - 1) / kBandRows, [&](int band) {
+        const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
+        for (int y = band * kBandRows; y < std::min(m_size.height, (band + 1) * kBandRows); ++y) {
+            m_context.check();
+            row->median(y, solver, m_canvas->data.data() + y * m_canvas->stride());
+        }
+    });
+    close();
+}
+
+void Optimizer::finish(Pass& pass) {
+    m_context.stage(0.02, TR("Tracing the pixels"));
+    PositionMap map(m_size, m_request.exemplarSizes());
+    Pool<ProposalRow> rows;
+    m_context.parallel(0, (m_size.height + kBandRows - 1) / kBandRows, [&](int band) {
+        const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
+        for (int y = band * kBandRows; y < std::min(m_size.height, (band + 1) * kBandRows); ++y) {
+            row->nearest(y, m_canvas->at(0, y), &map.at(0, y));
+            for (int x = 0; x < m_size.width; ++x)
+                map.at(x, y) = pass.patches.unmirrored(map.at(x, y));
+        }
+    });
+    map.shrink(m_request.size);
+    if (m_settings.finish == Finish::Copy) {
+        m_result.image = copied(map, m_request, m_context);
+        m_result.mapKind = MapKind::Exact;
+    } else {
+        m_result.image = image(1);
+        m_result.image.shrink(m_request.size);
+        m_result.mapKind = MapKind::Dominant;
+    }
+    m_result.map = std::move(map);
+    m_context.progress(1);
+}
+
+/// Every `step`-th pixel of the canvas.
+Image Optimizer::image(int step) const {
+    Image picture({(m_size.width + step - 1) / step, (m_size.height + step - 1) / step},
+                  m_request.channels());
+    m_context.parallel(0, picture.height(), [&](int y) {
+        for (int c = 0; c < picture.channels(); ++c) {
+            float* to = picture.plane(c).row(y);
+            for (int x = 0; x < picture.width(); ++x)
+                to[x] = m_canvas->at(x * step, y * step)[c];
+        }
+    });
+    return picture;
+}
+
+void Optimizer::offer() const {
+    if (m_context.previewDue())
+        m_context.preview(image((m_size.longerSide() + kPreviewSide - 1) / kPreviewSide));
+}
+
+} // namespace texloom::patch_assignment

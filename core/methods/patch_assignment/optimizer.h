@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/job/job_context.h"
+#include "core/match/exemplar_pyramid.h"
+#include "core/match/patch_proposals.h"
+#include "core/math/assignment.h"
+#include "core/methods/patch_assignment/patches.h"
+#include "core/methods/synthesis.h"
+
+#include <optional>
+#include <vector>
+
+namespace texloom::patch_assignment {
+
+/// Makes an image that has the exemplar's patches, each as often as the exemplar has it (Gutierrez, thesis
+/// 2020, algorithm 1): assigns the exemplar's patches to those of the image at the least cost, joins them by
+/// geometric medians, and again, from coarse to fine. The image closes on both axes.
+///
+/// The whole cost matrix is assigned at once where that is possible, else band by band of the output, each
+/// with its share of the patches. Where even that would take hours, every patch of the output chooses only
+/// among those that fit its neighbours' and ones like them, and a patch may be used a little more often.
+class Optimizer {
+public:
+    Optimizer(const Request& request, const Settings& settings, JobContext& context);
+    Synthesis run();
+
+    static Size canvasFor(Size output, Wrap wrap, int patch);
+    static int levelsFor(const Request& request, const Settings& settings);
+    /// Patches of the exemplars and of the canvas on the finest scale.
+    static double exemplarPatches(const Request& request, const Settings& settings);
+    /// Costs that are in memory at once, at most.
+    static constexpr double kMostCosts = 1.0e8;
+    /// Costs that are computed for one scale, at most, before choices are narrowed.
+    static constexpr double kMostWork = 0.9e9;
+    /// Choices of each patch where they are narrowed.
+    static constexpr int kChoices = 32;
+
+private:
+    struct Band; ///< rows of the lattice that are assigned together
+    struct Pass; ///< the work on one scale
+
+    Size canvas(int level) const;
+    int iterations(int level) const {
+        return level == 0 ? m_settings.fineIterations : m_settings.coarseIterations;
+    }
+    void start(int level);
+    void load(const ImageView& image);
+    void close();
+    void optimize(int level);
+    void plan(Pass& pass, int level) const;
+    double project(Pass& pass);
+    double assign(Pass& pass, Band& band);
+    void costAll(const Pass& pass, const Band& band, AssignmentCosts& costs) const;
+    void costSome(const Pass& pass, const Band& band, AssignmentCosts& costs) const;
+    void choices(const Pass& pass, int x, int y, std::int32_t* list) const;
+    AssignmentOptions options(const Pass& pass) const;
+    void aggregate(Pass& pass);
+    void finish(Pass& pass);
+    Image image(int step) const;
+    void offer() const;
+
+    const Request& m_request;
+    const Settings& m_settings;
+    JobContext& m_context;
+    ExemplarPyramid m_pyramid;
+    double m_range; ///< of the exemplars' values: the unit of ε and ρ
+    Size m_size;
+    std::optional<Interleaved> m_canvas; ///< with its first rows and columns once more at the end
+    Synthesis m_result;
+};
+
+} // namespace texloom::patch_assignment

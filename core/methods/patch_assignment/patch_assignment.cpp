@@ -1,0 +1,125 @@
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/methods/method.h"
+#include "core/methods/patch_assignment/optimizer.h"
+#include "core/methods/patch_request.h"
+
+namespace texloom::patch_assignment {
+
+namespace {
+
+void check(const Request& request, const Settings& settings) {
+    checkPatchRequest(request, settings.patch);
+}
+
+Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    const Size canvas = Optimizer::canvasFor(request.size, request.wrap, settings.patch);
+    const Size padded{canvas.width + settings.patch, canvas.height + settings.patch};
+    const std::vector<Size> exemplars = request.exemplarSizes();
+    const int channels = request.channels();
+    const auto pixel = static_cast<std::uint64_t>(Interleaved({1, 1}, channels).pixel) * sizeof(float);
+    const double objects = Optimizer::exemplarPatches(request, settings);
+    const double persons = static_cast<double>(canvas.area()) / (settings.stride() * settings.stride());
+    const bool narrowed = persons * objects * settings.fineIterations > Optimizer::kMostWork;
+    const double perRow = narrowed ? Optimizer::kChoices : objects;
+    // One band holds at least a row of the lattice.
+    const double finest =
+        std::min(persons * perRow, std::max(Optimizer::kMostCosts, objects * canvas.width)) *
+        (narrowed ? 8 : 4);
+    // The next coarser scale may have all its choices where the finest has few.
+    const double coarser =
+        4 * std::min(persons * objects / 16, Optimizer::kMostWork / settings.coarseIterations);
+    const double costs = std::max(finest, coarser);
+    const double floats = static_cast<double>(settings.patch * settings.patch + 8) * channels;
+    Estimate need;
+    need.bytes =
+        static_cast<std::uint64_t>(padded.area()) * pixel + Image::bytesFor(canvas, channels) * 3 / 2 +
+        PositionMap::bytesFor(canvas) + static_cast<std::uint64_t>(costs) +
+        static_cast<std::uint64_t>(persons * 96) + static_cast<std::uint64_t>(objects * (4 * floats + 256)) +
+        ExemplarPyramid::bytesFor(exemplars, channels) +
+        static_cast<std::uint64_t>(threads) * static_cast<std::uint64_t>(canvas.width) * 20 * (pixel + 4) +
+        (8U << 20U);
+    for (const Size& size : exemplars)
+        need.bytes += static_cast<std::uint64_t>(size.area() + 65536) * pixel;
+    if (request.initial)
+        need.bytes += Image::bytesFor(request.size, channels) * 3 / 2;
+    need.seconds = 2.5 * settings.fineIterations *
+                   (persons * perRow * 3e-10 * settings.patch * settings.patch * 2 + persons * 4e-6);
+    return need;
+}
+
+Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    return Optimizer(request, settings, context).run();
+}
+
+} // namespace
+
+extern const Method self;
+const Method self = method<Settings>(
+    {.title = TR("Patch assignment"),
+     .summary =
+         TR("Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing "
+            "takes over. Keeps the exemplar's mix of colours and details; slow for large outputs."),
+     .citation = "Gutierrez, thesis 2020, chapter 3; Gutierrez, Rabin, Galerne & Hurtut, SSVM 2017",
+     .wraps = true,
+     .startsFromImage = true,
+     .usesMask = true,
+     .severalExemplars = true,
+     .copiesPixels = true},
+    {field(&Settings::patch, "patch", TR("Patch size"))
+         .range(4, 32)
+         .unit("px")
+         .symbol("w")
+         .help(TR(
+             "Side of the patches, which lie a quarter of it apart: larger keeps larger structures, smaller "
+             "varies more.")),
+     field(&Settings::scales, "scales", TR("Scales"))
+         .range(1, 8)
+         .symbol("S")
+         .help(TR("At most so many, each half the size of the one before: more keep larger structures.")),
+     field(&Settings::coarseIterations, "coarse-iterations", TR("Coarse iterations"))
+         .range(1, 500)
+         .help(TR("At most so many on each scale but the finest: more join better, but take longer.")),
+     field(&Settings::fineIterations, "fine-iterations", TR("Fine iterations"))
+         .range(1, 500)
+         .help(TR("At most so many on the finest scale, where most of the time is spent.")),
+     field(&Settings::grid, "grid", TR("Grid"))
+         .choices({{"regular", TR("Regular")}, {"random", TR("Random")}, {"hybrid", TR("Hybrid")}})
+         .help(TR("Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a "
+                  "random one "
+                  "varies more and blurs, the hybrid is random but on the finest scale.")),
+     field(&Settings::epsilon, "epsilon", TR("Tolerance"))
+         .range(0, 100)
+         .symbol("ε")
+         .help(
+             TR("How much worse than the best an assignment may be for each patch: 0 for the best, 1 or 2 is "
+                "faster and looks as good.")),
+     field(&Settings::relaxed, "relaxed", TR("Relaxed"))
+         .help(TR("Lets patches be used more or less often, so that what fits nowhere may be left out.")),
+     field(&Settings::rho, "rho", TR("Relaxation"))
+         .range(0, 1000)
+         .symbol("ρ")
+         .when("relaxed", true)
+         .help(TR(
+             "What each use too many or too few costs: 0 takes the nearest patches, a large value uses all "
+             "alike.")),
+     field(&Settings::supply, "supply", TR("Supply"))
+         .choices({{"duplicate", TR("Duplicate")}, {"bootstrap", TR("Bootstrap")}})
+         .group(TR("Advanced"))
+         .help(TR("For outputs of another size than the exemplar's: all patches equally often, or patches "
+                  "drawn at "
+                  "random.")),
+     field(&Settings::median, "median", TR("Median"))
+         .choices({{"weiszfeld", TR("Weiszfeld")}, {"douglas-rachford", TR("Douglas–Rachford")}})
+         .group(TR("Advanced"))
+         .help(TR("How the geometric median of overlapping patches is found; the result is the same to four "
+                  "digits.")),
+     field(&Settings::finish, "finish", TR("Finish"))
+         .choices({{"blend", TR("Blend")}, {"copy", TR("Copy")}})
+         .group(TR("Advanced"))
+         .help(TR(
+             "Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with "
+             "an exact map."))},
+    run, check, estimate);
+
+} // namespace texloom::patch_assignment

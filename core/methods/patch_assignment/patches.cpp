@@ -1,0 +1,231 @@
+#include "core/methods/patch_assignment/patches.h"
+
+#include "core/match/patch_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace texloom::patch_assignment {
+
+namespace {
+
+/// Patches this near in the order of brightness are looked at for similar ones.
+constexpr int kWindow = 512;
+
+/// Position `at` of a row of `length` pixels that is mirrored at both ends.
+int mirrored(int at, int length) {
+    const int period = 2 * length;
+    const int within = ((at % period) + period) % period;
+    return within < length ? within : period - 1 - within;
+}
+
+} // namespace
+
+ExemplarPatches::ExemplarPatches(std::span<const PatchSource> sources, const Settings& settings, bool random,
+                                 JobContext& context)
+    : m_patch(settings.patch), m_stride(settings.stride()), m_channels(sources.front().image.channels),
+      m_area((settings.patch * settings.patch + 7) / 8 * 8), m_pad(settings.patch / 2) {
+    for (const PatchSource& source : sources)
+        add(source);
+    choose(sources, random, context);
+    m_planar.assign(static_cast<std::size_t>(count()) * static_cast<std::size_t>(patchFloats()), 0);
+    for (int n = 0; n < count(); ++n) {
+        if (n % 256 == 0)
+            context.check();
+        const Source& source = m_sources[static_cast<std::size_t>(n)];
+        const Interleaved& image = m_images[source.exemplar];
+        planar(image.at(source.x, source.y), image.stride(),
+               m_planar.data() + static_cast<std::ptrdiff_t>(n) * patchFloats());
+    }
+}
+
+void ExemplarPatches::add(const PatchSource& source) {
+    const Size size = source.image.size();
+    m_sizes.push_back(size);
+    Interleaved& image = m_images.emplace_back(Size{size.width + m_patch, size.height + m_patch}, m_channels);
+    for (int y = 0; y < image.size.height; ++y)
+        for (int x = 0; x < image.size.width; ++x)
+            for (int c = 0; c < m_channels; ++c)
+                image.data[static_cast<std::size_t>(y * image.stride() + x * image.pixel + c)] =
+                    source.image(mirrored(x - m_pad, size.width), mirrored(y - m_pad, size.height), c);
+}
+
+/// Mean of the mask over a patch; 0 where any of its pixels is masked.
+double ExemplarPatches::weightOf(const PatchSource& source, int x, int y) const {
+    if (!source.mask.data)
+        return 1;
+    double sum = 0;
+    for (int v = 0; v < m_patch; ++v)
+        for (int u = 0; u < m_patch; ++u) {
+            const auto value = static_cast<double>(source.mask(mirrored(x + u - m_pad, source.mask.width),
+                                                               mirrored(y + v - m_pad, source.mask.height)));
+            if (value <= 0)
+                return 0;
+            sum += value;
+        }
+    return sum / (m_patch * m_patch);
+}
+
+void ExemplarPatches::choose(std::span<const PatchSource> sources, bool random, JobContext& context) {
+    for (std::size_t e = 0; e < sources.size(); ++e) {
+        const Size cells{(m_sizes[e].width + m_stride - 1) / m_stride,
+                         (m_sizes[e].height + m_stride - 1) / m_stride};
+        std::vector<int>& nearestCell = m_nearest.emplace_back(static_cast<std::size_t>(cells.area()), -1);
+        const int stream = static_cast<int>(e) << 16;
+        for (int j = 0; j < cells.height; ++j) {
+            context.check();
+            for (int i = 0; i < cells.width; ++i) {
+                int x = i * m_stride, y = j * m_stride;
+                if (random) {
+                    x = static_cast<int>(context.random().below(static_cast<std::uint32_t>(m_sizes[e].width),
+                                                                i, j + stream, 100));
+                    y = static_cast<int>(context.random().below(static_cast<std::uint32_t>(m_sizes[e].height),
+                                                                i, j + stream, 101));
+                }
+                const double weight = weightOf(sources[e], x, y);
+                if (weight <= 0)
+                    continue;
+                const auto cell = static_cast<std::size_t>(y / m_stride * cells.width + x / m_stride);
+                nearestCell[cell] = count();
+                m_sources.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                     static_cast<std::uint16_t>(e)});
+                m_weights.push_back(weight);
+            }
+        }
+    }
+}
+
+std::vector<const Interleaved*> ExemplarPatches::images() const {
+    std::vector<const Interleaved*> images;
+    for (const Interleaved& image : m_images)
+        images.push_back(&image);
+    return images;
+}
+
+Source ExemplarPatches::unmirrored(const Source& source) const {
+    const Size size = m_sizes[source.exemplar];
+    return {static_cast<std::uint16_t>(mirrored(source.x - m_pad, size.width)),
+            static_cast<std::uint16_t>(mirrored(source.y - m_pad, size.height)), source.exemplar};
+}
+
+int ExemplarPatches::nearest(int exemplar, int x, int y) const {
+    const auto e = static_cast<std::size_t>(exemplar);
+    if (x < 0 || y < 0 || x >= m_sizes[e].width || y >= m_sizes[e].height)
+        return -1;
+    const int columns = (m_sizes[e].width + m_stride - 1) / m_stride;
+    return m_nearest[e][static_cast<std::size_t>(y / m_stride * columns + x / m_stride)];
+}
+
+std::vector<int> ExemplarPatches::supply(int persons, Supply kind, JobContext& context) const {
+    const double whole = std::accumulate(m_weights.begin(), m_weights.end(), 0.0);
+    std::vector<int> list;
+    if (kind == Supply::Bootstrap) {
+        std::vector<double> until(m_weights.size());
+        std::partial_sum(m_weights.begin(), m_weights.end(), until.begin());
+        for (int n = 0; n < persons; ++n) {
+            const double draw = context.random().uniform(n, 0, 102) * whole;
+            const auto found = std::upper_bound(until.begin(), until.end(), draw) - until.begin();
+            list.push_back(std::min(static_cast<int>(found), count() - 1));
+        }
+        return list;
+    }
+    struct Copy {
+        std::uint32_t key;
+        int patch;
+    };
+    // In each round every patch is given away as often as its share of one round is.
+    std::vector<std::vector<Copy>> rounds(static_cast<std::size_t>(persons / count() + 3));
+    for (int n = 0; n < count(); ++n) {
+        const double share = persons * m_weights[static_cast<std::size_t>(n)] / whole;
+        const double phase = context.random().uniform(n, 0, 104);
+        for (int k = 0; k < share + 1; ++k) {
+            const double round = std::floor((k + phase) / share * persons / count());
+            rounds[static_cast<std::size_t>(std::min(round, static_cast<double>(rounds.size() - 1)))]
+                .push_back({context.random().bits(n, k, 103), n});
+        }
+        context.check();
+    }
+    for (std::vector<Copy>& round : rounds) {
+        context.check();
+        std::sort(round.begin(), round.end(), [](const Copy& a, const Copy& b) {
+            return a.key != b.key ? a.key < b.key : a.patch < b.patch;
+        });
+        for (const Copy& copy : round)
+            if (static_cast<int>(list.size()) < persons)
+                list.push_back(copy.patch);
+    }
+    return list;
+}
+
+void ExemplarPatches::planar(const float* pixels, std::ptrdiff_t stride, float* to) const {
+    const int pixel = m_images.front().pixel;
+    for (int c = 0; c < m_channels; ++c) {
+        float* plane = to + static_cast<std::ptrdiff_t>(c) * m_area;
+        for (int y = 0; y < m_patch; ++y)
+            for (int x = 0; x < m_patch; ++x)
+                plane[y * m_patch + x] = pixels[y * stride + x * pixel + c];
+        std::fill(plane + m_patch * m_patch, plane + m_area, 0.0F);
+    }
+}
+
+__attribute__((optimize("no-math-errno"))) float ExemplarPatches::cost(const float* wanted, int patch) const {
+    constexpr int kLanes = 8;
+    const float* own = m_planar.data() + static_cast<std::ptrdiff_t>(patch) * patchFloats();
+    float sums[kLanes] = {};
+    for (int i = 0; i < m_area; i += kLanes) {
+        float squares[kLanes] = {};
+        for (int c = 0; c < m_channels; ++c)
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const float difference = wanted[c * m_area + i + lane] - own[c * m_area + i + lane];
+                squares[lane] += difference * difference;
+            }
+        for (int lane = 0; lane < kLanes; ++lane)
+            sums[lane] += std::sqrt(squares[lane]);
+    }
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+void ExemplarPatches::findSimilar(JobContext& context) {
+    const std::vector<const Interleaved*> all = images();
+    const PatchBasis basis(all, m_channels, m_patch, [&context] { context.check(); });
+    std::vector<PatchBasis::Descriptor> descriptors;
+    std::vector<int> order(static_cast<std::size_t>(count()));
+    std::iota(order.begin(), order.end(), 0);
+    for (const Source& source : m_sources) {
+        if (descriptors.size() % 256 == 0)
+            context.check();
+        const Interleaved& image = m_images[source.exemplar];
+        descriptors.push_back(basis.describe(image.at(source.x, source.y), image.stride()));
+    }
+    const auto key = [&](int n) { return descriptors[static_cast<std::size_t>(n)][0]; };
+    std::sort(order.begin(), order.end(),
+              [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+    m_similar.assign(static_cast<std::size_t>(count()) * kSimilar, -1);
+    constexpr int kChunk = 64;
+    context.parallel(0, (count() + kChunk - 1) / kChunk, [&](int chunk) {
+        std::vector<std::pair<float, int>> near;
+        for (int i = chunk * kChunk; i < std::min(count(), (chunk + 1) * kChunk); ++i) {
+            context.check();
+            near.clear();
+            const int self = order[static_cast<std::size_t>(i)];
+            for (int j = std::max(0, i - kWindow); j < std::min(count(), i + kWindow); ++j) {
+                const int other = order[static_cast<std::size_t>(j)];
+                float apart = 0;
+                for (std::size_t a = 0; a < PatchBasis::kAxes; ++a) {
+                    const float d = descriptors[static_cast<std::size_t>(self)][a] -
+                                    descriptors[static_cast<std::size_t>(other)][a];
+                    apart += d * d;
+                }
+                if (other != self)
+                    near.emplace_back(apart, other);
+            }
+            const auto kept = std::min<std::size_t>(kSimilar, near.size());
+            std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
+            for (std::size_t k = 0; k < kept; ++k)
+                m_similar[static_cast<std::size_t>(self) * kSimilar + k] = near[k].second;
+        }
+    });
+}
+
+} // namespace texloom::patch_assignment

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/job/job_context.h"
+#include "core/match/interleaved.h"
+#include "core/match/patch_match.h"
+#include "core/methods/patch_assignment/settings.h"
+
+#include <span>
+#include <vector>
+
+namespace texloom::patch_assignment {
+
+/// The exemplars' patches on one scale: those that are to be assigned. Exemplars are mirrored at their
+/// borders, so that patches lie around every pixel of the grid.
+class ExemplarPatches {
+public:
+    /// Most patches that are similar to one which are kept.
+    static constexpr int kSimilar = 6;
+
+    ExemplarPatches(std::span<const PatchSource> sources, const Settings& settings, bool random,
+                    JobContext& context);
+
+    int count() const { return static_cast<int>(m_sources.size()); }
+    /// Top left pixel of each patch in the mirrored exemplars.
+    const std::vector<Source>& sources() const { return m_sources; }
+    /// The mirrored exemplars.
+    std::vector<const Interleaved*> images() const;
+    /// The same pixel in the exemplar itself.
+    Source unmirrored(const Source& source) const;
+    /// The patch nearest to a place in a mirrored exemplar, or −1 far from any.
+    int nearest(int exemplar, int x, int y) const;
+    /// How often each patch should be used by `persons` patches, in the order in which they are to be given
+    /// away: all once, at random, then all again; by the mask's values where there is one.
+    std::vector<int> supply(int persons, Supply kind, JobContext& context) const;
+
+    /// Costs are for patches in this form: pixels of one channel after another.
+    int patchFloats() const { return m_area * m_channels; }
+    void planar(const float* pixels, std::ptrdiff_t stride, float* to) const;
+    /// Sum over the pixels of the Euclidean distance between colours, ‖·‖₁,₂.
+    float cost(const float* planar, int patch) const;
+
+    /// kSimilar patches like each one.
+    void findSimilar(JobContext& context);
+    const int* similar(int patch) const {
+        return m_similar.data() + static_cast<std::ptrdiff_t>(patch) * kSimilar;
+    }
+
+private:
+    void add(const PatchSource& source);
+    void choose(std::span<const PatchSource> sources, bool random, JobContext& context);
+    double weightOf(const PatchSource& source, int x, int y) const;
+
+    int m_patch, m_stride, m_channels, m_area, m_pad;
+    std::vector<Size> m_sizes;
+    std::vector<Interleaved> m_images;
+    std::vector<Source> m_sources;
+    std::vector<double> m_weights;
+    std::vector<float> m_planar;
+    std::vector<std::vector<int>> m_nearest; ///< by exemplar and cell of the grid
+    std::vector<int> m_similar;
+};
+
+} // namespace texloom::patch_assignment

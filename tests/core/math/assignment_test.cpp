@@ -1,0 +1,160 @@
+#include "core/job/job.h"
+#include "core/job/random.h"
+#include "core/math/assignment.h"
+
+#include <gtest/gtest.h>
+#include <lemon/network_simplex.h>
+#include <lemon/smart_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace texloom::test {
+
+namespace {
+
+/// Whole costs, so that the simplex method's are the same.
+AssignmentCosts randomCosts(int persons, int objects, int largest, int number) {
+    const Random random(11);
+    AssignmentCosts costs{persons, objects, {}, {}, objects};
+    for (int i = 0; i < persons; ++i)
+        for (int j = 0; j < objects; ++j)
+            costs.costs.push_back(static_cast<float>(
+                random.below(static_cast<std::uint32_t>(largest), i, j, static_cast<std::uint32_t>(number))));
+    return costs;
+}
+
+double costOf(const AssignmentCosts& costs, const std::vector<int>& objects) {
+    double sum = 0;
+    for (int i = 0; i < costs.persons; ++i)
+        sum += static_cast<double>(costs.row(i)[objects[static_cast<std::size_t>(i)]]);
+    return sum;
+}
+
+/// The smallest cost by LEMON's network simplex.
+double smallestCost(const AssignmentCosts& costs, const std::vector<int>& places) {
+    lemon::SmartDigraph graph;
+    std::vector<lemon::SmartDigraph::Node> persons, objects;
+    for (int i = 0; i < costs.persons; ++i)
+        persons.push_back(graph.addNode());
+    for (int j = 0; j < costs.objects; ++j)
+        objects.push_back(graph.addNode());
+    lemon::SmartDigraph::ArcMap<std::int64_t> cost(graph);
+    lemon::SmartDigraph::NodeMap<std::int64_t> supply(graph, 0);
+    for (int i = 0; i < costs.persons; ++i) {
+        supply[persons[static_cast<std::size_t>(i)]] = 1;
+        for (int j = 0; j < costs.objects; ++j)
+            cost[graph.addArc(persons[static_cast<std::size_t>(i)], objects[static_cast<std::size_t>(j)])] =
+                static_cast<std::int64_t>(costs.row(i)[j]);
+    }
+    for (int j = 0; j < costs.objects; ++j)
+        supply[objects[static_cast<std::size_t>(j)]] = -places[static_cast<std::size_t>(j)];
+    lemon::NetworkSimplex<lemon::SmartDigraph, std::int64_t> simplex(graph);
+    simplex.costMap(cost).supplyMap(supply).run();
+    return static_cast<double>(simplex.totalCost());
+}
+
+struct Solved {
+    std::vector<int> first, again; ///< the second time with the prices of the first
+};
+
+Solved solved(const AssignmentCosts& costs, const std::vector<int>& places, const AssignmentOptions& options,
+              int threads = 2) {
+    Job<Solved> job({1, threads, false}, [&](JobContext& context) {
+        Assigner assigner(places);
+        Solved both;
+        both.first = assigner.assign(costs, options, context);
+        both.again = assigner.assign(costs, options, context);
+        return both;
+    });
+    return std::get<Solved>(job.take());
+}
+
+std::vector<int> uses(const std::vector<int>& objects, int count) {
+    std::vector<int> counts(static_cast<std::size_t>(count), 0);
+    for (const int object : objects)
+        ++counts[static_cast<std::size_t>(object)];
+    return counts;
+}
+
+} // namespace
+
+TEST(Assignment, exactCostIsThatOfTheNetworkSimplex) {
+    int number = 0;
+    for (const int size : {1, 2, 7, 60, 200, 500})
+        for (const int largest : {5, 1000, 1000000}) {
+            const AssignmentCosts costs = randomCosts(size, size, largest, number++);
+            const std::vector<int> places(static_cast<std::size_t>(size), 1);
+            const double smallest = smallestCost(costs, places);
+            const Solved found = solved(costs, places, {});
+            EXPECT_EQ(costOf(costs, found.first), smallest) << size << ", costs to " << largest;
+            EXPECT_EQ(costOf(costs, found.again), smallest) << size << ", costs to " << largest;
+            EXPECT_EQ(uses(found.first, size), places);
+        }
+}
+
+TEST(Assignment, objectsWithSeveralPlacesAreFilledExactly) {
+    const std::vector<int> places = {3, 0, 5, 1, 20, 7, 4};
+    const AssignmentCosts costs = randomCosts(40, 7, 500, 77);
+    const Solved found = solved(costs, places, {});
+    EXPECT_EQ(uses(found.first, 7), places);
+    EXPECT_EQ(costOf(costs, found.first), smallestCost(costs, places));
+    EXPECT_EQ(costOf(costs, found.again), smallestCost(costs, places));
+    EXPECT_EQ(uses(solved(costs, places, {10}).first, 7), places);
+}
+
+TEST(Assignment, auctionComesWithinEpsilonForEachPerson) {
+    for (const double epsilon : {0.5, 5.0, 50.0}) {
+        const AssignmentCosts costs = randomCosts(150, 150, 1000, 5);
+        const std::vector<int> places(150, 1);
+        const double smallest = smallestCost(costs, places);
+        const Solved found = solved(costs, places, {epsilon});
+        EXPECT_LE(costOf(costs, found.first), smallest + 150 * epsilon + 0.01);
+        EXPECT_LE(costOf(costs, found.again), smallest + 150 * epsilon + 0.01);
+        EXPECT_EQ(uses(found.first, 150), places);
+    }
+}
+
+TEST(Assignment, threadsChangeNothing) {
+    const AssignmentCosts costs = randomCosts(300, 300, 50, 6);
+    const std::vector<int> places(300, 1);
+    for (const double epsilon : {0.0, 2.0})
+        EXPECT_EQ(solved(costs, places, {epsilon}, 1).again, solved(costs, places, {epsilon}, 7).again);
+}
+
+TEST(Assignment, relaxedGoesFromTheNearestToTheAssignment) {
+    const AssignmentCosts costs = randomCosts(120, 120, 1000, 8);
+    const std::vector<int> places(120, 1);
+    double nearest = 0;
+    for (int i = 0; i < 120; ++i)
+        nearest += static_cast<double>(*std::min_element(costs.row(i), costs.row(i) + 120));
+    const auto cost = [&](double rho) { return costOf(costs, solved(costs, places, {0.01, rho}).first); };
+    EXPECT_NEAR(cost(0), nearest, 120 * 0.01);
+    const Solved large = solved(costs, places, {0.01, 5000});
+    EXPECT_EQ(uses(large.first, 120), places);
+    EXPECT_NEAR(costOf(costs, large.first), smallestCost(costs, places), 120 * 0.01);
+    EXPECT_GE(cost(100) + 1, cost(10));
+    EXPECT_GT(cost(100), nearest);
+}
+
+TEST(Assignment, relaxedIsTheBestTradeOfCostsAndUses) {
+    // Small enough to try everything.
+    const AssignmentCosts costs = randomCosts(5, 4, 40, 9);
+    const std::vector<int> places = {1, 2, 0, 2};
+    for (const double rho : {0.0, 3.0, 8.0, 30.0}) {
+        const auto total = [&](const std::vector<int>& objects) {
+            double sum = costOf(costs, objects);
+            const std::vector<int> counts = uses(objects, 4);
+            for (std::size_t j = 0; j < 4; ++j)
+                sum += rho * std::abs(counts[j] - places[j]);
+            return sum;
+        };
+        double best = HUGE_VAL;
+        for (int code = 0; code < 1024; ++code)
+            best = std::min(best, total({code % 4, code / 4 % 4, code / 16 % 4, code / 64 % 4, code / 256}));
+        EXPECT_NEAR(total(solved(costs, places, {0.001, rho}).first), best, 5 * 0.001) << "rho " << rho;
+    }
+}
+
+} // namespace texloom::test

@@ -1,0 +1,121 @@
+#include "core/analysis/map_usage.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace texloom::test {
+
+namespace {
+
+Synthesis made(const Request& request, const Values& settings) {
+    const Method& method = findMethod("patch-assignment");
+    const Values all = method.resolved(settings, request.exemplars.front().image->size());
+    method.check(request, all);
+    Job<Synthesis> job({request.seed, 2, false},
+                       [&](JobContext& context) { return method.run(request, all, context); });
+    return std::get<Synthesis>(job.take());
+}
+
+Request requestFor(Image exemplar, Size size) {
+    Request request;
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar)), nullptr});
+    request.size = size;
+    request.seed = 3;
+    return request;
+}
+
+Values with(Values settings, const Values& more) {
+    for (const auto& [name, value] : more)
+        settings[name] = value;
+    return settings;
+}
+
+const Values kShort = {{"coarse-iterations", 8}, {"fine-iterations", 5}};
+const Values kOneScale = {{"scales", 1}, {"fine-iterations", 12}};
+
+} // namespace
+
+TEST(PatchAssignment, energyNeverRisesWithinAScale) {
+    const Synthesis result = made(requestFor(blobs({48, 48}, 3), {48, 48}), kOneScale);
+    const std::vector<double>& energy = result.curves.front().values;
+    ASSERT_GE(energy.size(), 3U);
+    for (std::size_t i = 1; i < energy.size(); ++i)
+        EXPECT_LE(energy[i], energy[i - 1] * (1 + 1e-5)) << "iteration " << i;
+}
+
+TEST(PatchAssignment, keepsTheColoursThatNearestPatchesLose) {
+    // A few bright dots on grey: nearest neighbours prefer the grey.
+    Image dots = constant({48, 48}, 1, 0.3F);
+    for (int y = 4; y < 48; y += 12)
+        for (int x = 4; x < 48; x += 12)
+            for (int v = 0; v < 3; ++v)
+                for (int u = 0; u < 3; ++u)
+                    dots(x + u, y + v, 0) = 1;
+    const Request request = requestFor(dots, {48, 48});
+    const double wanted = channelMeans(dots)[0] - 0.3;
+    const double assigned = channelMeans(made(request, kShort).image)[0] - 0.3;
+    const double nearest =
+        channelMeans(made(request, with(kShort, {{"relaxed", true}, {"rho", 0.0}})).image)[0] - 0.3;
+    EXPECT_GT(assigned, 0.5 * wanted);
+    EXPECT_LT(nearest, assigned);
+}
+
+TEST(PatchAssignment, nearOptimalCostIsAboveTheExactByEpsilonAtMost) {
+    const Request request = requestFor(blobs({64, 64}, 3), {64, 64});
+    const Values once = {{"scales", 1}, {"fine-iterations", 1}};
+    const ValueRange range = valueRange(*request.exemplars.front().image);
+    const double exact = made(request, once).curves.front().values.front();
+    const double near = made(request, with(once, {{"epsilon", 0.5}})).curves.front().values.front();
+    EXPECT_GE(near, exact * (1 - 1e-6));
+    EXPECT_LE(near, exact + 0.5 * static_cast<double>(range.largest - range.smallest) + 1e-3);
+}
+
+TEST(PatchAssignment, everySwitchGivesASoundResult) {
+    const Request request = requestFor(blobs({40, 44}, 3), {60, 50});
+    const Image plain = made(request, kShort).image;
+    const ValueRange range = valueRange(*request.exemplars.front().image);
+    const std::vector<Values> switches = {
+        {{"grid", std::string("random")}}, {{"grid", std::string("hybrid")}},      {{"epsilon", 2.0}},
+        {{"relaxed", true}, {"rho", 1.0}}, {{"supply", std::string("bootstrap")}}, {{"patch", 12}},
+        {{"finish", std::string("copy")}}};
+    for (const Values& settings : switches) {
+        const Image image = made(request, with(kShort, settings)).image;
+        EXPECT_FALSE(samePixels(image, plain)) << settings.begin()->first;
+        EXPECT_GE(valueRange(image).smallest, range.smallest - 1e-4F);
+        EXPECT_LE(valueRange(image).largest, range.largest + 1e-4F);
+    }
+}
+
+TEST(PatchAssignment, maskSaysHowOftenPatchesAreUsed) {
+    Request request = requestFor(blobs({64, 64}, 3), {64, 64});
+    Image mask = constant({64, 64}, 1, 1);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            mask(x, y, 0) = x < 20 ? 0.0F : x < 40 ? 0.2F : 1.0F;
+    request.exemplars.front().mask = std::make_shared<const Image>(mask);
+    const Synthesis result = made(request, kShort);
+    const Image use = occurrence(result.map, 0);
+    const auto mean = [&](int left, int right) {
+        double sum = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = left; x < right; ++x)
+                sum += static_cast<double>(use(x, y, 0));
+        return sum / (64 * (right - left));
+    };
+    EXPECT_EQ(mean(0, 20), 0);
+    EXPECT_LT(mean(26, 34), 0.5 * mean(46, 60));
+    EXPECT_GT(mean(26, 34), 0);
+}
+
+TEST(PatchAssignment, copyHasAnExactMap) {
+    const Request request = requestFor(blobs({48, 48}, 3), {70, 60});
+    const Synthesis result = made(request, with(kShort, {{"finish", std::string("copy")}}));
+    EXPECT_EQ(result.mapKind, MapKind::Exact);
+    EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));
+}
+
+} // namespace texloom::test
