@@ -2,6 +2,7 @@
 add_library(texloom_options INTERFACE)
 target_compile_options(texloom_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+  -fno-math-errno   # nobody asks errno; without it square roots do not vectorise
   -ffp-contract=off # the same bits whether or not the machine has fused multiply-add
   $<$<BOOL:${TEXLOOM_WERROR}>:-Werror>)
 target_include_directories(texloom_options INTERFACE ${PROJECT_SOURCE_DIR})

@@ -320,6 +320,7 @@ RunInput loadAndWarn(const Recipe& recipe) {
 
 void runInput(RunInput input, const OutputOptions& out) {
     input.threads = out.threads;
+    input.judged = !out.report.empty();
     execute(planRun(input, memoryLimit(out), true), input.exemplars.front().image, out);
 }
 

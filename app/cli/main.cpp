@@ -68,7 +68,7 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
     command.add_option("--region", options.region,
-                        "Part of the output to make, as x,y,width,height; it equals that part of the whole");
+                       "Part of the output to make, as x,y,width,height; it equals that part of the whole");
     command
         .add_option("--companion", options.companions,
                     "Map of the exemplar's size to lay out alike; may be repeated")

@@ -46,30 +46,43 @@ template <class T> struct BestTwo {
     }
 };
 
+/// As many values as fit a vector of every machine: larger ones are taken apart badly.
 template <class T> struct Lanes;
 template <> struct Lanes<float> {
     using Values = float __attribute__((vector_size(16)));
     using Places = std::int32_t __attribute__((vector_size(16)));
+    static constexpr int kCount = 4;
+    static constexpr Places kFirst = {0, 1, 2, 3};
+
+    static Values costs(const float* from) { return Values{from[0], from[1], from[2], from[3]}; }
 };
 template <> struct Lanes<double> {
-    using Values = double __attribute__((vector_size(32)));
-    using Places = std::int64_t __attribute__((vector_size(32)));
+    using Values = double __attribute__((vector_size(16)));
+    using Places = std::int64_t __attribute__((vector_size(16)));
+    static constexpr int kCount = 2;
+    static constexpr Places kFirst = {0, 1};
+
+    static Values costs(const float* from) {
+        return Values{static_cast<double>(from[0]), static_cast<double>(from[1])};
+    }
 };
 
-/// Four values of costs with prices at once: left to itself the compiler does not make vectors of this.
+template <class Values, class T> Values load(const T* from) {
+    Values values;
+    __builtin_memcpy(&values, from, sizeof values);
+    return values;
+}
+
+/// The two best sums of costs and prices.
 template <class T> BestTwo<T> bestTwo(const float* costs, const T* prices, int count) {
-    using Values = typename Lanes<T>::Values;
-    using Places = typename Lanes<T>::Places;
-    constexpr T kMost = std::numeric_limits<T>::infinity();
-    Values best = {kMost, kMost, kMost, kMost}, second = best;
-    Places where = {-1, -1, -1, -1}, now = {0, 1, 2, 3};
+    using Lane = Lanes<T>;
+    using Values = typename Lane::Values;
+    using Places = typename Lane::Places;
+    Values best = Values{} + std::numeric_limits<T>::infinity(), second = best;
+    Places where = Places{} - 1, now = Lane::kFirst;
     int i = 0;
-    for (; i + 4 <= count; i += 4, now += 4) {
-        Lanes<float>::Values cost;
-        Values price;
-        __builtin_memcpy(&cost, costs + i, sizeof cost);
-        __builtin_memcpy(&price, prices + i, sizeof price);
-        const Values value = __builtin_convertvector(cost, Values) + price;
+    for (; i + Lane::kCount <= count; i += Lane::kCount, now += Lane::kCount) {
+        const Values value = Lane::costs(costs + i) + load<Values>(prices + i);
         const Places better = value < best;
         const Values loser = better ? best : value;
         second = loser < second ? loser : second;
@@ -77,7 +90,7 @@ template <class T> BestTwo<T> bestTwo(const float* costs, const T* prices, int c
         where = better ? now : where;
     }
     BestTwo<T> result;
-    for (int lane = 0; lane < 4; ++lane)
+    for (int lane = 0; lane < Lane::kCount; ++lane)
         result.add(static_cast<int>(where[lane]), best[lane], second[lane]);
     for (; i < count; ++i)
         result.add(i, static_cast<T>(costs[i]) + prices[i]);
@@ -92,18 +105,41 @@ public:
           m_closed(prices.size(), 0) {}
 
     /// Tries the ways over `person` to everything not closed yet: `base` and the cost with the price.
-    void relax(const float* costs, int person, double base) {
+    /// @return the object that is nearest then.
+    int relax(const float* costs, int person, double base) {
+        using Lane = Lanes<double>;
+        using Values = Lane::Values;
         const auto who = static_cast<double>(person);
-        const std::size_t count = m_prices.size();
-        for (std::size_t object = 0; object < count; ++object) {
-            const double through = static_cast<double>(costs[object]) + m_prices[object] + base;
-            const bool better = through < m_open[object];
-            m_open[object] = better ? through : m_open[object];
-            m_from[object] = better ? who : m_from[object];
+        const int count = static_cast<int>(m_prices.size());
+        Values best = Values{} + kInfinite;
+        Lane::Places where = Lane::Places{} - 1, now = Lane::kFirst;
+        int object = 0;
+        for (; object + Lane::kCount <= count; object += Lane::kCount, now += Lane::kCount) {
+            Values open = load<Values>(m_open.data() + object);
+            Values from = load<Values>(m_from.data() + object);
+            const Values through =
+                Lane::costs(costs + object) + load<Values>(m_prices.data() + object) + base;
+            const Lane::Places better = through < open;
+            open = better ? through : open;
+            from = better ? Values{} + who : from;
+            __builtin_memcpy(m_open.data() + object, &open, sizeof open);
+            __builtin_memcpy(m_from.data() + object, &from, sizeof from);
+            const Lane::Places nearer = open < best;
+            best = nearer ? open : best;
+            where = nearer ? now : where;
         }
-    }
-    int nearest() const {
-        return static_cast<int>(std::min_element(m_open.begin(), m_open.end()) - m_open.begin());
+        BestTwo<double> nearest;
+        for (int lane = 0; lane < Lane::kCount; ++lane)
+            nearest.add(static_cast<int>(where[lane]), best[lane], best[lane]);
+        for (; object < count; ++object) {
+            const double through = static_cast<double>(costs[object]) + m_prices[at(object)] + base;
+            if (through < m_open[at(object)]) {
+                m_open[at(object)] = through;
+                m_from[at(object)] = who;
+            }
+            nearest.add(object, m_open[at(object)]);
+        }
+        return nearest.place;
     }
     /// No shorter way to this object will be found.
     double close(int object) {
@@ -345,11 +381,11 @@ int Assigner::freePlace(int object) const {
 void Assigner::augment(const AssignmentCosts& costs, int person, JobContext& context) {
     Paths paths(m_price);
     std::vector<int> scanned;
-    paths.relax(costs.row(person), person, 0);
+    int nearest = paths.relax(costs.row(person), person, 0);
     int end = -1;
     while (end < 0) {
         context.check();
-        const int object = paths.nearest();
+        const int object = nearest;
         const double length = paths.close(object);
         scanned.push_back(object);
         if (freePlace(object) >= 0)
@@ -357,7 +393,7 @@ void Assigner::augment(const AssignmentCosts& costs, int person, JobContext& con
         for (int place = m_begin[at(object)]; place < m_begin[at(object) + 1] && end < 0; ++place) {
             const int holder = m_holder[at(place)];
             const double paid = static_cast<double>(costs.row(holder)[object]) + m_price[at(object)];
-            paths.relax(costs.row(holder), holder, length - paid);
+            nearest = paths.relax(costs.row(holder), holder, length - paid);
         }
     }
     for (const int object : scanned)

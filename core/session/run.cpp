@@ -161,22 +161,30 @@ void addOccurrences(const std::vector<Image>& occurrences, std::vector<Picture>&
     }
 }
 
-std::vector<Figure> measure(Synthesis& synthesis, const Request& request, JobContext& context) {
+/// The method's own figures and those of the result alone; with `exemplars`, also how like them it is.
+std::vector<Figure> measure(Synthesis& synthesis, const std::vector<ImageView>& exemplars,
+                            JobContext& context) {
     const auto check = [&context] { context.check(); };
     std::vector<Figure> figures = synthesis.figures;
+    const SeamScore seam = seamScore(synthesis.image, check);
+    figures.push_back({TR("Seam, left to right"), seam.x});
+    figures.push_back({TR("Seam, top to bottom"), seam.y});
+    if (exemplars.empty())
+        return figures;
     if (synthesis.mapKind != MapKind::None) {
         const std::vector<Image> occurrences = occurrencesOf(synthesis.map, check);
         append(figures, mapFigures(synthesis.map, synthesis.mapKind, occurrences, check));
         addOccurrences(occurrences, synthesis.pictures);
     }
-    const SeamScore seam = seamScore(synthesis.image, check);
-    figures.push_back({TR("Seam, left to right"), seam.x});
-    figures.push_back({TR("Seam, top to bottom"), seam.y});
-    std::vector<ImageView> exemplars;
-    for (const Exemplar& exemplar : request.exemplars)
-        exemplars.push_back(exemplar.image->view().channelRange(0, request.resultChannels()));
     append(figures, distanceFigures(textureDistance(synthesis.image, exemplars, context)));
     return figures;
+}
+
+std::vector<ImageView> exemplarViews(const Request& request) {
+    std::vector<ImageView> views;
+    for (const Exemplar& exemplar : request.exemplars)
+        views.push_back(exemplar.image->view().channelRange(0, request.resultChannels()));
+    return views;
 }
 
 /// Splits the companions' channels off the image.
@@ -205,12 +213,13 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
         result.synthesis = step.method->run(request, step.settings, context);
     }
     unstack(result, plan);
-    context.stage(0, TR("Measuring the result"));
-    result.figures = measure(result.synthesis, request, context);
+    for (const StageTime& stage : context.stageTimes())
+        result.seconds += stage.seconds;
+    context.stage(0, TR("Judging the result"));
+    result.figures =
+        measure(result.synthesis, plan.judged ? exemplarViews(request) : std::vector<ImageView>(), context);
     result.plan = plan;
     result.stages = context.stageTimes();
-    for (const StageTime& stage : result.stages)
-        result.seconds += stage.seconds;
     return result;
 }
 
@@ -280,6 +289,7 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
         failUsage("There is no exemplar to learn from.");
     checkCompanions(input);
     plan.threads = threadCount(input.threads);
+    plan.judged = input.judged;
     plan.memoryBefore = residentMemory();
     const std::vector<RecipeStep> steps = stepsOf(input);
     const bool stacks =
@@ -305,6 +315,7 @@ RunPlan RunPlan::strip(int y) const {
     RunPlan one = *this;
     one.request.region = Region{part.x, y, {part.size.width, std::min(stripRows, part.bottom() - y)}};
     one.stripRows = 0;
+    one.judged = false;
     return one;
 }
 

@@ -35,6 +35,7 @@ struct RunInput {
     std::uint64_t seed = 0;
     std::optional<Region> region; ///< the part to make, which equals that part of the whole; all if not given
     int threads = 0;              ///< 0: one per core; changes the time and memory it takes, never the result
+    bool judged = true;           ///< whether the result is compared with its exemplars: see Result::figures
 };
 
 /// One method of a run, with complete settings.
@@ -58,6 +59,7 @@ struct RunPlan {
     /// Where the whole does not fit in memory, but the method makes regions: how many rows at a time do. Else
     /// 0.
     int stripRows = 0;
+    bool judged = true; ///< as RunInput::judged
 
     const Method& lastMethod() const { return *steps.back().method; }
     /// The methods' ids with `separator` between them.
@@ -89,7 +91,7 @@ struct Result {
     std::vector<Image> companions; ///< as they were made, where they do not follow from the map
     std::vector<Figure> figures;   ///< the method's, and the quality figures that every result gets
     std::vector<StageTime> stages;
-    double seconds = 0; ///< of work, on plan.threads threads
+    double seconds = 0; ///< of the methods' work, on plan.threads threads; judging the result is not in it
 
     /// Companion map `index` of the plan's exemplars in the result's layout. There must be one, and either a
     /// map of the result or companions made with it.

@@ -35,8 +35,9 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed 
 /// The defaults, but with no more than three iterations: they are alike in all that is asked here.
 Values briefSettings(const Method& method, const Request& request) {
     Values settings = method.resolved({}, request.exemplars.front().image->size());
-    if (const auto found = settings.find("iterations"); found != settings.end())
-        found->second = std::min(std::get<int>(found->second), 3);
+    for (auto& [name, value] : settings)
+        if (name.ends_with("iterations"))
+            value = std::min(std::get<int>(value), 3);
     return settings;
 }
 

@@ -169,13 +169,13 @@ void ExemplarPatches::planar(const float* pixels, std::ptrdiff_t stride, float* 
     }
 }
 
-__attribute__((optimize("no-math-errno"))) float ExemplarPatches::cost(const float* wanted, int patch) const {
+template <int kChannels> float ExemplarPatches::costOf(const float* wanted, const float* own) const {
     constexpr int kLanes = 8;
-    const float* own = m_planar.data() + static_cast<std::ptrdiff_t>(patch) * patchFloats();
+    const int channels = kChannels > 0 ? kChannels : m_channels;
     float sums[kLanes] = {};
     for (int i = 0; i < m_area; i += kLanes) {
         float squares[kLanes] = {};
-        for (int c = 0; c < m_channels; ++c)
+        for (int c = 0; c < channels; ++c)
             for (int lane = 0; lane < kLanes; ++lane) {
                 const float difference = wanted[c * m_area + i + lane] - own[c * m_area + i + lane];
                 squares[lane] += difference * difference;
@@ -184,6 +184,11 @@ __attribute__((optimize("no-math-errno"))) float ExemplarPatches::cost(const flo
             sums[lane] += std::sqrt(squares[lane]);
     }
     return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+float ExemplarPatches::cost(const float* planar, int patch) const {
+    const float* own = m_planar.data() + static_cast<std::ptrdiff_t>(patch) * patchFloats();
+    return m_channels == 3 ? costOf<3>(planar, own) : costOf<0>(planar, own);
 }
 
 void ExemplarPatches::findSimilar(JobContext& context) {

@@ -48,6 +48,7 @@ public:
 private:
     void add(const PatchSource& source);
     void choose(std::span<const PatchSource> sources, bool random, JobContext& context);
+    template <int kChannels> float costOf(const float* wanted, const float* own) const;
     double weightOf(const PatchSource& source, int x, int y) const;
 
     int m_patch, m_stride, m_channels, m_area, m_pad;
