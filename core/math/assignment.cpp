@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace texloom {
 
@@ -170,6 +171,16 @@ double meanCost(const AssignmentCosts& costs) {
 
 } // namespace
 
+int AssignmentCosts::place(int person, int object) const {
+    if (choices.empty())
+        return object;
+    const auto begin = choices.begin() + static_cast<std::ptrdiff_t>(person) * perRow;
+    const auto found = std::find(begin, begin + perRow, object);
+    return found == begin + perRow ? -1 : static_cast<int>(found - begin);
+}
+
+struct Assigner::Offers : BestTwo<float> {};
+
 Assigner::Assigner(std::vector<int> places) : m_places(std::move(places)) {
     m_begin.push_back(0);
     for (const int count : m_places)
@@ -218,32 +229,71 @@ std::vector<int> Assigner::assign(const AssignmentCosts& costs, const Assignment
     const bool relaxed = std::isfinite(options.relaxation);
     const bool exact = options.epsilon <= 0 && !relaxed;
     const double last = options.epsilon > 0 ? options.epsilon : (exact ? kRough : kLast) * mean;
+    const bool stay = m_warm && !relaxed && at(costs.persons) == m_object.size();
     if (relaxed)
         reset(-options.relaxation); // an object that nobody wants must stay at the lowest price
     if (!m_warm && !relaxed)
         for (double epsilon = kFirst * mean; epsilon > 2 * last; epsilon /= kScaling)
-            auction(costs, epsilon, kInfinite, context);
+            auction(costs, epsilon, kInfinite, false, context);
     if (!exact || !m_warm)
-        auction(costs, last, relaxed ? options.relaxation : kInfinite, context);
+        auction(costs, last, relaxed ? options.relaxation : kInfinite, stay, context);
     m_warm = true;
     if (exact)
         solveExactly(costs, context);
     return m_object;
 }
 
-/// Everybody bids until all have an object. Prices stay as they are at first.
-void Assigner::auction(const AssignmentCosts& costs, double epsilon, double ceiling, JobContext& context) {
+/// Takes their objects from all.
+std::vector<int> Assigner::everybody(int persons) {
     std::fill(m_holder.begin(), m_holder.end(), -1);
-    m_object.assign(at(costs.persons), -1);
+    m_object.assign(at(persons), -1);
+    std::vector<int> all(at(persons));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+/// Takes the objects from those for whom, at these prices, another would be better by more than ε.
+/// @return everybody without an object.
+std::vector<int> Assigner::discontented(const AssignmentCosts& costs, double epsilon, JobContext& context) {
+    std::vector<double> paid(at(costs.persons), kInfinite);
+    for (std::size_t object = 0; object < m_places.size(); ++object)
+        for (int place = m_begin[object]; place < m_begin[object + 1]; ++place)
+            if (m_holder[at(place)] >= 0)
+                paid[at(m_holder[at(place)])] = m_placePrice[at(place)];
+    std::vector<std::uint8_t> leaves(at(costs.persons), 0);
+    context.parallel(0, (costs.persons + kChunk - 1) / kChunk, [&](int chunk) {
+        for (int person = chunk * kChunk; person < std::min(costs.persons, (chunk + 1) * kChunk); ++person) {
+            const int place = costs.place(person, m_object[at(person)]);
+            const double has =
+                place < 0 ? kInfinite : static_cast<double>(costs.row(person)[place]) + paid[at(person)];
+            const auto best = static_cast<double>(offersTo(costs, person).best);
+            leaves[at(person)] = has > best + epsilon ? 1 : 0;
+        }
+    });
+    for (int& holder : m_holder)
+        if (holder >= 0 && leaves[at(holder)] != 0)
+            holder = -1;
+    std::vector<int> left;
+    for (int person = 0; person < costs.persons; ++person)
+        if (leaves[at(person)] != 0) {
+            m_object[at(person)] = -1;
+            left.push_back(person);
+        }
+    return left;
+}
+
+/// Bids are made until everybody has an object: at first by all, or with `stay` by those whose object no
+/// longer suits them. Prices begin as they are.
+void Assigner::auction(const AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
+                       JobContext& context) {
     if (std::isfinite(ceiling))
         for (std::size_t object = 0; object < m_places.size(); ++object)
             if (m_places[object] == 0) {
                 m_price[object] = ceiling;
                 m_scanned[object] = static_cast<float>(ceiling);
             }
-    std::vector<int> bidders, waiting;
-    for (int person = 0; person < costs.persons; ++person)
-        bidders.push_back(person);
+    std::vector<int> bidders = stay ? discontented(costs, epsilon, context) : everybody(costs.persons),
+                     waiting;
     std::vector<Bid> bids;
     while (!bidders.empty()) {
         context.check();
@@ -269,16 +319,21 @@ void Assigner::auction(const AssignmentCosts& costs, double epsilon, double ceil
     }
 }
 
+Assigner::Offers Assigner::offersTo(const AssignmentCosts& costs, int person) const {
+    const float* row = costs.row(person);
+    if (costs.choices.empty())
+        return {bestTwo(row, m_scanned.data(), costs.perRow)};
+    Offers two;
+    for (int place = 0; place < costs.perRow; ++place)
+        two.add(place, row[place] + m_scanned[at(costs.object(person, place))]);
+    return two;
+}
+
 /// The best object for a person, and the price at which the second best would be as good, and ε more.
 Assigner::Bid Assigner::bidOf(const AssignmentCosts& costs, int person, double epsilon,
                               double ceiling) const {
     const float* row = costs.row(person);
-    BestTwo<float> two;
-    if (costs.choices.empty())
-        two = bestTwo(row, m_scanned.data(), costs.perRow);
-    else
-        for (int place = 0; place < costs.perRow; ++place)
-            two.add(place, row[place] + m_scanned[at(costs.object(person, place))]);
+    const Offers two = offersTo(costs, person);
     const int object = costs.object(person, two.place);
     const auto cost = static_cast<double>(row[two.place]);
     const double another = std::min(static_cast<double>(two.second), cost + m_second[at(object)]);

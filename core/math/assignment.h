@@ -25,6 +25,8 @@ struct AssignmentCosts {
                                : choices[static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow) +
                                          static_cast<std::size_t>(place)];
     }
+    /// The place of an object in a person's row, or −1.
+    int place(int person, int object) const;
 };
 
 /// How well persons are to be assigned.
@@ -58,8 +60,13 @@ private:
         int object = -1;
         double price = 0;
     };
+    struct Offers; ///< the best two of a row
     void reset(double price);
-    void auction(const AssignmentCosts& costs, double epsilon, double ceiling, JobContext& context);
+    void auction(const AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
+                 JobContext& context);
+    std::vector<int> everybody(int persons);
+    std::vector<int> discontented(const AssignmentCosts& costs, double epsilon, JobContext& context);
+    Offers offersTo(const AssignmentCosts& costs, int person) const;
     Bid bidOf(const AssignmentCosts& costs, int person, double epsilon, double ceiling) const;
     void take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting);
     void refreshPrice(int object);

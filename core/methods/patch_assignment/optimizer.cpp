@@ -22,8 +22,16 @@ constexpr int kBandRows = 8;
 constexpr double kNarrowEpsilon = 0.02, kNarrowRho = 1;
 /// Where choices are narrowed, iterations end when no more than this share of the patches changes.
 constexpr double kNarrowChange = 0.02;
-/// Patches of the output whose costs one thread computes at a time.
-constexpr int kPersons = 4;
+/// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
+constexpr double kKeptShare = 0.125;
+
+double sampledMean(const AssignmentCosts& costs) {
+    double sum = 0;
+    std::int64_t seen = 0;
+    for (std::size_t i = 0; i < costs.costs.size(); i += 997, ++seen)
+        sum += static_cast<double>(costs.costs[i]);
+    return std::max(sum / static_cast<double>(seen), 1e-12);
+}
 
 } // namespace
 
@@ -49,6 +57,8 @@ struct Optimizer::Pass {
     std::vector<int> chosen; ///< the exemplar patch of each patch of the lattice
     std::vector<Band> bands;
     bool narrowed = false;
+    CostTable all;        ///< of every patch for every one of the exemplar's
+    AssignmentCosts some; ///< where choices are narrowed
     double meanCost = 0;
     PatchProposals proposals;
 };
@@ -209,7 +219,7 @@ void Optimizer::plan(Pass& pass, int level) const {
 
 AssignmentOptions Optimizer::options(const Pass& pass) const {
     AssignmentOptions options;
-    options.epsilon = m_settings.epsilon * m_range;
+    options.epsilon = (1 - 2 * kKeptShare) * m_settings.epsilon * m_range;
     if (m_settings.relaxed)
         options.relaxation = m_settings.rho * m_range;
     if (pass.narrowed) {
@@ -233,33 +243,32 @@ double Optimizer::project(Pass& pass) {
 }
 
 double Optimizer::assign(Pass& pass, Band& band) {
-    const int columns = pass.lattice.count().width;
-    AssignmentCosts costs;
-    costs.persons = (band.bottom - band.top) * columns;
-    costs.objects = pass.patches.count();
-    if (pass.narrowed)
-        costSome(pass, band, costs);
-    else
-        costAll(pass, band, costs);
-    double sum = 0;
-    std::int64_t seen = 0;
-    for (std::size_t i = 0; i < costs.costs.size(); i += 997, ++seen)
-        sum += static_cast<double>(costs.costs[i]);
-    pass.meanCost = std::max(sum / static_cast<double>(seen), 1e-12);
+    const int columns = pass.lattice.count().width, stride = pass.lattice.stride;
+    const auto wanted = [&](int person, float* to) {
+        const int n = band.top * columns + person;
+        pass.patches.planar(m_canvas->at(n % columns * stride, n / columns * stride), m_canvas->stride(), to);
+    };
+    const AssignmentCosts& costs = pass.narrowed ? pass.some : pass.all.costs();
+    if (pass.narrowed) {
+        costSome(pass, band);
+    } else {
+        if (pass.bands.size() > 1)
+            pass.all.forget();
+        const double slack = kKeptShare * m_settings.epsilon * m_range;
+        pass.all.update((band.bottom - band.top) * columns, pass.patches, wanted, static_cast<float>(slack),
+                        m_context);
+    }
+    pass.meanCost = sampledMean(costs);
     const std::vector<int> objects = band.assigner.assign(costs, options(pass), m_context);
+    std::vector<float> patch(static_cast<std::size_t>(pass.patches.patchFloats()));
     double total = 0;
     for (int person = 0; person < costs.persons; ++person) {
         if (person % 4096 == 0)
             m_context.check();
-        const int object = objects[static_cast<std::size_t>(person)];
-        float cost = 0;
-        for (int place = pass.narrowed ? 0 : object; place < costs.perRow; ++place)
-            if (costs.object(person, place) == object) {
-                cost = costs.row(person)[place];
-                break;
-            }
+        const int object = objects[static_cast<std::size_t>(person)], n = band.top * columns + person;
+        wanted(person, patch.data());
+        const float cost = pass.patches.cost(patch.data(), object);
         total += static_cast<double>(cost);
-        const int n = band.top * columns + person;
         pass.chosen[static_cast<std::size_t>(n)] = object;
         pass.field.at(n % columns, n / columns) = {pass.patches.sources()[static_cast<std::size_t>(object)],
                                                    cost};
@@ -267,32 +276,10 @@ double Optimizer::assign(Pass& pass, Band& band) {
     return total;
 }
 
-void Optimizer::costAll(const Pass& pass, const Band& band, AssignmentCosts& costs) const {
-    costs.perRow = costs.objects;
-    costs.costs.resize(static_cast<std::size_t>(costs.persons) * static_cast<std::size_t>(costs.perRow));
-    const int columns = pass.lattice.count().width, stride = pass.lattice.stride;
-    m_context.parallel(0, (costs.persons + kPersons - 1) / kPersons, [&](int chunk) {
-        const int first = chunk * kPersons, count = std::min(kPersons, costs.persons - first);
-        const auto floats = static_cast<std::size_t>(pass.patches.patchFloats());
-        std::vector<float> wanted(floats * kPersons);
-        for (int i = 0; i < count; ++i) {
-            const int n = band.top * columns + first + i;
-            pass.patches.planar(m_canvas->at(n % columns * stride, n / columns * stride), m_canvas->stride(),
-                                wanted.data() + static_cast<std::size_t>(i) * floats);
-        }
-        float* row =
-            costs.costs.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(costs.perRow);
-        for (int object = 0; object < costs.objects; ++object) {
-            if (object % 4096 == 0)
-                m_context.check();
-            for (int i = 0; i < count; ++i)
-                row[static_cast<std::ptrdiff_t>(i) * costs.perRow + object] =
-                    pass.patches.cost(wanted.data() + static_cast<std::size_t>(i) * floats, object);
-        }
-    });
-}
-
-void Optimizer::costSome(const Pass& pass, const Band& band, AssignmentCosts& costs) const {
+void Optimizer::costSome(Pass& pass, const Band& band) const {
+    AssignmentCosts& costs = pass.some;
+    costs.persons = (band.bottom - band.top) * pass.lattice.count().width;
+    costs.objects = pass.patches.count();
     costs.perRow = std::min(kChoices, costs.objects);
     const auto size = static_cast<std::size_t>(costs.persons) * static_cast<std::size_t>(costs.perRow);
     costs.costs.resize(size);

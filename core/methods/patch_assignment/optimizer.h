@@ -4,6 +4,7 @@
 #include "core/match/exemplar_pyramid.h"
 #include "core/match/patch_proposals.h"
 #include "core/math/assignment.h"
+#include "core/methods/patch_assignment/cost_table.h"
 #include "core/methods/patch_assignment/patches.h"
 #include "core/methods/synthesis.h"
 
@@ -50,8 +51,7 @@ private:
     void plan(Pass& pass, int level) const;
     double project(Pass& pass);
     double assign(Pass& pass, Band& band);
-    void costAll(const Pass& pass, const Band& band, AssignmentCosts& costs) const;
-    void costSome(const Pass& pass, const Band& band, AssignmentCosts& costs) const;
+    void costSome(Pass& pass, const Band& band) const;
     void choices(const Pass& pass, int x, int y, std::int32_t* list) const;
     AssignmentOptions options(const Pass& pass) const;
     void aggregate(Pass& pass);

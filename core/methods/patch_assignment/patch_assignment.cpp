@@ -35,7 +35,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     need.bytes =
         static_cast<std::uint64_t>(padded.area()) * pixel + Image::bytesFor(canvas, channels) * 3 / 2 +
         PositionMap::bytesFor(canvas) + static_cast<std::uint64_t>(costs) +
-        static_cast<std::uint64_t>(persons * 96) + static_cast<std::uint64_t>(objects * (4 * floats + 256)) +
+        static_cast<std::uint64_t>(persons * (96 + 4 * floats)) +
+        static_cast<std::uint64_t>(objects * (4 * floats + 256)) +
         ExemplarPyramid::bytesFor(exemplars, channels) +
         static_cast<std::uint64_t>(threads) * static_cast<std::uint64_t>(canvas.width) * 20 * (pixel + 4) +
         (8U << 20U);

@@ -1,5 +1,6 @@
 #include "core/methods/patch_assignment/patches.h"
 
+#include "core/base/wide_vectors.h"
 #include "core/match/patch_set.h"
 
 #include <algorithm>
@@ -18,6 +19,41 @@ int mirrored(int at, int length) {
     const int period = 2 * length;
     const int within = ((at % period) + period) % period;
     return within < length ? within : period - 1 - within;
+}
+
+struct PlanarShape {
+    int area, channels;
+};
+
+/// kChannels is 0 where the compiler need not know their number.
+template <int kChannels>
+[[gnu::always_inline]] inline float distanceOf(const float* wanted, const float* own, PlanarShape shape) {
+    constexpr int kLanes = 8;
+    const int channels = kChannels > 0 ? kChannels : shape.channels;
+    float sums[kLanes] = {};
+    for (int i = 0; i < shape.area; i += kLanes) {
+        float squares[kLanes] = {};
+        for (int c = 0; c < channels; ++c)
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const float difference = wanted[c * shape.area + i + lane] - own[c * shape.area + i + lane];
+                squares[lane] += difference * difference;
+            }
+        for (int lane = 0; lane < kLanes; ++lane)
+            sums[lane] += std::sqrt(squares[lane]);
+    }
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+/// The distances of one patch from `count` that follow one another.
+TEXLOOM_WIDE_VECTORS void distances(const float* wanted, const float* others, int count, PlanarShape shape,
+                                    float* to) {
+    const std::ptrdiff_t floats = static_cast<std::ptrdiff_t>(shape.area) * shape.channels;
+    if (shape.channels == 3)
+        for (int n = 0; n < count; ++n)
+            to[n] = distanceOf<3>(wanted, others + n * floats, shape);
+    else
+        for (int n = 0; n < count; ++n)
+            to[n] = distanceOf<0>(wanted, others + n * floats, shape);
 }
 
 } // namespace
@@ -169,26 +205,14 @@ void ExemplarPatches::planar(const float* pixels, std::ptrdiff_t stride, float* 
     }
 }
 
-template <int kChannels> float ExemplarPatches::costOf(const float* wanted, const float* own) const {
-    constexpr int kLanes = 8;
-    const int channels = kChannels > 0 ? kChannels : m_channels;
-    float sums[kLanes] = {};
-    for (int i = 0; i < m_area; i += kLanes) {
-        float squares[kLanes] = {};
-        for (int c = 0; c < channels; ++c)
-            for (int lane = 0; lane < kLanes; ++lane) {
-                const float difference = wanted[c * m_area + i + lane] - own[c * m_area + i + lane];
-                squares[lane] += difference * difference;
-            }
-        for (int lane = 0; lane < kLanes; ++lane)
-            sums[lane] += std::sqrt(squares[lane]);
-    }
-    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+float ExemplarPatches::distance(const float* planar, const float* other) const {
+    float distance = 0;
+    distances(planar, other, 1, {m_area, m_channels}, &distance);
+    return distance;
 }
 
-float ExemplarPatches::cost(const float* planar, int patch) const {
-    const float* own = m_planar.data() + static_cast<std::ptrdiff_t>(patch) * patchFloats();
-    return m_channels == 3 ? costOf<3>(planar, own) : costOf<0>(planar, own);
+void ExemplarPatches::costs(const float* planar, int first, int last, float* to) const {
+    distances(planar, own(first), last - first, {m_area, m_channels}, to);
 }
 
 void ExemplarPatches::findSimilar(JobContext& context) {

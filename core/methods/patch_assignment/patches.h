@@ -36,8 +36,11 @@ public:
     /// Costs are for patches in this form: pixels of one channel after another.
     int patchFloats() const { return m_area * m_channels; }
     void planar(const float* pixels, std::ptrdiff_t stride, float* to) const;
-    /// Sum over the pixels of the Euclidean distance between colours, ‖·‖₁,₂.
-    float cost(const float* planar, int patch) const;
+    /// Sum over the pixels of the Euclidean distance between colours, ‖·‖₁,₂, of two patches.
+    float distance(const float* planar, const float* other) const;
+    float cost(const float* planar, int patch) const { return distance(planar, own(patch)); }
+    /// The costs of the patches from `first` on, `last` excluded.
+    void costs(const float* planar, int first, int last, float* to) const;
 
     /// kSimilar patches like each one.
     void findSimilar(JobContext& context);
@@ -48,7 +51,9 @@ public:
 private:
     void add(const PatchSource& source);
     void choose(std::span<const PatchSource> sources, bool random, JobContext& context);
-    template <int kChannels> float costOf(const float* wanted, const float* own) const;
+    const float* own(int patch) const {
+        return m_planar.data() + static_cast<std::ptrdiff_t>(patch) * patchFloats();
+    }
     double weightOf(const PatchSource& source, int x, int y) const;
 
     int m_patch, m_stride, m_channels, m_area, m_pad;
