@@ -74,6 +74,10 @@ int Optimizer::levelsFor(const Request& request, const Settings& settings) {
     return request.initial ? std::min(wanted, kInitialLevels) : wanted;
 }
 
+bool Optimizer::narrows(double persons, double objects, int iterations) {
+    return persons * objects * iterations > kMostWork || (persons > 2 * objects && persons > kMostSharing);
+}
+
 double Optimizer::exemplarPatches(const Request& request, const Settings& settings) {
     double count = 0;
     for (const Size& size : request.exemplarSizes())
@@ -183,6 +187,10 @@ void Optimizer::optimize(int level) {
     const bool random = m_settings.grid == Grid::Random || (m_settings.grid == Grid::Hybrid && level > 0);
     Pass pass(m_pyramid.level(level), m_settings, random, m_size, m_context);
     plan(pass, level);
+    if (pass.narrowed && level == 0)
+        m_result.notes.push_back(
+            TR("At this size every patch chose among a few that suit it, so that some are "
+               "used a little more often than others."));
     const int count = iterations(level);
     for (int iteration = 0; iteration < count; ++iteration) {
         const double changed = project(pass);
@@ -200,7 +208,7 @@ void Optimizer::optimize(int level) {
 void Optimizer::plan(Pass& pass, int level) const {
     const Size count = pass.lattice.count();
     const double persons = static_cast<double>(count.area()), objects = pass.patches.count();
-    pass.narrowed = persons * objects * iterations(level) > kMostWork;
+    pass.narrowed = narrows(persons, objects, iterations(level));
     if (pass.narrowed)
         pass.patches.findSimilar(m_context);
     const double perRow = pass.narrowed ? kChoices : objects;

@@ -33,6 +33,10 @@ public:
     static constexpr double kMostCosts = 1.0e8;
     /// Costs that are computed for one scale, at most, before choices are narrowed.
     static constexpr double kMostWork = 0.9e9;
+    /// Patches of the output, at most, where many of them share one of the exemplar's: the exact assignment
+    /// then moves whole groups.
+    static constexpr double kMostSharing = 10000;
+    static bool narrows(double persons, double objects, int iterations);
     /// Choices of each patch where they are narrowed.
     static constexpr int kChoices = 32;
 

@@ -20,7 +20,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const auto pixel = static_cast<std::uint64_t>(Interleaved({1, 1}, channels).pixel) * sizeof(float);
     const double objects = Optimizer::exemplarPatches(request, settings);
     const double persons = static_cast<double>(canvas.area()) / (settings.stride() * settings.stride());
-    const bool narrowed = persons * objects * settings.fineIterations > Optimizer::kMostWork;
+    const bool narrowed = Optimizer::narrows(persons, objects, settings.fineIterations);
     const double perRow = narrowed ? Optimizer::kChoices : objects;
     // One band holds at least a row of the lattice.
     const double finest =
