@@ -116,7 +116,7 @@ TEST(Pipeline, ProgressCoversAllSteps) {
 TEST(Companions, AreMadeWithTheResultWhereNoPixelsAreCopied) {
     PipelineRun sample;
     sample.input.then.clear();
-    sample.addCompanion("bark_normal", {48, 44});
+    sample.addCompanion("bark_height", {48, 44});
     const Result result = sample.run();
     EXPECT_EQ(result.synthesis.image.channels(), 3);
     ASSERT_EQ(result.companions.size(), 1U);
