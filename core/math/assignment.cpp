@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace texloom {
 
@@ -199,6 +201,23 @@ void Assigner::reset(double price) {
         refreshPrice(static_cast<int>(object));
 }
 
+/// Gives places that nobody has the lowest price, and keeps the others' within bounds.
+void Assigner::lowerFree(double lowest, double highest) {
+    std::vector<std::pair<double, int>> places;
+    for (std::size_t object = 0; object < m_places.size(); ++object) {
+        places.clear();
+        for (int place = m_begin[object]; place < m_begin[object + 1]; ++place) {
+            const int holder = m_holder[at(place)];
+            places.emplace_back(holder < 0 ? lowest : std::clamp(m_placePrice[at(place)], lowest, highest),
+                                holder);
+        }
+        std::sort(places.begin(), places.end());
+        for (std::size_t i = 0; i < places.size(); ++i)
+            std::tie(m_placePrice[at(m_begin[object]) + i], m_holder[at(m_begin[object]) + i]) = places[i];
+        refreshPrice(static_cast<int>(object));
+    }
+}
+
 /// The places of an object are a heap by price: the lowest first, and the second lowest right below it.
 void Assigner::refreshPrice(int object) {
     const int begin = m_begin[at(object)], count = m_places[at(object)];
@@ -229,8 +248,10 @@ std::vector<int> Assigner::assign(const AssignmentCosts& costs, const Assignment
     const bool relaxed = std::isfinite(options.relaxation);
     const bool exact = options.epsilon <= 0 && !relaxed;
     const double last = options.epsilon > 0 ? options.epsilon : (exact ? kRough : kLast) * mean;
-    const bool stay = m_warm && !relaxed && at(costs.persons) == m_object.size();
-    if (relaxed)
+    const bool stay = m_warm && (!relaxed || options.carryOn) && at(costs.persons) == m_object.size();
+    if (relaxed && stay)
+        lowerFree(-options.relaxation, options.relaxation);
+    else if (relaxed)
         reset(-options.relaxation); // an object that nobody wants must stay at the lowest price
     if (!m_warm && !relaxed)
         for (double epsilon = kFirst * mean; epsilon > 2 * last; epsilon /= kScaling)

@@ -37,6 +37,9 @@ struct AssignmentOptions {
     /// thesis 2020, eq. 3.29). Infinite: there are never too many. With less an auction with `epsilon`, or a
     /// small one for 0, finds it.
     double relaxation = std::numeric_limits<double>::infinity();
+    /// With a relaxation: begins with the last assignment and its prices. Far fewer bids where costs have
+    /// changed little, but the sum may then be more than `epsilon` a person above the smallest.
+    bool carryOn = false;
 };
 
 /// Gives each of many persons one object, each object to as many persons as it has places, for the smallest
@@ -62,6 +65,7 @@ private:
     };
     struct Offers; ///< the best two of a row
     void reset(double price);
+    void lowerFree(double lowest, double highest);
     void auction(const AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
                  JobContext& context);
     std::vector<int> everybody(int persons);

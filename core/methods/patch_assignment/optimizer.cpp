@@ -19,7 +19,7 @@ constexpr int kInitialLevels = 2;
 constexpr int kPreviewSide = 640;
 constexpr int kBandRows = 8;
 /// Where choices are narrowed: ε, and what a use too many costs, as shares of the mean cost.
-constexpr double kNarrowEpsilon = 0.02, kNarrowRho = 1;
+constexpr double kNarrowEpsilon = 0.05, kNarrowRho = 1;
 /// Where choices are narrowed, iterations end when no more than this share of the patches changes.
 constexpr double kNarrowChange = 0.02;
 /// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
@@ -233,6 +233,7 @@ AssignmentOptions Optimizer::options(const Pass& pass) const {
     if (pass.narrowed) {
         options.epsilon = std::max(options.epsilon, kNarrowEpsilon * pass.meanCost);
         options.relaxation = std::min(options.relaxation, kNarrowRho * pass.meanCost);
+        options.carryOn = true;
     }
     return options;
 }
