@@ -170,9 +170,10 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return complain("Name a command: methods, synth, run, batch, apply, blend, analyze or stress. See "
-                            "texloom-cli --help.",
-                            Usage);
+            return complain(
+                "Name a command: methods, synth, run, batch, apply, blend, analyze or stress. See "
+                "texloom-cli --help.",
+                Usage);
         return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)

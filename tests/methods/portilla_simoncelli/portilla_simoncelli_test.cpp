@@ -67,8 +67,8 @@ Image gravel(Size size, int channels, std::uint64_t seed) {
                 const auto cover =
                     static_cast<float>(std::clamp(radius + 0.5 - std::hypot(dx, dy), 0.0, 1.0));
                 for (int c = 0; c < channels; ++c) {
-                    const auto shade = static_cast<float>(0.7 * random.uniform(disc, 3) +
-                                                          0.3 * random.uniform(disc, 4 + c));
+                    const auto shade =
+                        static_cast<float>(0.7 * random.uniform(disc, 3) + 0.3 * random.uniform(disc, 4 + c));
                     float& pixel = image((left + dx + size.width) % size.width,
                                          (top + dy + size.height) % size.height, c);
                     pixel += cover * (shade - pixel);
