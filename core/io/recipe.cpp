@@ -117,7 +117,7 @@ void checkFormat(const JsonField& root) {
                   format.whole(), kVersion, Recipe::kFormat);
 }
 
-Recipe recipeFrom(const JsonField& root, const fs::path& folder) {
+Recipe recipeFrom(const JsonField& root, const fs::path& folder, bool needsExemplar) {
     if (!root.json().is_object())
         failUsage("A recipe is a JSON object; this is not one.");
     checkFormat(root);
@@ -131,7 +131,7 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder) {
     if (root.has("then"))
         recipe.then = stepsFrom(root.at("then"));
     const JsonField exemplars = root.at("exemplars");
-    exemplars.needArray(1, kMostFiles);
+    exemplars.needArray(needsExemplar ? 1 : 0, kMostFiles);
     for (std::size_t i = 0; i < exemplars.size(); ++i)
         recipe.exemplars.push_back(exemplarFrom(exemplars.at(i), folder));
     if (root.has("initial"))
@@ -180,9 +180,9 @@ std::string Recipe::toJson(const fs::path& folder) const {
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-Recipe Recipe::fromJson(std::string_view text, const fs::path& folder) {
+Recipe Recipe::fromJson(std::string_view text, const fs::path& folder, bool needsExemplar) {
     const Json json = parseJson("recipe", text);
-    return recipeFrom({"recipe", json}, folder);
+    return recipeFrom({"recipe", json}, folder, needsExemplar);
 }
 
 Recipe readRecipe(const fs::path& path) {

@@ -61,7 +61,9 @@ struct Recipe {
     std::string toJson(const std::filesystem::path& folder) const;
     /// @param folder against which relative paths are taken.
     /// @throws UsageError that names the wrong field, its value and what it may be.
-    static Recipe fromJson(std::string_view text, const std::filesystem::path& folder);
+    /// @param needsExemplar whether one without exemplars is refused.
+    static Recipe fromJson(std::string_view text, const std::filesystem::path& folder,
+                           bool needsExemplar = true);
 };
 
 /// The recipe in a .json file, or embedded in an image that Texloom wrote. @throws Error or UsageError

@@ -51,7 +51,8 @@ void checkSizeLike(const ExemplarFile& exemplar, const ExemplarFile& belonging, 
                   belonging.name(), other.width, other.height, exemplar.name(), size.width, size.height);
 }
 
-RunExemplar edited(const RunExemplar& source, const ExemplarEdits& edits, const Check& check) {
+RunExemplar edited(const RunExemplar& exemplar, const ExemplarEdits& edits, const Check& check) {
+    const RunExemplar& source = exemplar.original();
     if (edits.empty())
         return source;
     RunExemplar result = source;
@@ -78,6 +79,7 @@ RunExemplar edited(const RunExemplar& source, const ExemplarEdits& edits, const 
     }
     placePending();
     result.edits = edits;
+    result.source = std::make_shared<const RunExemplar>(source);
     return result;
 }
 

@@ -1,5 +1,8 @@
 #include "core/session/preset.h"
 
+#include "core/base/error.h"
+#include "core/base/version.h"
+#include "core/io/image_file.h"
 #include "core/io/json_field.h"
 #include "core/methods/method.h"
 #include "core/session/shipped_presets.h"
@@ -11,7 +14,10 @@ namespace texloom {
 Preset Preset::fromJson(std::string_view id, std::string_view text) {
     const JsonField::Json json = parseJson("preset", text);
     const JsonField root("preset", json);
-    root.only({"title", "summary", "steps"});
+    root.only({"preset", "title", "summary", "steps"});
+    if (root.has("preset") && root.at("preset").whole() > kFormat)
+        failUsage("The preset is of format {}, made by a newer Texloom; this one ({}) reads up to {}.",
+                  root.at("preset").whole(), kVersion, kFormat);
     Preset preset{std::string(id), root.at("title").text(), root.at("summary").text(), {}};
     const JsonField steps = root.at("steps");
     preset.steps = stepsFrom(steps);
@@ -20,6 +26,30 @@ Preset Preset::fromJson(std::string_view id, std::string_view text) {
     for (const RecipeStep& step : preset.steps)
         findMethod(step.method).resolved(step.parameters, {});
     return preset;
+}
+
+std::string Preset::toJson() const {
+    JsonField::Json json = {{"preset", kFormat}, {"title", title}, {"summary", summary}};
+    for (const RecipeStep& step : steps)
+        json["steps"].push_back({{"method", step.method}, {"parameters", texloom::toJson(step.parameters)}});
+    return json.dump(2, ' ', false, JsonField::Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<Preset> presetsIn(const std::filesystem::path& folder,
+                              const std::function<void(const std::string&)>& refused) {
+    std::vector<Preset> read;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        if (entry.path().extension() != ".json")
+            continue;
+        try {
+            read.push_back(Preset::fromJson(entry.path().stem().string(), readText(entry.path())));
+        } catch (const Error& wrong) {
+            refused(entry.path().filename().string() + ": " + wrong.what());
+        }
+    }
+    std::sort(read.begin(), read.end(), [](const Preset& a, const Preset& b) { return a.id < b.id; });
+    return read;
 }
 
 const std::vector<Preset>& presets() {

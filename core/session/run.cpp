@@ -20,12 +20,10 @@ namespace texloom {
 
 namespace {
 
-RecipeFile recipeFile(const ExemplarFile& file) {
-    return {file.path, file.space, file.hash, {}};
-}
-
 RecipeFile companionFile(const ExemplarFile& file) {
-    return {file.path, file.space, file.hash, std::string(mapRoleId(file.role))};
+    RecipeFile companion = recipeFile(file);
+    companion.role = mapRoleId(file.role);
+    return companion;
 }
 
 Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
@@ -39,15 +37,8 @@ Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
     recipe.wrap = input.wrap;
     recipe.seed = input.seed;
     recipe.region = input.region;
-    for (const RunExemplar& exemplar : input.exemplars) {
-        RecipeExemplar& entry = recipe.exemplars.emplace_back();
-        entry.image = recipeFile(exemplar.image);
-        if (exemplar.mask)
-            entry.mask = recipeFile(*exemplar.mask);
-        for (const ExemplarFile& companion : exemplar.companions)
-            entry.companions.push_back(companionFile(companion));
-        entry.edits = exemplar.edits;
-    }
+    for (const RunExemplar& exemplar : input.exemplars)
+        recipe.exemplars.push_back(recipeExemplar(exemplar));
     if (input.initial)
         recipe.initial = recipeFile(*input.initial);
     return recipe;
@@ -319,6 +310,35 @@ RunPlan RunPlan::strip(int y) const {
     return one;
 }
 
+RecipeFile recipeFile(const ExemplarFile& file) {
+    return {file.path, file.space, file.hash};
+}
+
+RecipeExemplar recipeExemplar(const RunExemplar& exemplar) {
+    RecipeExemplar entry;
+    entry.image = recipeFile(exemplar.image);
+    if (exemplar.mask)
+        entry.mask = recipeFile(*exemplar.mask);
+    for (const ExemplarFile& companion : exemplar.companions)
+        entry.companions.push_back(companionFile(companion));
+    entry.edits = exemplar.edits;
+    return entry;
+}
+
+RunExemplar loadFiles(const RecipeExemplar& entry,
+                      const std::function<void(const std::filesystem::path&)>& changed) {
+    RunExemplar exemplar;
+    exemplar.image = loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space), changed);
+    if (entry.mask)
+        exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path), changed);
+    for (const RecipeFile& companion : entry.companions) {
+        exemplar.companions.push_back(loadNamed(companion, loadData(companion.path), changed));
+        if (!companion.role.empty())
+            exemplar.companions.back().role = mapRoleFrom(companion.role);
+    }
+    return exemplar;
+}
+
 RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::filesystem::path&)>& changed) {
     RunInput input;
     input.method = recipe.method;
@@ -330,18 +350,8 @@ RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::fi
     input.wrap = recipe.wrap;
     input.seed = recipe.seed;
     input.region = recipe.region;
-    for (const RecipeExemplar& entry : recipe.exemplars) {
-        RunExemplar& exemplar = input.exemplars.emplace_back();
-        exemplar.image = loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space), changed);
-        if (entry.mask)
-            exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path), changed);
-        for (const RecipeFile& companion : entry.companions) {
-            exemplar.companions.push_back(loadNamed(companion, loadData(companion.path), changed));
-            if (!companion.role.empty())
-                exemplar.companions.back().role = mapRoleFrom(companion.role);
-        }
-        exemplar = edited(exemplar, entry.edits);
-    }
+    for (const RecipeExemplar& entry : recipe.exemplars)
+        input.exemplars.push_back(edited(loadFiles(entry, changed), entry.edits));
     if (recipe.initial)
         input.initial =
             loadNamed(*recipe.initial, loadExemplar(recipe.initial->path, recipe.initial->space), changed);

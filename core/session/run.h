@@ -21,6 +21,11 @@ struct RunExemplar {
     std::vector<ExemplarFile> companions; ///< of the exemplar's size; they get the result's layout
     /// What was done to the files' pixels to make the images here; see edited().
     ExemplarEdits edits = {};
+    /// The files as they were before the edits; null where there are none.
+    std::shared_ptr<const RunExemplar> source = nullptr;
+
+    /// What is edited: the files' own pixels.
+    const RunExemplar& original() const { return source ? *source : *this; }
 };
 
 /// What someone asked for.
@@ -77,6 +82,14 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0, bool strip
 /// Checks that a plan made some time ago still fits in the memory that is free. @throws Error with the
 /// figures
 void checkMemory(const RunPlan& plan);
+
+/// Loads one exemplar's files, without its edits. `changed` as in loadRecipe(). @throws Error, UsageError
+RunExemplar loadFiles(const RecipeExemplar& entry,
+                      const std::function<void(const std::filesystem::path&)>& changed = {});
+
+/// What recipes say of an exemplar.
+RecipeExemplar recipeExemplar(const RunExemplar& exemplar);
+RecipeFile recipeFile(const ExemplarFile& file);
 
 /// Loads what a recipe names. `changed` is told of each file whose bytes are not those that the recipe was
 /// made with.

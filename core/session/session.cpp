@@ -1,0 +1,194 @@
+#include "core/session/session.h"
+
+#include "core/base/error.h"
+#include "core/base/version.h"
+#include "core/io/image_file.h"
+#include "core/io/json_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+using Json = JsonField::Json;
+
+namespace {
+
+fs::path folderOf(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// Calls `look(file)` for every file of a session.
+void forFiles(Session& session, const std::function<void(RecipeFile&)>& look) {
+    for (RecipeExemplar& exemplar : session.settings.exemplars) {
+        look(exemplar.image);
+        if (exemplar.mask)
+            look(*exemplar.mask);
+        for (RecipeFile& companion : exemplar.companions)
+            look(companion);
+    }
+    if (session.settings.initial)
+        look(*session.settings.initial);
+}
+
+void checkFormat(const JsonField& root) {
+    const JsonField format = root.at("session");
+    if (format.whole() < 1)
+        format.wrong(fmt::format("1 to {}", Session::kFormat));
+    if (format.whole() > Session::kFormat)
+        failUsage("The session is of format {}, made by a newer Texloom; this one ({}) reads up to {}.",
+                  format.whole(), kVersion, Session::kFormat);
+}
+
+bool flagFrom(const JsonField& field) {
+    if (!field.json().is_boolean())
+        field.wrong("true or false");
+    return field.json().get<bool>();
+}
+
+/// A name in `folder` that no other file of the session has taken.
+fs::path freeName(const fs::path& folder, const fs::path& name, std::set<fs::path>& taken) {
+    fs::path path = folder / name;
+    for (int copy = 2; !taken.insert(path).second; ++copy)
+        path = folder / fmt::format("{}_{}{}", name.stem().string(), copy, name.extension().string());
+    return path;
+}
+
+bool liesIn(const fs::path& file, const fs::path& folder) {
+    const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+} // namespace
+
+std::string Session::toJson(const fs::path& folder) const {
+    Json json = {{"session", kFormat},
+                 {"settings", Json::parse(settings.toJson(folder))},
+                 {"used", Json::array()},
+                 {"current", current},
+                 {"seedLocked", seedLocked}};
+    for (const bool one : used)
+        json["used"].push_back(one);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Session Session::fromJson(std::string_view text, const fs::path& folder) {
+    const Json json = parseJson("session", text);
+    const JsonField root("session", json);
+    if (!json.is_object())
+        failUsage("A session is a JSON object; this is not one.");
+    checkFormat(root);
+    root.only({"session", "settings", "used", "current", "seedLocked"});
+    Session session;
+    session.settings = Recipe::fromJson(root.at("settings").json().dump(), folder, false);
+    const std::size_t count = session.settings.exemplars.size();
+    session.used.assign(count, true);
+    if (root.has("used")) {
+        const JsonField used = root.at("used");
+        used.needArray(count, count);
+        for (std::size_t i = 0; i < count; ++i)
+            session.used[i] = flagFrom(used.at(i));
+    }
+    if (root.has("current"))
+        session.current = std::clamp(root.at("current").whole(), 0, std::max(0, static_cast<int>(count) - 1));
+    if (root.has("seedLocked"))
+        session.seedLocked = flagFrom(root.at("seedLocked"));
+    return session;
+}
+
+Session readSession(const fs::path& path) {
+    try {
+        return Session::fromJson(readText(path), folderOf(path));
+    } catch (const UsageError& error) {
+        throw UsageError(path.filename().string() + ": " + error.what());
+    }
+}
+
+void writeSession(const fs::path& path, const Session& session) {
+    writeText(path, session.toJson(folderOf(path)));
+}
+
+Session packSession(const fs::path& path, Session session, const fs::path& only) {
+    const fs::path folder = folderOf(path) / (path.stem().string() + "_files");
+    std::set<fs::path> taken;
+    std::map<fs::path, fs::path> places;
+    forFiles(session, [&](const RecipeFile& file) {
+        if (liesIn(file.path, folder)) {
+            taken.insert(file.path);
+            places[file.path] = file.path;
+        }
+    });
+    forFiles(session, [&](RecipeFile& file) {
+        const auto [place, isNew] = places.try_emplace(file.path);
+        if (isNew && (only.empty() || liesIn(file.path, only))) {
+            place->second = freeName(folder, file.path.filename(), taken);
+            std::error_code error;
+            fs::create_directories(folder, error);
+            fs::copy_file(file.path, place->second, fs::copy_options::overwrite_existing, error);
+            if (error)
+                fail("{} could not be copied to {}: {}.", file.path.string(), folder.string(),
+                     error.message());
+        } else if (isNew) {
+            place->second = file.path;
+        }
+        file.path = place->second;
+    });
+    writeSession(path, session);
+    return session;
+}
+
+SessionFiles checkFiles(const Session& session) {
+    SessionFiles files;
+    std::set<fs::path> seen;
+    Session copy = session;
+    forFiles(copy, [&](const RecipeFile& file) {
+        if (!seen.insert(file.path).second)
+            return;
+        std::error_code error;
+        if (!fs::is_regular_file(file.path, error))
+            files.missing.push_back(file.path);
+        else if (!file.hash.empty() && fileHash(file.path) != file.hash)
+            files.changed.push_back(file.path);
+    });
+    return files;
+}
+
+void relocate(Session& session, const fs::path& from, const fs::path& to) {
+    forFiles(session, [&](RecipeFile& file) {
+        std::error_code error;
+        if (file.path == from) {
+            file.path = to;
+        } else if (!fs::exists(file.path, error)) {
+            const fs::path guess =
+                (folderOf(to) / file.path.lexically_relative(folderOf(from))).lexically_normal();
+            if (fs::is_regular_file(guess, error))
+                file.path = guess;
+        }
+    });
+}
+
+void leaveOut(Session& session, const fs::path& file) {
+    std::vector<RecipeExemplar>& exemplars = session.settings.exemplars;
+    for (std::size_t i = exemplars.size(); i-- > 0;) {
+        RecipeExemplar& exemplar = exemplars[i];
+        if (exemplar.mask && exemplar.mask->path == file)
+            exemplar.mask.reset();
+        std::erase_if(exemplar.companions,
+                      [&](const RecipeFile& companion) { return companion.path == file; });
+        if (exemplar.image.path != file)
+            continue;
+        exemplars.erase(exemplars.begin() + static_cast<std::ptrdiff_t>(i));
+        session.used.erase(session.used.begin() + static_cast<std::ptrdiff_t>(i));
+        if (session.current > static_cast<int>(i) || session.current == static_cast<int>(exemplars.size()))
+            session.current = std::max(0, session.current - 1);
+    }
+    if (session.settings.initial && session.settings.initial->path == file)
+        session.settings.initial.reset();
+}
+
+} // namespace texloom
