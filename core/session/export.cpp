@@ -1,7 +1,9 @@
 #include "core/session/export.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/color/color_pipeline.h"
+#include "core/image/normal_map.h"
 #include "core/io/map_file.h"
 
 #include <nlohmann/json.hpp>
@@ -84,13 +86,68 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
     writeText(path, json.dump(2) + "\n");
 }
 
-void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
-                    const fs::path& path) {
+/// Where green of a normal map should point when it is written.
+MapRole normalsWanted(const ExportOptions& options) {
+    return options.normals != MapRole::Other ? options.normals : findExportPreset(options.preset).normals;
+}
+
+/// Companion `index` as it is written.
+Image companionImage(const Result& result, const ExportOptions& options, std::size_t index) {
+    Image image = result.companion(index);
+    const MapRole role = result.plan.companions.front()[index].role;
+    if (!isNormal(role))
+        return image;
+    if (result.synthesis.mapKind == MapKind::Dominant)
+        renormalize(image);
+    const MapRole wanted = normalsWanted(options);
+    if (isNormal(wanted) && wanted != role)
+        flipGreen(image);
+    return image;
+}
+
+WriteOptions dataOptions(const Result& result, const ExportOptions& options, Depth depth,
+                         const fs::path& path) {
     WriteOptions write;
     write.check = options.check;
-    write.depth = depthLike(result.plan.companions.front()[index], path);
+    write.depth = depth;
     write.space = "raw";
-    writeImage(path, result.companion(index), write);
+    write.recipe = result.plan.recipe.toJson(folderOf(path));
+    return write;
+}
+
+void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
+                    const fs::path& path) {
+    const Depth depth = depthLike(result.plan.companions.front()[index], path);
+    writeImage(path, companionImage(result, options, index), dataOptions(result, options, depth, path));
+}
+
+/// The companion that holds this; a normal map of either direction counts. None if there is none.
+std::optional<std::size_t> companionFor(const Result& result, MapRole role) {
+    const std::vector<ExemplarFile>& companions = result.plan.companions.front();
+    for (std::size_t i = 0; i < companions.size(); ++i)
+        if (role != MapRole::Other &&
+            (companions[i].role == role || (isNormal(role) && isNormal(companions[i].role))))
+            return i;
+    return std::nullopt;
+}
+
+void writePacked(const Result& result, const ExportOptions& options, const PresetFile& file,
+                 const fs::path& path) {
+    Image packed(result.synthesis.image.size(), static_cast<int>(file.channels.size()));
+    Depth depth = Depth::Bits8;
+    for (int c = 0; c < packed.channels(); ++c) {
+        const PackedChannel& channel = file.channels[static_cast<std::size_t>(c)];
+        const auto index = companionFor(result, channel.role);
+        const Image map = index ? result.companion(*index) : Image();
+        if (index && depthLike(result.plan.companions.front()[*index], path) != Depth::Bits8)
+            depth = Depth::Bits16;
+        for (int y = 0; y < packed.height(); ++y)
+            for (int x = 0; x < packed.width(); ++x) {
+                const float value = index ? map(x, y, 0) : channel.otherwise;
+                packed(x, y, c) = channel.inverted ? 1 - value : value;
+            }
+    }
+    writeImage(path, packed, dataOptions(result, options, depth, path));
 }
 
 /// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
@@ -109,22 +166,69 @@ std::string extensionFor(const ExemplarFile& companion) {
     return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
 }
 
+/// Hands out file names, no two alike.
+class Names {
+public:
+    Names(const Result& result, const ExportOptions& options)
+        : m_result(result), m_options(options), m_taken{options.image} {}
+
+    fs::path next(const std::string& word, const std::string& extension) {
+        fs::path path = pathFor(word, extension);
+        for (int copy = 2; !m_taken.insert(path).second; ++copy)
+            path = pathFor(fmt::format("{}_{}", word, copy), extension);
+        return path;
+    }
+
+private:
+    fs::path pathFor(const std::string& word, const std::string& extension) const {
+        if (m_options.pattern.empty())
+            return beside(m_options.image, "_" + word, extension);
+        return folderOf(m_options.image) /
+               (expandName(m_options.pattern, nameWords(m_result, word)) + extension);
+    }
+
+    const Result& m_result;
+    const ExportOptions& m_options;
+    std::set<fs::path> m_taken;
+};
+
+bool anyOf(const Result& result, const PresetFile& file, std::set<std::size_t>& used) {
+    bool any = false;
+    for (const PackedChannel& channel : file.channels)
+        if (const auto index = companionFor(result, channel.role)) {
+            used.insert(*index);
+            any = true;
+        }
+    return any;
+}
+
 std::vector<Step> companionSteps(const Result& result, const ExportOptions& options) {
     std::vector<Step> steps;
     if (!options.companions || result.plan.companions.empty() || result.plan.companions.front().empty())
         return steps;
     const std::vector<ExemplarFile>& companions = result.plan.companions.front();
-    std::set<fs::path> taken = {options.image};
-    for (std::size_t i = 0; i < companions.size(); ++i) {
-        const std::string extension = extensionFor(companions[i]);
-        const std::string suffix =
-            companionSuffix(result.plan.request.exemplars.front().name, companions[i].name());
-        fs::path path = beside(options.image, suffix, extension);
-        for (int copy = 2; !taken.insert(path).second; ++copy)
-            path = beside(options.image, fmt::format("{}_{}", suffix, copy), extension);
+    Names names(result, options);
+    std::set<std::size_t> used;
+    const auto addWhole = [&](std::size_t i, const std::string& word) {
+        const fs::path path = names.next(word, extensionFor(companions[i]));
+        used.insert(i);
         steps.push_back({{path, "companion map " + companions[i].name(), false},
                          [&result, &options, i, path] { writeCompanion(result, options, i, path); }});
+    };
+    for (const PresetFile& file : findExportPreset(options.preset).files) {
+        if (const auto index = companionFor(result, file.role)) {
+            addWhole(*index, file.word);
+        } else if (anyOf(result, file, used)) {
+            const fs::path path = names.next(file.word, ".png");
+            steps.push_back({{path, TR("packed companion maps"), false},
+                             [&result, &options, &file, path] { writePacked(result, options, file, path); }});
+        }
     }
+    for (std::size_t i = 0; i < companions.size(); ++i)
+        if (!used.contains(i))
+            addWhole(
+                i,
+                companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()).substr(1));
     return steps;
 }
 
@@ -155,6 +259,20 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
 }
 
 } // namespace
+
+NameWords nameWords(const Result& result, const std::string& map) {
+    const Size size = result.plan.request.part().size;
+    const std::optional<Region>& region = result.plan.request.region;
+    const std::string width = std::to_string(size.width), height = std::to_string(size.height);
+    return {{"name", mapNameFrom(result.plan.request.exemplars.front().name).base},
+            {"method", result.plan.methodIds("_")},
+            {"seed", std::to_string(result.plan.request.seed)},
+            {"w", width},
+            {"h", height},
+            {"size", size.width == size.height ? width : width + "x" + height},
+            {"place", region ? fmt::format("_at_{}_{}", region->x, region->y) : ""},
+            {"map", map}};
+}
 
 std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options) {
     std::vector<ExportEntry> entries;
@@ -188,6 +306,9 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
     std::vector<ExportEntry> written;
     try {
         for (Step& step : stepsFor(result, options)) {
+            if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
+                fail("{} has come to be there in the meantime; export again to see what would be replaced.",
+                     step.entry.path.string());
             step.write();
             written.push_back(std::move(step.entry));
         }

@@ -1,9 +1,13 @@
 #pragma once
 
+#include "core/session/export_preset.h"
+#include "core/session/name_template.h"
 #include "core/session/run.h"
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +21,14 @@ struct ExportOptions {
     bool sidecar = true; ///< the recipe beside it, as NAME.json
     std::vector<std::filesystem::path> maps; ///< position maps to write: .exr and .png
     bool companions = true;                  ///< companion maps as NAME_COMPANION.EXT, in their own depth
-    std::function<void()> check;             ///< called all the while; what it throws ends the export
+    std::string preset = "generic";          ///< which companion maps share a file, and what they are called
+    /// Template with $map of companion maps' names, without extension; empty: the image's name, with _$map.
+    std::string pattern;
+    /// Where green points in normal maps: NormalGl or NormalDx; Other for the preset's way.
+    MapRole normals = MapRole::Other;
+    /// Where this is given, files that are there and not among these are refused, not replaced.
+    std::optional<std::set<std::filesystem::path>> mayReplace;
+    std::function<void()> check; ///< called all the while; what it throws ends the export
 };
 
 /// One file of an export, before it is written.
@@ -26,6 +37,10 @@ struct ExportEntry {
     std::string content; ///< "result", "position map (STMap)", "recipe", …
     bool exists = false;
 };
+
+/// The words that templates of a result's names know: $name, $method, $seed, $w, $h, $size, $place (of a
+/// region), and $map, which is `map`.
+NameWords nameWords(const Result& result, const std::string& map);
 
 /// The files that exportResult() would write, in order.
 std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options);

@@ -74,6 +74,8 @@ std::string Session::toJson(const fs::path& folder) const {
                  {"seedLocked", seedLocked}};
     for (const bool one : used)
         json["used"].push_back(one);
+    if (!file.empty())
+        json["file"] = file.string();
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -83,7 +85,7 @@ Session Session::fromJson(std::string_view text, const fs::path& folder) {
     if (!json.is_object())
         failUsage("A session is a JSON object; this is not one.");
     checkFormat(root);
-    root.only({"session", "settings", "used", "current", "seedLocked"});
+    root.only({"session", "settings", "used", "current", "seedLocked", "file"});
     Session session;
     session.settings = Recipe::fromJson(root.at("settings").json().dump(), folder, false);
     const std::size_t count = session.settings.exemplars.size();
@@ -98,6 +100,8 @@ Session Session::fromJson(std::string_view text, const fs::path& folder) {
         session.current = std::clamp(root.at("current").whole(), 0, std::max(0, static_cast<int>(count) - 1));
     if (root.has("seedLocked"))
         session.seedLocked = flagFrom(root.at("seedLocked"));
+    if (root.has("file"))
+        session.file = root.at("file").text();
     return session;
 }
 
@@ -142,17 +146,24 @@ Session packSession(const fs::path& path, Session session, const fs::path& only)
     return session;
 }
 
-SessionFiles checkFiles(const Session& session) {
-    SessionFiles files;
+std::vector<fs::path> missingFiles(const Session& session) {
     std::set<fs::path> seen;
+    std::vector<fs::path> missing;
     Session copy = session;
     forFiles(copy, [&](const RecipeFile& file) {
-        if (!seen.insert(file.path).second)
-            return;
         std::error_code error;
-        if (!fs::is_regular_file(file.path, error))
-            files.missing.push_back(file.path);
-        else if (!file.hash.empty() && fileHash(file.path) != file.hash)
+        if (seen.insert(file.path).second && !fs::is_regular_file(file.path, error))
+            missing.push_back(file.path);
+    });
+    return missing;
+}
+
+SessionFiles checkFiles(const Session& session) {
+    SessionFiles files{missingFiles(session), {}};
+    std::set<fs::path> seen(files.missing.begin(), files.missing.end());
+    Session copy = session;
+    forFiles(copy, [&](const RecipeFile& file) {
+        if (seen.insert(file.path).second && !file.hash.empty() && fileHash(file.path) != file.hash)
             files.changed.push_back(file.path);
     });
     return files;

@@ -19,6 +19,8 @@ struct Session {
     std::vector<bool> used; ///< for each exemplar, whether methods that learn from several use it
     int current = 0;        ///< index of the exemplar that is looked at
     bool seedLocked = true;
+    /// In copies for recovery, the file that the session was saved to, or empty.
+    std::filesystem::path file = {};
 
     /// JSON text with paths relative to `folder`.
     std::string toJson(const std::filesystem::path& folder) const;
@@ -45,6 +47,9 @@ struct SessionFiles {
 
 /// Looks at every file. Takes a moment where files are large.
 SessionFiles checkFiles(const Session& session);
+
+/// Only the files that are gone; quick.
+std::vector<std::filesystem::path> missingFiles(const Session& session);
 
 /// Takes up that a file was moved, and looks for other missing files in the same place relative to it.
 void relocate(Session& session, const std::filesystem::path& from, const std::filesystem::path& to);

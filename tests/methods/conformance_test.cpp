@@ -282,6 +282,26 @@ TEST_P(Conformance, emptyMaskIsRefused) {
     EXPECT_THROW(runWith(method(), request, 1), UsageError);
 }
 
+TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
+    if (!method().info().usesMask || !method().info().copiesPixels)
+        GTEST_SKIP() << "skipped: " << GetParam() << " copies nothing or uses no mask";
+    Request request = requestFor({96, 90}, 3, {130, 110});
+    Image mask = constant({96, 90}, 1, 1);
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 96; ++x)
+            if (x > 70 || (x < 12 && y > 60) || (x == 60 && y == 20))
+                mask(x, y, 0) = 0;
+    request.exemplars.front().mask = shared(mask);
+    for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+        request.wrap = wrap;
+        const Synthesis result = runWith(method(), request, 2);
+        for (int y = 0; y < result.map.height(); ++y)
+            for (int x = 0; x < result.map.width(); ++x)
+                ASSERT_NE(mask(result.map.at(x, y).x, result.map.at(x, y).y, 0), 0)
+                    << result.map.at(x, y).x << ", " << result.map.at(x, y).y;
+    }
+}
+
 TEST_P(Conformance, sizesThatMakeNoSenseAreRefused) {
     for (const Size size : {Size{0, 10}, Size{10, 0}, Size{-3, 5}, Size{200000, 200000}})
         EXPECT_THROW(runWith(method(), requestFor({64, 64}, 3, size), 1), UsageError);

@@ -46,9 +46,9 @@ private:
 
 } // namespace
 
-BorderMatch::BorderMatch(const ImageView& exemplar, int patch, Match match)
+BorderMatch::BorderMatch(const ImageView& exemplar, const PlaneView& mask, int patch, Match match)
     : m_exemplar(exemplar), m_patch(patch), m_match(match), m_means(channelMeans(exemplar)),
-      m_distances(exemplar, {}, m_means, patch) {}
+      m_distances(exemplar, mask, m_means, patch) {}
 
 void BorderMatch::prepare(const Overlap& border) {
     m_distances.prepare(border);
@@ -98,6 +98,8 @@ void BorderMatch::toCorrelation(const ImageView& known, const Overlap& border, S
         float* row =
             scratch.distances.data() + (m_distances.distanceRow(scratch, y) - scratch.distances.data());
         for (int x = 0; x < positions.width; ++x) {
+            if (!m_distances.allows(x, y))
+                continue; // stays infinite
             const double products =
                 0.5 * (norm + static_cast<double>(sums.squares(x, y, 0)) - static_cast<double>(row[x]));
             double above = sums.count * products, below = 0;

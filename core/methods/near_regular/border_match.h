@@ -2,14 +2,19 @@
 
 #include "core/image/image.h"
 #include "core/match/patch_distances.h"
-#include "core/methods/near_regular/sampler.h"
 #include "core/methods/near_regular/settings.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
 namespace texloom::near_regular {
+
+/// A pixel of the exemplar.
+struct Point {
+    int x = 0, y = 0;
+};
 
 /// Rates all patches of an exemplar by how well they fit a border: by squared differences (eq. 4.4 and 4.5),
 /// or by γ with the hole in the border's middle left out of all sums (section 4.2.2). Serves any number of
@@ -18,7 +23,13 @@ class BorderMatch {
 public:
     using Scratch = PatchDistances::Scratch;
 
-    BorderMatch(const ImageView& exemplar, int patch, Match match);
+    /// @param mask one channel of the exemplar's size, or {}: patches with a pixel where it is 0 are never
+    /// chosen.
+    BorderMatch(const ImageView& exemplar, const PlaneView& mask, int patch, Match match);
+
+    /// Whether the mask allows a patch, and how many it allows.
+    bool allows(int x, int y) const { return m_distances.allows(x, y); }
+    std::int64_t allowed() const { return m_distances.allowed(); }
 
     /// Makes the tables for a shape of border; not to be called while other threads choose().
     void prepare(const Overlap& border);

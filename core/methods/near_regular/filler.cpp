@@ -1,5 +1,6 @@
 #include "core/methods/near_regular/filler.h"
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/match/boundary_cut.h"
 
@@ -17,13 +18,25 @@ struct Filler::Workspace {
     BorderMatch::Scratch scratch;
 };
 
+namespace {
+
+/// @throws UsageError if the mask leaves nothing.
+const BorderMatch& checked(const BorderMatch& match, int patch) {
+    if (match.allowed() == 0)
+        failUsage("The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.",
+                  patch);
+    return match;
+}
+
+} // namespace
+
 Filler::Filler(const Request& request, const Settings& settings, const Plan& plan, JobContext& context)
     : m_request(request), m_settings(settings), m_context(context), m_plan(plan), m_part(request.part()),
       m_layout(request.size, request.wrap, plan.block, plan.border),
+      m_match(plan.exemplar, plan.mask, m_layout.patch(), settings.match),
       m_sampler(plan.exemplar.size(), plan.from, plan.to, {settings.originX, settings.originY}, m_layout,
-                context.random()),
-      m_match(plan.exemplar, m_layout.patch(), settings.match), m_image(m_part.size, plan.exemplar.channels),
-      m_map(m_part.size, request.exemplarSizes()) {
+                context.random(), checked(m_match, m_layout.patch())),
+      m_image(m_part.size, plan.exemplar.channels), m_map(m_part.size, request.exemplarSizes()) {
     for (const Cell& cell : m_layout.gapsOf(m_part)) {
         m_index.emplace(cell, static_cast<int>(m_gaps.size()));
         m_gaps.push_back({cell, {}, {}, 0});

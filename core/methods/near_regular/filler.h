@@ -18,6 +18,7 @@ namespace texloom::near_regular {
 /// An exemplar as it is sampled, the lattices to sample it by, and the sizes that were chosen.
 struct Plan {
     ImageView exemplar;
+    PlaneView mask;   ///< of the exemplar's size, or {}
     Lattice from, to; ///< in the exemplar and in the output
     int block = 0, border = 0;
 };
@@ -74,8 +75,8 @@ private:
     Plan m_plan;
     Region m_part;
     Layout m_layout;
-    Sampler m_sampler;
     BorderMatch m_match;
+    Sampler m_sampler;
     std::vector<Gap> m_gaps; ///< even rows first
     std::map<Cell, int> m_index;
     Image m_image;

@@ -1,6 +1,7 @@
 #include "core/analysis/lattice_detector.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/match/patch_distances.h"
 #include "core/methods/method.h"
 #include "core/methods/near_regular/filler.h"
 #include "core/methods/near_regular/preparation.h"
@@ -91,6 +92,11 @@ void check(const Request& request, const Settings& settings) {
         failUsage("{} is {} × {} px, too small for blocks of {} px with their borders; choose blocks of at "
                   "most {} px.",
                   exemplar.name, size.width, size.height, settings.block, most);
+    const int least = settings.block > 0 ? settings.block : kSmallestBlock;
+    const int patch = std::min(patchFor(settings, least) - 1, size.shorterSide());
+    if (exemplar.mask && !leavesPatch(exemplar.mask->view().plane(0), patch))
+        failUsage("The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.",
+                  patch);
     const auto checkWrap = [](bool wraps, int length, const char* side) {
         if (wraps && length < 4 * kSmallestBlock)
             failUsage("To wrap, the output's {} of {} px must be at least {} px.", side, length,
@@ -127,9 +133,48 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 /// Light more uneven than this shows as patches of different brightness.
 constexpr double kTooUneven = 0.5;
 
+/// Whether a mask leaves a patch of this side.
+bool leavesPatch(const PlaneView& mask, int patch) {
+    const ImageView image{mask.data, mask.width, mask.height, 1, mask.stride, 0};
+    return PatchDistances(image, mask, {0.0}, patch).allowed() > 0;
+}
+
+/// Side of a patch, at most; blocks that wrap differ by a pixel.
+int patchFor(const Settings& settings, int block) {
+    return block + borderFor(settings, block) + 1;
+}
+
+/// Smaller blocks where the mask leaves no patch of the size that was chosen.
+int fittingMask(const Settings& settings, const Plan& plan) {
+    int block = plan.block;
+    while (settings.block == 0 && plan.mask.data != nullptr && block > kSmallestBlock &&
+           !leavesPatch(plan.mask, std::min(patchFor(settings, block), plan.exemplar.size().shorterSide())))
+        block = std::max(kSmallestBlock, block * 3 / 4);
+    return block;
+}
+
+/// A mask that was interpolated: whatever took part of a hidden pixel is hidden.
+Image hardened(Image mask) {
+    constexpr float kRounding = 1e-4F;
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x)
+            mask(x, y, 0) = std::abs(mask(x, y, 0) - 1) < kRounding ? 1.0F : 0.0F;
+    return mask;
+}
+
+/// 1 where a mask is not 0.
+Image binary(const Image& mask) {
+    Image result(mask.size(), 1);
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x)
+            result(x, y, 0) = mask(x, y, 0) == 0 ? 0.0F : 1.0F;
+    return result;
+}
+
 /// The exemplar as it is sampled, where the settings change it first.
 struct Prepared {
     Image image; ///< empty where the exemplar is sampled as it is
+    Image mask;  ///< likewise
     std::optional<Rectification> change;
 };
 
@@ -147,6 +192,10 @@ Prepared prepared(const Request& request, const Settings& settings, Plan& plan,
             result.change = change;
             plan.from = change.lattice;
             plan.exemplar = result.image;
+            if (plan.mask.data != nullptr) {
+                result.mask = hardened(rectified(binary(*request.exemplars.front().mask), change, check));
+                plan.mask = result.mask.view().plane(0);
+            }
         }
     }
     const Vec2 tile = plan.from.extent();
@@ -198,11 +247,14 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     context.stage(0.1, TR("Looking for the lattice"));
     Plan plan;
     plan.exemplar = *exemplar.image;
+    if (exemplar.mask)
+        plan.mask = exemplar.mask->view().plane(0);
     plan.from = latticeFor(settings, exemplar.name, plan.exemplar, result.notes, [&] { context.check(); });
     const Prepared sampled = prepared(request, settings, plan, result.notes, context);
     plan.to = closing(plan.from, request, result.notes);
     plan.block = std::min(blockFor(settings, plan.exemplar.size(), plan.from),
                           largestBlock(settings, plan.exemplar.size()));
+    plan.block = fittingMask(settings, plan);
     plan.border = borderFor(settings, plan.block);
     describe(plan, result);
     Filler(request, settings, plan, context).fill(result, 0.9);
@@ -289,6 +341,7 @@ const Method self = method<Settings>(
          "gaps with patches that fit: keeps the courses and varies what lies in them."),
      .citation = "López Recas, diploma thesis 2011, chapters 3 to 5",
      .wraps = true,
+     .usesMask = true,
      .copiesPixels = true,
      .makesRegions = true},
     params(), run, check, estimate);

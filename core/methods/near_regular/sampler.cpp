@@ -6,9 +6,16 @@
 namespace texloom::near_regular {
 
 Sampler::Sampler(Size exemplar, const Lattice& from, const Lattice& to, Vec2 origin, const Layout& layout,
-                 const Random& random)
+                 const Random& random, const BorderMatch& match)
     : m_positions{exemplar.width - layout.patch() + 1, exemplar.height - layout.patch() + 1}, m_from(from),
-      m_to(to), m_origin(origin), m_layout(layout), m_random(random) {}
+      m_to(to), m_origin(origin), m_layout(layout), m_random(random), m_match(match) {
+    if (match.allowed() == m_positions.area())
+        return;
+    for (int y = 0; y < m_positions.height; ++y)
+        for (int x = 0; x < m_positions.width; ++x)
+            if (match.allows(x, y))
+                m_allowed.push_back({x, y});
+}
 
 /// Where the patch would lie if the exemplar went on for ever. The lattices may differ, so that the patch is
 /// right at its middle.
@@ -42,7 +49,19 @@ std::vector<Point> Sampler::alike(Cell cell) const {
                 points.push_back({std::clamp(static_cast<int>(std::lround(p.x)), 0, m_positions.width - 1),
                                   std::clamp(static_cast<int>(std::lround(p.y)), 0, m_positions.height - 1)});
         }
+    std::erase_if(points, [this](const Point& p) { return !m_match.allows(p.x, p.y); });
     return points;
+}
+
+/// Where no patch lies as the lattice asks, the one that lies least off it.
+Point Sampler::nearestAllowed(Cell cell) const {
+    const Vec2 start = target(cell);
+    const auto off = [&](const Point& p) {
+        const Vec2 from = Vec2{static_cast<double>(p.x), static_cast<double>(p.y)} - start;
+        return (from - m_from.nearest(from)).length();
+    };
+    return *std::min_element(m_allowed.begin(), m_allowed.end(),
+                             [&](const Point& a, const Point& b) { return off(a) < off(b); });
 }
 
 Point Sampler::drawn(Cell cell) const {
@@ -50,12 +69,16 @@ Point Sampler::drawn(Cell cell) const {
     const auto below = [&](std::size_t count, std::uint32_t draw) {
         return static_cast<int>(m_random.below(static_cast<std::uint32_t>(count), own.column, own.row, draw));
     };
+    if (free() && !m_allowed.empty())
+        return m_allowed[static_cast<std::size_t>(below(m_allowed.size(), 0))];
     if (free())
         return {below(static_cast<std::size_t>(m_positions.width), 0),
                 below(static_cast<std::size_t>(m_positions.height), 1)};
     const std::vector<Point> points = alike(cell);
     if (!points.empty())
         return points[static_cast<std::size_t>(below(points.size(), 0))];
+    if (!m_allowed.empty())
+        return nearestAllowed(cell);
     const Vec2 middle{0.5 * (m_positions.width - 1), 0.5 * (m_positions.height - 1)};
     const Vec2 nearest = middle + (target(cell) - middle) - m_from.nearest(target(cell) - middle);
     return {std::clamp(static_cast<int>(std::lround(nearest.x)), 0, m_positions.width - 1),

@@ -2,16 +2,12 @@
 
 #include "core/analysis/lattice.h"
 #include "core/job/random.h"
+#include "core/methods/near_regular/border_match.h"
 #include "core/methods/near_regular/layout.h"
 
 #include <vector>
 
 namespace texloom::near_regular {
-
-/// A pixel of the exemplar.
-struct Point {
-    int x = 0, y = 0;
-};
 
 /// Where in the exemplar patches lie that look like a block of the output: at the multiples of the lattice
 /// that lead from the one to the other (López Recas 2011, section 4.2.1). Points name a patch by its top left
@@ -20,9 +16,9 @@ class Sampler {
 public:
     /// @param exemplar its size. @param from the lattice in the exemplar. @param to the lattice in the
     /// output, which differs where the output wraps. @param origin the exemplar's point at the output's top
-    /// left.
+    /// left. @param match says which patches the mask allows; there must be one.
     Sampler(Size exemplar, const Lattice& from, const Lattice& to, Vec2 origin, const Layout& layout,
-            const Random& random);
+            const Random& random, const BorderMatch& match);
 
     /// Whether patches may come from anywhere.
     bool free() const { return m_from.free(); }
@@ -34,12 +30,15 @@ public:
 
 private:
     Vec2 target(Cell cell) const;
+    Point nearestAllowed(Cell cell) const;
 
     Size m_positions;
     Lattice m_from, m_to;
     Vec2 m_origin;
     const Layout& m_layout;
     const Random& m_random;
+    const BorderMatch& m_match;
+    std::vector<Point> m_allowed; ///< all patches, row by row, where a mask leaves some out
 };
 
 } // namespace texloom::near_regular

@@ -103,20 +103,34 @@ private:
         if (m_settings.tile == Choice::Given) {
             m_tile = {static_cast<int>(std::lround(m_settings.tileX)),
                       static_cast<int>(std::lround(m_settings.tileY)), 0};
+            Image cost(m_exemplar.size(), 1);
+            forbid(cost);
+            if (std::isinf(cost(m_tile.x, m_tile.y, 0)))
+                failUsage("The tile at ({}, {}) holds pixels that the mask hides; choose another corner.",
+                          m_tile.x, m_tile.y);
             return;
         }
         // A border that leaves no tile inside the exemplar gives way.
         for (int border = m_settings.border;; border /= 2) {
-            const Image costs =
+            Image costs =
                 tileCosts(m_exemplar, m_lattice, std::max(1, border), [this] { m_context.check(); });
+            forbid(costs);
             const ValueRange range = valueRange(costs);
             if (std::isinf(range.smallest) && border > 1)
                 continue;
+            if (std::isinf(range.smallest) && m_request.exemplars.front().mask)
+                failUsage("The mask leaves no whole tile of {:.0f} × {:.0f} px to copy; mask less.",
+                          m_lattice.extent().x, m_lattice.extent().y);
             m_tile = drawTile(costs, m_settings.tolerance, m_context.random());
             const double pixels = std::max(1, border) * (m_lattice.v1.length() + m_lattice.v2.length());
             m_joint = static_cast<double>(m_tile.cost) / pixels / m_exemplar.channels;
             return;
         }
+    }
+
+    void forbid(Image& costs) {
+        if (const auto& mask = m_request.exemplars.front().mask)
+            forbidTiles(costs, mask->view().plane(0), m_lattice, [this] { m_context.check(); });
     }
 
     void repeat() {
@@ -173,6 +187,8 @@ void check(const Request& request, const Settings& settings) {
         failUsage("{} is {} × {} px; a tile is looked for in exemplars of at least {} × {} px.",
                   exemplar.name, size.width, size.height, kSmallest, kSmallest);
     checkLattice(settings, exemplar.name, size);
+    if (exemplar.mask && valueRange(*exemplar.mask).largest == 0)
+        failUsage("The mask hides all of {}; mask less.", exemplar.name);
     if (settings.tile == Choice::Given && (settings.tileX >= size.width || settings.tileY >= size.height))
         failUsage("The tile's corner ({}, {}) lies outside {} with {} × {} px.", numberText(settings.tileX),
                   numberText(settings.tileY), exemplar.name, size.width, size.height);
@@ -238,6 +254,7 @@ const Method self = method<Settings>(
          "regular, without the variety of near-regular synthesis."),
      .citation = "López Recas, diploma thesis 2011, section 4.1",
      .wraps = true,
+     .usesMask = true,
      .copiesPixels = true,
      .makesRegions = true},
     params(), run, check, estimate);

@@ -114,6 +114,76 @@ Image tileCosts(const ImageView& exemplar, const Lattice& lattice, int border,
     return costs;
 }
 
+namespace {
+
+/// Pixels of a tile in one row, relative to its corner.
+struct Run {
+    int row, first, last;
+};
+
+/// All pixels that copies of the tile may take, whose places are rounded: the parallelogram and half a pixel
+/// around it.
+std::vector<Run> runsOf(const Lattice& lattice) {
+    const Vec2 corners[] = {{0, 0}, lattice.v1, lattice.v1 + lattice.v2, lattice.v2};
+    double top = 0, bottom = 0;
+    for (const Vec2& corner : corners) {
+        top = std::min(top, corner.y);
+        bottom = std::max(bottom, corner.y);
+    }
+    std::vector<Run> runs;
+    for (int row = static_cast<int>(std::floor(top)) - 1; row <= static_cast<int>(std::ceil(bottom)); ++row) {
+        double left = HUGE_VAL, right = -HUGE_VAL;
+        const double from = row - 0.5, to = row + 1.5;
+        for (int i = 0; i < 4; ++i) {
+            const Vec2 a = corners[i], b = corners[(i + 1) % 4];
+            for (const double y : {std::clamp(from, std::min(a.y, b.y), std::max(a.y, b.y)),
+                                   std::clamp(to, std::min(a.y, b.y), std::max(a.y, b.y))}) {
+                if (y < from || y > to)
+                    continue;
+                const double along = b.y == a.y ? 0 : (y - a.y) / (b.y - a.y);
+                for (const double x :
+                     {a.x + along * (b.x - a.x), b.y == a.y ? b.x : a.x + along * (b.x - a.x)}) {
+                    left = std::min(left, x);
+                    right = std::max(right, x);
+                }
+            }
+        }
+        if (left <= right)
+            runs.push_back({row, static_cast<int>(std::floor(left)) - 1, static_cast<int>(std::ceil(right))});
+    }
+    return runs;
+}
+
+} // namespace
+
+void forbidTiles(Image& costs, const PlaneView& mask, const Lattice& lattice,
+                 const std::function<void()>& check) {
+    const std::vector<Run> runs = runsOf(lattice);
+    const auto stride = static_cast<std::size_t>(mask.width) + 1;
+    std::vector<int> hidden(stride * static_cast<std::size_t>(mask.height)); // so far in each row
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
+            hidden[at + 1] = hidden[at] + (mask(x, y) == 0 ? 1 : 0);
+        }
+    const auto hides = [&](int x, int y) {
+        for (const Run& run : runs) {
+            const auto row = static_cast<std::size_t>(std::clamp(y + run.row, 0, mask.height - 1)) * stride;
+            const auto first = static_cast<std::size_t>(std::clamp(x + run.first, 0, mask.width - 1));
+            const auto last = static_cast<std::size_t>(std::clamp(x + run.last, 0, mask.width - 1));
+            if (hidden[row + last + 1] > hidden[row + first])
+                return true;
+        }
+        return false;
+    };
+    for (int y = 0; y < costs.height(); ++y) {
+        check();
+        for (int x = 0; x < costs.width(); ++x)
+            if (std::isfinite(costs(x, y, 0)) && hides(x, y))
+                costs(x, y, 0) = std::numeric_limits<float>::infinity();
+    }
+}
+
 Tile drawTile(const Image& costs, double tolerance, const Random& random) {
     float least = std::numeric_limits<float>::infinity();
     for (int y = 0; y < costs.height(); ++y)

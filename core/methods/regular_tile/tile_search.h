@@ -17,6 +17,11 @@ namespace texloom::regular_tile {
 Image tileCosts(const ImageView& exemplar, const Lattice& lattice, int border,
                 const std::function<void()>& check);
 
+/// Makes all tiles infinitely costly that hold a pixel where the mask is 0. @param mask one channel of the
+/// costs' size.
+void forbidTiles(Image& costs, const PlaneView& mask, const Lattice& lattice,
+                 const std::function<void()>& check);
+
 /// The corner of one tile.
 struct Tile {
     int x = 0, y = 0;

@@ -215,6 +215,60 @@ TEST(ExportResult, RefusesAnUnknownSpaceAndLeavesNothing) {
     EXPECT_TRUE(filesIn(sample.out.path()).empty());
 }
 
+TEST(ExportPresets, PackAndNameTheMapsOfAMaterial) {
+    SampleRun sample;
+    for (const char* name : {"bark_normal", "bark_rough", "bark_metal", "bark_height"})
+        sample.addCompanion(name, {48, 44});
+    const Result result = sample.run();
+    const TemporaryFolder out;
+    ExportOptions options;
+    options.preset = "unreal";
+    options.pattern = findExportPreset("unreal").pattern;
+    options.image = out / "T_bark_BC.png";
+    exportResult(result, options);
+    const std::set<fs::path> expected = {out / "T_bark_BC.png", out / "T_bark_BC.json", out / "T_bark_N.png",
+                                         out / "T_bark_ORM.png", out / "T_bark_H.png"};
+    EXPECT_EQ(filesIn(out.path()), expected);
+    const Image packed = readImage(out / "T_bark_ORM.png").image;
+    const Image normal = readImage(out / "T_bark_N.png").image;
+    for (int x = 0; x < packed.width(); ++x) {
+        EXPECT_EQ(packed(x, 9, 0), 1); // no occlusion map
+        EXPECT_EQ(packed(x, 9, 1), result.companion(1)(x, 9, 0));
+        EXPECT_EQ(packed(x, 9, 2), result.companion(2)(x, 9, 0));
+        EXPECT_NEAR(normal(x, 9, 1), 1 - result.companion(0)(x, 9, 1), 1e-6);
+        EXPECT_EQ(normal(x, 9, 0), result.companion(0)(x, 9, 0));
+    }
+    EXPECT_FALSE(readImageInfo(out / "T_bark_ORM.png").recipe.empty());
+}
+
+TEST(ExportPresets, UnityWantsSmoothnessAndMayHaveNoMap) {
+    SampleRun sample;
+    sample.addCompanion("bark_rough", {48, 44});
+    sample.addCompanion("bark_stamp", {48, 44});
+    const Result result = sample.run();
+    const TemporaryFolder out;
+    ExportOptions options;
+    options.preset = "unity";
+    options.image = out / "made.png";
+    options.sidecar = false;
+    exportResult(result, options);
+    const std::set<fs::path> expected = {out / "made.png", out / "made_MaskMap.png", out / "made_stamp.png"};
+    EXPECT_EQ(filesIn(out.path()), expected);
+    const Image packed = readImage(out / "made_MaskMap.png").image;
+    ASSERT_EQ(packed.channels(), 4);
+    EXPECT_NEAR(packed(5, 5, 3), 1 - result.companion(0)(5, 5, 0), 1e-6);
+}
+
+TEST(ExportResult, ReplacesOnlyWhatItWasToldItMay) {
+    SampleExport sample;
+    sample.options.mayReplace.emplace();
+    exportResult(sample.result, sample.options);
+    EXPECT_THROW(exportResult(sample.result, sample.options), Error);
+    for (const ExportEntry& entry : exportEntries(sample.result, sample.options))
+        sample.options.mayReplace->insert(entry.path);
+    EXPECT_NO_THROW(exportResult(sample.result, sample.options));
+}
+
 TEST(DepthLike, KeepsTheSourcesDepthWhereItCan) {
     ExemplarFile source;
     source.info.depth = "16-bit";

@@ -60,7 +60,9 @@ TEST(Sampler, findsThePatchesAtTheLatticesMultiples) {
     const Layout layout({500, 500}, {}, 20, 6);
     const Lattice lattice{{13.4, 2.2}, {-3.1, 17.7}};
     const Random random(3);
-    const Sampler sampler({128, 110}, lattice, lattice, {0, 0}, layout, random);
+    const Image exemplar = blobs({128, 110}, 1);
+    const BorderMatch match(exemplar, {}, layout.patch(), Match::Difference);
+    const Sampler sampler({128, 110}, lattice, lattice, {0, 0}, layout, random, match);
     for (const Cell cell : {Cell{0, 0}, Cell{7, 3}, Cell{-2, 20}}) {
         const std::vector<Point> points = sampler.alike(cell);
         std::set<std::pair<int, int>> found;
