@@ -289,7 +289,7 @@ TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
     Image mask = constant({96, 90}, 1, 1);
     for (int y = 0; y < 90; ++y)
         for (int x = 0; x < 96; ++x)
-            if (x > 70 || (x < 12 && y > 60) || (x == 60 && y == 20))
+            if (x > 84 || (x < 6 && y > 70) || (x == 40 && y > 86))
                 mask(x, y, 0) = 0;
     request.exemplars.front().mask = shared(mask);
     for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
