@@ -9,6 +9,7 @@
 #include "core/session/export.h"
 #include "core/session/preset.h"
 #include "core/session/run.h"
+#include "core/session/session.h"
 
 #include <algorithm>
 #include <iostream>
@@ -329,7 +330,7 @@ void synth(const SynthOptions& options) {
 }
 
 void runRecipe(const RunOptions& options) {
-    RunInput input = loadAndWarn(readRecipe(options.recipe));
+    RunInput input = loadAndWarn(readRun(options.recipe));
     OutputOptions out = options.out;
     if (out.output.empty()) {
         input.threads = out.threads;

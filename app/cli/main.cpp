@@ -113,7 +113,7 @@ void addStress(CLI::App& app) {
 void addRun(CLI::App& app) {
     static cli::RunOptions options;
     CLI::App* command = app.add_subcommand("run", "Do again what a recipe says");
-    command->add_option("recipe", options.recipe, "A .json recipe, or an image that Texloom wrote")
+    command->add_option("recipe", options.recipe, "A .json recipe, an image that Texloom wrote, or a session")
         ->required();
     addOutputOptions(*command, options.out, false);
     command->callback([] { cli::runRecipe(options); });

@@ -6,6 +6,7 @@
 #include "core/io/json_field.h"
 #include "core/methods/method.h"
 #include "core/session/name_template.h"
+#include "core/session/session.h"
 
 #include <fmt/format.h>
 
@@ -59,9 +60,8 @@ std::string choiceOr(const JsonField& field, const std::string& key, const std::
 
 void readRecipe(Run& run, const JsonField& field, const fs::path& folder) {
     try {
-        run.recipe = field.json().is_string()
-                         ? texloom::readRecipe((folder / field.text()).lexically_normal())
-                         : Recipe::fromJson(field.json().dump(), folder);
+        run.recipe = field.json().is_string() ? readRun((folder / field.text()).lexically_normal())
+                                              : Recipe::fromJson(field.json().dump(), folder);
     } catch (const Error& error) {
         run.problem = error.what();
     }

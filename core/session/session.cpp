@@ -4,6 +4,7 @@
 #include "core/base/version.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
+#include "core/methods/method.h"
 
 #include <fmt/format.h>
 
@@ -110,6 +111,36 @@ Session readSession(const fs::path& path) {
         return Session::fromJson(readText(path), folderOf(path));
     } catch (const UsageError& error) {
         throw UsageError(path.filename().string() + ": " + error.what());
+    }
+}
+
+Recipe runOf(const Session& session) {
+    Recipe recipe = session.settings;
+    bool several = findMethod(recipe.method).info().severalExemplars;
+    bool masks = findMethod(recipe.method).info().usesMask;
+    for (const RecipeStep& step : recipe.then) {
+        several = several && findMethod(step.method).info().severalExemplars;
+        masks = masks && findMethod(step.method).info().usesMask;
+    }
+    recipe.exemplars.clear();
+    for (std::size_t i = 0; i < session.settings.exemplars.size(); ++i)
+        if (several ? session.used[i] : static_cast<int>(i) == session.current) {
+            recipe.exemplars.push_back(session.settings.exemplars[i]);
+            if (!masks)
+                recipe.exemplars.back().mask.reset();
+        }
+    if (recipe.exemplars.empty())
+        failUsage("The session has no exemplar in use.");
+    return recipe;
+}
+
+Recipe readRun(const fs::path& path) {
+    if (path.extension() != ".texloom")
+        return readRecipe(path);
+    try {
+        return runOf(readSession(path));
+    } catch (const UsageError& error) {
+        throw UsageError(path.string() + ": " + error.what());
     }
 }
 

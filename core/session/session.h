@@ -33,6 +33,15 @@ Session readSession(const std::filesystem::path& path);
 /// Writes whole or not at all. @throws Error
 void writeSession(const std::filesystem::path& path, const Session& session);
 
+/// The run that a session's settings make: with all exemplars in use where its methods learn from several,
+/// else with the one that is looked at. @throws UsageError where there is no exemplar, or a method is not
+/// known.
+Recipe runOf(const Session& session);
+
+/// The recipe of a run in a file: a recipe, an image that Texloom wrote, or a session (.texloom).
+/// @throws Error, UsageError
+Recipe readRun(const std::filesystem::path& path);
+
 /// Writes a session with copies of its files in the folder NAME_files beside it, to be moved or given away
 /// together. Files already in that folder stay as they are.
 /// @param only copies only what lies in this folder; everything if empty. @return the session as written.

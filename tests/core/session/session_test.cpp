@@ -60,6 +60,22 @@ TEST(Session, NamesFilesRelativeToItself) {
     EXPECT_EQ(moved.settings.exemplars.front().image.path, elsewhere / "moved" / "bark.png");
 }
 
+TEST(Session, RunsWithTheExemplarsInUse) {
+    SampleSession sample;
+    writeSession(sample.file, sample.session);
+    const Recipe several = readRun(sample.file);
+    ASSERT_EQ(several.exemplars.size(), 1U);
+    EXPECT_EQ(several.exemplars.front().image.path, sample.folder / "bark.png");
+    EXPECT_TRUE(several.exemplars.front().mask);
+    sample.session.settings.method = "random-phase";
+    sample.session.settings.parameters = {};
+    const Recipe one = runOf(sample.session);
+    ASSERT_EQ(one.exemplars.size(), 1U);
+    EXPECT_EQ(one.exemplars.front().image.path, sample.folder / "moss.png");
+    sample.session.settings.exemplars.clear();
+    EXPECT_THAT([&] { runOf(sample.session); }, usageRefusal("exemplar"));
+}
+
 TEST(Session, MayHoldNothingYet) {
     Session empty;
     empty.settings.method = "quilting";
