@@ -59,6 +59,17 @@ int largestBlock(const Settings& settings, Size exemplar) {
     return block;
 }
 
+/// Whether a mask leaves a patch of this side.
+bool leavesPatch(const PlaneView& mask, int patch) {
+    const ImageView image{mask.data, mask.width, mask.height, 1, mask.stride, 0};
+    return PatchDistances(image, mask, {0.0}, patch).allowed() > 0;
+}
+
+/// Side of a patch, at most; blocks that wrap differ by a pixel.
+int patchFor(const Settings& settings, int block) {
+    return block + borderFor(settings, block) + 1;
+}
+
 /// Fits the lattice to an output that wraps, and says so where that changes it visibly.
 Lattice closing(const Lattice& lattice, const Request& request, std::vector<std::string>& notes) {
     if (!request.wrap.x && !request.wrap.y)
@@ -132,17 +143,6 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 
 /// Light more uneven than this shows as patches of different brightness.
 constexpr double kTooUneven = 0.5;
-
-/// Whether a mask leaves a patch of this side.
-bool leavesPatch(const PlaneView& mask, int patch) {
-    const ImageView image{mask.data, mask.width, mask.height, 1, mask.stride, 0};
-    return PatchDistances(image, mask, {0.0}, patch).allowed() > 0;
-}
-
-/// Side of a patch, at most; blocks that wrap differ by a pixel.
-int patchFor(const Settings& settings, int block) {
-    return block + borderFor(settings, block) + 1;
-}
 
 /// Smaller blocks where the mask leaves no patch of the size that was chosen.
 int fittingMask(const Settings& settings, const Plan& plan) {

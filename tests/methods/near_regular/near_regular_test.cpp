@@ -114,7 +114,7 @@ TEST(BorderMatch, choosesWhatBruteForceFinds) {
     const Image exemplar = blobs({40, 37}, 3);
     const Overlap border{4, 4, 5, 4};
     for (const Match match : {Match::Difference, Match::Correlation}) {
-        BorderMatch search(exemplar, 14, match);
+        BorderMatch search(exemplar, {}, 14, match);
         search.prepare(border);
         BorderMatch::Scratch scratch = search.scratch();
         for (std::uint64_t seed = 1; seed < 6; ++seed) {
