@@ -16,6 +16,7 @@
 #include "ui/viewers/result_view.h"
 #include "ui/window/readout.h"
 #include "ui/window/text.h"
+#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -337,6 +338,25 @@ private Q_SLOTS:
         QTRY_VERIFY(empty.message().contains(QStringLiteral("Open two images")));
     }
 
+    void earlierResultsAreFetchedToBeBlended() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_bricks));
+        QTRY_VERIFY(!window.workbench()->history()->entries().empty());
+        child<QAction>(window, "blend")->trigger();
+        auto* blend = child<BlendWindow>(window, "blendWindow");
+        auto* first = child<QComboBox>(*blend, "blendFirst");
+        const int earlier = first->count() - 1;
+        QVERIFY2(first->itemText(earlier).startsWith(QStringLiteral("Earlier: ")),
+                 qPrintable(first->itemText(earlier)));
+        first->setCurrentIndex(earlier);
+        child<QComboBox>(*blend, "blendSecond")->setCurrentIndex(1); // the result that is shown
+        QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(BlendWindow::LinearWay)->picture() && !blend->blending(),
+                                 kPatience);
+        QVERIFY(blend->viewer(BlendWindow::CutWay)->picture()->size() ==
+                window.result()->synthesis.image.size());
+    }
+
     void patchVarianceIsPlottedAsTheAnalysisHasIt() {
         VarianceDialog dialog({imageOf(m_grain)});
         dialog.show();
@@ -362,11 +382,13 @@ private Q_SLOTS:
         window.show();
         QVERIFY(openAndFinish(window, m_bricks));
         auto* panel = child<FiguresPanel>(window, "figuresPanel");
+        QTest::qWait(200);
         QVERIFY(panel->titles().isEmpty());
         child<QDockWidget>(window, "figureDock")->raise();
         QTRY_VERIFY_WITH_TIMEOUT(!panel->titles().isEmpty(), kPatience);
-        for (const char* title : {"Numbers", "Colours: red", "Patches: first component",
-                                  "Autocorrelation: exemplar", "Autocorrelation: result"})
+        for (const char* title :
+             {"Numbers", "Colours: red", "Patches: first component", "Autocorrelation: exemplar",
+              "Autocorrelation: result", "How often pixels are used"})
             QVERIFY2(panel->titles().contains(QLatin1String(title)), title);
         panel->showFigure(QStringLiteral("Colours: red"));
         const PlotData& data = panel->plot()->data();

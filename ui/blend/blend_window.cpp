@@ -16,6 +16,7 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
@@ -146,6 +147,7 @@ QWidget* BlendWindow::makeImageRow(int which) {
     auto* open = new QPushButton(tr("Open…"), row);
     open->setAccessibleName(which == 0 ? tr("Open a file as the first image")
                                        : tr("Open a file as the second image"));
+    open->setAutoDefault(false);
     connect(open, &QPushButton::clicked, this, [this, which] { openFile(which); });
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -277,6 +279,29 @@ const NamedImage* BlendWindow::chosen(int which) const {
     return index < 0 ? nullptr : m_images[static_cast<std::size_t>(index)].get();
 }
 
+bool BlendWindow::fetched() {
+    for (const int which : {0, 1}) {
+        const int index = m_choice[static_cast<std::size_t>(which)]->currentIndex();
+        NamedImage& image = *m_images[static_cast<std::size_t>(index)];
+        if (image.file.image)
+            continue;
+        say(tr("Reading “%1”…").arg(image.title));
+        image.fetch(
+            [guard = QPointer<BlendWindow>(this), &image](const ExemplarFile& file) {
+                if (!guard)
+                    return;
+                image.file = file;
+                guard->changed();
+            },
+            [guard = QPointer<BlendWindow>(this)](const QString& why) {
+                if (guard)
+                    guard->say(why);
+            });
+        return false;
+    }
+    return true;
+}
+
 BlendOptions BlendWindow::optionsOf(const Cell& cell) const {
     BlendOptions options;
     options.method = cell.method;
@@ -318,6 +343,8 @@ void BlendWindow::blendNow() {
         say(tr("Open two images of one size to blend."));
         return;
     }
+    if (!fetched())
+        return;
     std::vector<std::pair<std::size_t, BlendOptions>> wanted;
     for (std::size_t i = 0; i < kWays; ++i)
         if (m_cells[i].shown->isChecked())

@@ -69,6 +69,8 @@ private:
     void addImage(const NamedImage& image);
     void openFile(int which);
     const NamedImage* chosen(int which) const;
+    /// Whether both images are at hand; asks for one that is not.
+    bool fetched();
     BlendOptions optionsOf(const Cell& cell) const;
     void changed();
     void arrange();

@@ -156,6 +156,18 @@ bool LatticeCanvas::event(QEvent* event) {
     return ImageViewer::event(event);
 }
 
+/// What is in the middle stays there, as the arrows do over the correlation.
+void LatticeCanvas::resizeEvent(QResizeEvent* event) {
+    ImageViewer::resizeEvent(event);
+    if (fitted() || !event->oldSize().isValid())
+        return;
+    ViewTransform moved = view();
+    moved.pan(QPointF(event->size().width() - event->oldSize().width(),
+                      event->size().height() - event->oldSize().height()) /
+              2);
+    setView(moved, false);
+}
+
 void LatticeCanvas::keyPressEvent(QKeyEvent* event) {
     if (m_lattice && picture()) {
         if (event->key() == Qt::Key_Space)

@@ -39,6 +39,7 @@ Q_SIGNALS:
 protected:
     void paintOver(QPainter& painter) const override;
     bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;

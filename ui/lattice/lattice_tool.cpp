@@ -467,6 +467,10 @@ void LatticeTool::refreshUse() {
     else
         text = tr("%1 uses another lattice: %2 and %3 px.")
                    .arg(title, vectorText(given->v1), vectorText(given->v2));
+    if (why.isEmpty() && lattice() && m_exemplar &&
+        (2 * lattice()->extent().x > m_exemplar->width() || 2 * lattice()->extent().y > m_exemplar->height()))
+        text +=
+            tr(" The exemplar holds fewer than two of these tiles on a side, so results repeat much of it.");
     m_useText->setText(text);
 }
 

@@ -3,6 +3,7 @@
 #include "core/analysis/correlation.h"
 #include "core/analysis/histograms.h"
 #include "core/analysis/lattice_detector.h"
+#include "core/analysis/map_usage.h"
 #include "core/base/text.h"
 #include "ui/jobs/run_pictures.h"
 #include "ui/jobs/task_bar.h"
@@ -110,17 +111,16 @@ FiguresPanel::FiguresPanel(QWidget* parent)
 
 void FiguresPanel::setResult(std::shared_ptr<const Result> result) {
     m_result = std::move(result);
-    if (isVisible())
-        begin();
+    begin();
 }
 
-void FiguresPanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
+void FiguresPanel::setSeen(bool seen) {
+    m_seen = seen;
     begin();
 }
 
 void FiguresPanel::begin() {
-    if (!m_result || m_made == m_result)
+    if (!m_seen || !m_result || m_made == m_result)
         return;
     m_task.start(
         {}, [result = m_result](JobContext& context) { return entriesOf(*result, context); },
@@ -154,10 +154,25 @@ std::vector<FiguresPanel::Entry> FiguresPanel::entriesOf(const Result& result, J
         addHistograms(result, entries, context);
         addCorrelations(result, entries, context);
     }
+    addUse(result, entries, context);
     for (const Picture& picture : result.synthesis.pictures)
         entries.push_back({translated(picture.name), std::make_shared<const DisplayPicture>(
                                                          std::make_shared<const Image>(picture.image))});
     return entries;
+}
+
+void FiguresPanel::addUse(const Result& result, std::vector<Entry>& entries, JobContext& context) {
+    const PositionMap& map = result.synthesis.map;
+    if (result.synthesis.mapKind == MapKind::None || map.size().empty())
+        return;
+    const std::size_t count = map.exemplarSizes().size();
+    for (std::size_t e = 0; e < count; ++e) {
+        Image used = occurrencePicture(occurrence(map, static_cast<int>(e), [&] { context.check(); }));
+        const QString name = QString::fromStdString(result.plan.request.exemplars[e].name);
+        entries.push_back(
+            {count == 1 ? tr("How often pixels are used") : tr("How often pixels are used: %1").arg(name),
+             std::make_shared<const DisplayPicture>(std::make_shared<const Image>(std::move(used)))});
+    }
 }
 
 void FiguresPanel::addHistograms(const Result& result, std::vector<Entry>& entries, JobContext& context) {

@@ -38,8 +38,8 @@ public:
     Plot* plot() const { return m_plot; }
     ImageViewer* viewer() const { return m_viewer; }
 
-protected:
-    void showEvent(QShowEvent* event) override;
+    /// Whether anyone can see it: a dock behind other tabs is not hidden, but not seen either.
+    void setSeen(bool seen);
 
 private:
     /// A named number as it is shown.
@@ -53,11 +53,13 @@ private:
 
     static std::vector<Entry> entriesOf(const Result& result, JobContext& context);
     static void addHistograms(const Result& result, std::vector<Entry>& entries, JobContext& context);
+    static void addUse(const Result& result, std::vector<Entry>& entries, JobContext& context);
     static void addCorrelations(const Result& result, std::vector<Entry>& entries, JobContext& context);
     void begin();
     void take(std::vector<Entry> entries);
     void showEntry(int row);
 
+    bool m_seen = false;
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const Result> m_made; ///< the result that the entries are of
     std::vector<Entry> m_entries;

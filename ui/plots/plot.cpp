@@ -99,14 +99,14 @@ Plot::Plot(QWidget* parent)
     m_copy->setToolTip(tr("Put the numbers on the clipboard, a line for each value of the horizontal axis"));
     for (QToolButton* button : {m_numbers, m_copy})
         button->setFocusPolicy(Qt::StrongFocus);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch();
+    auto* buttons = new QVBoxLayout;
     buttons->addWidget(m_numbers);
     buttons->addWidget(m_copy);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_stack, 1);
-    column->addLayout(buttons);
+    buttons->addStretch();
+    auto* row = new QHBoxLayout(this); // plots are wide and low
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_stack, 1);
+    row->addLayout(buttons);
     connect(m_numbers, &QToolButton::toggled, this, &Plot::setNumbers);
     connect(m_copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(csv()); });
     draw();
@@ -138,6 +138,7 @@ void Plot::draw() {
     chart->layout()->setContentsMargins(0, 0, 0, 0);
     chart->setBackgroundRoundness(0);
     chart->legend()->setVisible(m_data.series.size() > 1);
+    chart->legend()->setAlignment(Qt::AlignRight);
     chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     const Limits x = limitsOf(m_data, true), y = limitsOf(m_data, false);
     QAbstractAxis* across = nullptr;
@@ -188,6 +189,8 @@ void Plot::colorChart(QChart* chart) const {
     chart->legend()->setFont(font());
     QColor grid = text;
     grid.setAlphaF(0.2F);
+    QColor faint = text;
+    faint.setAlphaF(0.08F);
     QFont small = font();
     small.setPointSizeF(font().pointSizeF() * 0.9);
     for (QAbstractAxis* axis : chart->axes()) {
@@ -197,6 +200,7 @@ void Plot::colorChart(QChart* chart) const {
         axis->setLabelsFont(small);
         axis->setLinePenColor(text);
         axis->setGridLineColor(grid);
+        axis->setMinorGridLineColor(faint);
     }
 }
 

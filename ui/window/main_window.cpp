@@ -142,7 +142,9 @@ void MainWindow::makeDocks() {
     m_figures = new FiguresPanel(this);
     QDockWidget* const figures = dockFor(m_figures, tr("Figures"), QStringLiteral("figureDock"), this);
     addDockWidget(Qt::BottomDockWidgetArea, figures);
-    tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("jobDock")), figures);
+    tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("logDock")), figures);
+    connect(figures, &QDockWidget::visibilityChanged, m_figures, &FiguresPanel::setSeen);
+    findChild<QDockWidget*>(QStringLiteral("resultDock"))->raise();
 }
 
 void MainWindow::makeMenus() {

@@ -106,6 +106,7 @@ private:
     void connectLattice();
     void connectTools();
     std::vector<NamedImage> images() const;
+    std::vector<NamedImage> earlierResults();
     void restoreLayout();
 
     void fillRecentMenu(QMenu* menu);

@@ -2,13 +2,30 @@
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/variance_dialog.h"
+#include "ui/results/result_text.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/workbench.h"
 
 #include <QComboBox>
 
 namespace texloom::ui {
+
+namespace {
+
+/// More earlier results than these are chosen from in their dock.
+constexpr std::size_t kMostResults = 40;
+
+/// A result as if it had been read from a file such as `like`.
+ExemplarFile fileOf(const std::shared_ptr<const Result>& result, const ExemplarEntry* like) {
+    ExemplarFile file = like != nullptr ? like->file() : ExemplarFile{};
+    file.path = result->fileName();
+    file.image = std::shared_ptr<const Image>(result, &result->synthesis.image);
+    return file;
+}
+
+} // namespace
 
 std::vector<NamedImage> MainWindow::images() const {
     std::vector<NamedImage> all;
@@ -16,10 +33,30 @@ std::vector<NamedImage> MainWindow::images() const {
         all.push_back({QString::fromStdString(entry.file().name()), entry.file()});
     if (m_result) {
         const ExemplarEntry* const made = m_store->find(m_shownExemplars.front().image);
-        ExemplarFile file = made != nullptr ? made->file() : ExemplarFile{};
-        file.path = m_result->fileName();
-        file.image = std::shared_ptr<const Image>(m_result, &m_result->synthesis.image);
-        all.push_back({tr("Result: %1").arg(QString::fromStdString(m_result->label())), std::move(file)});
+        all.push_back(
+            {tr("Result: %1").arg(QString::fromStdString(m_result->label())), fileOf(m_result, made)});
+    }
+    return all;
+}
+
+std::vector<NamedImage> MainWindow::earlierResults() {
+    std::vector<NamedImage> all;
+    const std::vector<ResultEntry>& entries = m_bench->history()->entries();
+    for (auto entry = entries.rbegin(); entry != entries.rend() && all.size() < kMostResults; ++entry) {
+        const auto fetch = [this, key = entry->key](const NamedImage::Fetched& done,
+                                                    const NamedImage::Failed& failed) {
+            m_bench->history()->want(
+                key,
+                [this, done](const std::shared_ptr<const Result>& result) {
+                    const ExemplarEntry* const made =
+                        result->plan.recipe.exemplars.empty()
+                            ? nullptr
+                            : m_store->find(result->plan.recipe.exemplars.front());
+                    done(fileOf(result, made));
+                },
+                failed);
+        };
+        all.push_back({tr("Earlier: %1").arg(labelText(*entry)), {}, fetch});
     }
     return all;
 }
@@ -35,7 +72,10 @@ void MainWindow::connectLattice() {
 
 void MainWindow::connectTools() {
     connect(m_actions.blend, &QAction::triggered, this, [this] {
-        auto* window = new BlendWindow(images(), this);
+        std::vector<NamedImage> all = images();
+        const std::vector<NamedImage> earlier = earlierResults();
+        all.insert(all.end(), earlier.begin(), earlier.end());
+        auto* window = new BlendWindow(all, this);
         window->setAttribute(Qt::WA_DeleteOnClose);
         connect(window, &BlendWindow::exemplarWanted, this,
                 [this](const QString& path) { openFiles({path}); });
