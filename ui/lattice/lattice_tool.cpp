@@ -121,9 +121,9 @@ QWidget* LatticeTool::makePanel() {
     column->addWidget(m_bar);
     column->addWidget(m_verdict);
     column->addWidget(m_table);
-    column->addWidget(makeFields());
     column->addWidget(makeButtons());
     column->addWidget(m_useText);
+    column->addWidget(makeFields());
     auto* scroll = new QScrollArea;
     scroll->setWidget(panel);
     scroll->setWidgetResizable(true);
@@ -141,6 +141,7 @@ void LatticeTool::makeTable() {
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setHighlightSections(false);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
