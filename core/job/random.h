@@ -35,7 +35,7 @@ public:
         m_state ^= m_state << 13U;
         m_state ^= m_state >> 17U;
         m_state ^= m_state << 5U;
-        const auto range = static_cast<std::uint64_t>(2 * radius + 1);
+        const auto range = 2 * static_cast<std::uint64_t>(radius) + 1;
         return static_cast<int>((m_state * range) >> 32U) - radius;
     }
 

@@ -153,7 +153,8 @@ void GridMatcher::improvePatch(PatchField& field, int x, int y, const float* pat
 std::uint64_t GridMatcher::bytesFor(std::span<const Size> exemplars, int channels, int patch, int stride,
                                     int threads) {
     const auto pixel = static_cast<std::uint64_t>(floatsPerPixel(channels)) * sizeof(float);
-    const auto side = static_cast<std::uint64_t>((kTile - 1) * stride + patch);
+    const int pixels = (kTile - 1) * stride + patch;
+    const auto side = static_cast<std::uint64_t>(pixels);
     std::uint64_t bytes = static_cast<std::uint64_t>(threads) * side * side * pixel;
     for (const Size& size : exemplars)
         bytes += static_cast<std::uint64_t>(size.area()) * (pixel + 32);

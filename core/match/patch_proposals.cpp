@@ -12,6 +12,10 @@ namespace {
 /// Precision of medians, as a share of how far the proposals lie apart.
 constexpr double kTolerance = 1e-4;
 
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
 } // namespace
 
 ColorBalance::ColorBalance(const std::vector<const Interleaved*>& images, int channels)
@@ -116,8 +120,8 @@ template <class Visit> void ProposalRow::everyRun(int y, const Visit& visit) con
     }
 }
 
-template <int kPixel> void ProposalRow::meanOf(int y, float* pixels) {
-    const int pixel = kPixel > 0 ? kPixel : m_pixel;
+template <int Pixel> void ProposalRow::meanOf(int y, float* pixels) {
+    const int pixel = Pixel > 0 ? Pixel : m_pixel;
     const float* falloff = m_proposals.falloff.empty() ? nullptr : m_proposals.falloff.data();
     const ColorBalance* balance = m_proposals.balance;
     std::fill(m_weight.begin(), m_weight.end(), 0.0F);
@@ -132,7 +136,7 @@ template <int kPixel> void ProposalRow::meanOf(int y, float* pixels) {
                 weight *= balance->factor(from);
             for (int c = 0; c < pixel; ++c)
                 to[c] += weight * from[c];
-            m_weight[static_cast<std::size_t>(x + i)] += weight;
+            m_weight[at(x + i)] += weight;
         }
     });
     for (const float weight : m_weight)
@@ -155,7 +159,7 @@ void ProposalRow::collect(int y) {
     std::vector<int> number(width, 0);
     everyRun(y, [&](int x, const float*, const Source&, int, int length, float) {
         for (int i = 0; i < length; ++i)
-            ++number[static_cast<std::size_t>(x + i)];
+            ++number[at(x + i)];
     });
     m_most = *std::max_element(number.begin(), number.end());
     const auto places = width * static_cast<std::size_t>(m_most);
@@ -164,11 +168,11 @@ void ProposalRow::collect(int y) {
     m_count.assign(width, 0);
     everyRun(y, [&](int x, const float* from, const Source&, int place, int length, float patchWeight) {
         for (int i = 0; i < length; ++i, from += m_pixel) {
-            int& count = m_count[static_cast<std::size_t>(x + i)];
-            const std::size_t first = static_cast<std::size_t>(x + i) * static_cast<std::size_t>(m_most);
+            int& count = m_count[at(x + i)];
+            const std::size_t first = at(x + i) * static_cast<std::size_t>(m_most);
             float weight = patchWeight;
             if (!m_proposals.falloff.empty())
-                weight *= m_proposals.falloff[static_cast<std::size_t>(place + i)];
+                weight *= m_proposals.falloff[at(place + i)];
             if (m_proposals.balance)
                 weight *= m_proposals.balance->factor(from);
             int equal = 0;
@@ -212,8 +216,8 @@ void ProposalRow::median(int y, Solver solver, float* pixels) {
     }
 }
 
-template <int kPixel> void ProposalRow::nearestOf(int y, const float* pixels, Source* sources) const {
-    const int pixel = kPixel > 0 ? kPixel : m_pixel;
+template <int Pixel> void ProposalRow::nearestOf(int y, const float* pixels, Source* sources) const {
+    const int pixel = Pixel > 0 ? Pixel : m_pixel;
     std::vector<float> least(m_weight.size(), HUGE_VALF);
     everyRun(y, [&](int x, const float* from, const Source& source, int, int length, float) {
         const float* to = pixels + static_cast<std::ptrdiff_t>(x) * pixel;
@@ -221,8 +225,8 @@ template <int kPixel> void ProposalRow::nearestOf(int y, const float* pixels, So
             float distance = 0;
             for (int c = 0; c < pixel; ++c)
                 distance += (from[c] - to[c]) * (from[c] - to[c]);
-            if (distance < least[static_cast<std::size_t>(x + i)]) {
-                least[static_cast<std::size_t>(x + i)] = distance;
+            if (distance < least[at(x + i)]) {
+                least[at(x + i)] = distance;
                 sources[x + i] = {static_cast<std::uint16_t>(source.x + i), source.y, source.exemplar};
             }
         }

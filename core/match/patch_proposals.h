@@ -60,8 +60,8 @@ private:
     template <class Visit> void everyRun(int y, const Visit& visit) const;
     template <class Visit>
     void visitPatch(int column, int line, const Source& first, float weight, const Visit& visit) const;
-    template <int kPixel> void meanOf(int y, float* pixels);
-    template <int kPixel> void nearestOf(int y, const float* pixels, Source* sources) const;
+    template <int Pixel> void meanOf(int y, float* pixels);
+    template <int Pixel> void nearestOf(int y, const float* pixels, Source* sources) const;
     void collect(int y);
 
     const PatchProposals& m_proposals;

@@ -21,7 +21,7 @@ float gap(const PatchBasis::Descriptor& a, const PatchBasis::Descriptor& b) {
     float lanes[kLanes] = {};
     for (int i = 0; i < PatchBasis::kAxes; i += kLanes)
         for (int lane = 0; lane < kLanes; ++lane) {
-            const auto at = static_cast<std::size_t>(i + lane);
+            const int at = i + lane;
             lanes[lane] += (a[at] - b[at]) * (a[at] - b[at]);
         }
     return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
@@ -51,7 +51,7 @@ PatchBasis::PatchBasis(std::span<const Interleaved* const> images, int channels,
     m_axes.assign(static_cast<std::size_t>(dimension) * kAxes, 0);
     for (int a = 0; a < principal.count(); ++a)
         for (int i = 0; i < dimension; ++i)
-            m_axes[static_cast<std::size_t>(i * kAxes + a)] =
+            m_axes[static_cast<std::size_t>(i) * kAxes + static_cast<std::size_t>(a)] =
                 static_cast<float>(principal.axis(a)[static_cast<std::size_t>(i)]);
     check();
 }

@@ -188,7 +188,7 @@ void Optimizer::optimize(int level) {
     Pass pass(m_pyramid.level(level), m_settings, random, m_size, m_context);
     plan(pass, level);
     if (pass.narrowed && level == 0)
-        m_result.notes.push_back(
+        m_result.notes.emplace_back(
             TR("At this size every patch chose among a few that suit it, so that some are "
                "used a little more often than others."));
     const int count = iterations(level);

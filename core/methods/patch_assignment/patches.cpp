@@ -25,11 +25,11 @@ struct PlanarShape {
     int area, channels;
 };
 
-/// kChannels is 0 where the compiler need not know their number.
-template <int kChannels>
+/// Channels is 0 where the compiler need not know their number.
+template <int Channels>
 [[gnu::always_inline]] inline float distanceOf(const float* wanted, const float* own, PlanarShape shape) {
     constexpr int kLanes = 8;
-    const int channels = kChannels > 0 ? kChannels : shape.channels;
+    const int channels = Channels > 0 ? Channels : shape.channels;
     float sums[kLanes] = {};
     for (int i = 0; i < shape.area; i += kLanes) {
         float squares[kLanes] = {};
@@ -122,8 +122,8 @@ void ExemplarPatches::choose(std::span<const PatchSource> sources, bool random, 
                 const double weight = weightOf(sources[e], x, y);
                 if (weight <= 0)
                     continue;
-                const auto cell = static_cast<std::size_t>(y / m_stride * cells.width + x / m_stride);
-                nearestCell[cell] = count();
+                const int cell = y / m_stride * cells.width + x / m_stride;
+                nearestCell[static_cast<std::size_t>(cell)] = count();
                 m_sources.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
                                      static_cast<std::uint16_t>(e)});
                 m_weights.push_back(weight);
@@ -150,7 +150,8 @@ int ExemplarPatches::nearest(int exemplar, int x, int y) const {
     if (x < 0 || y < 0 || x >= m_sizes[e].width || y >= m_sizes[e].height)
         return -1;
     const int columns = (m_sizes[e].width + m_stride - 1) / m_stride;
-    return m_nearest[e][static_cast<std::size_t>(y / m_stride * columns + x / m_stride)];
+    const int cell = y / m_stride * columns + x / m_stride;
+    return m_nearest[e][static_cast<std::size_t>(cell)];
 }
 
 std::vector<int> ExemplarPatches::supply(int persons, Supply kind, JobContext& context) const {

@@ -346,7 +346,8 @@ void Optimizer::discourage(Pass& pass) {
     pass.use.resize(pass.set->sources().size());
     for (std::size_t n = 0; n < pass.use.size(); ++n) {
         const Source& source = pass.set->sources()[n];
-        const auto columns = static_cast<std::size_t>(sizes[source.exemplar].width - pass.lattice.patch + 1);
+        const int width = sizes[source.exemplar].width - pass.lattice.patch + 1;
+        const auto columns = static_cast<std::size_t>(width);
         const float now = unit * use[source.exemplar][source.y * columns + source.x];
         pass.use[n] = fresh ? now : 0.5F * (now + pass.use[n]);
     }
