@@ -1,5 +1,6 @@
 #include "core/base/version.h"
 #include "ui/jobs/background.h"
+#include "ui/session/document.h"
 #include "ui/window/appearance.h"
 #include "ui/window/main_window.h"
 
@@ -21,15 +22,17 @@ int main(int argc, char** argv) {
         QCoreApplication::translate("main", "A workbench for exemplar-based texture synthesis."));
     arguments.addHelpOption();
     arguments.addVersionOption();
-    arguments.addPositionalArgument(QStringLiteral("files"),
-                                    QCoreApplication::translate("main", "Exemplars or a recipe to open."),
-                                    QStringLiteral("[files…]"));
+    arguments.addPositionalArgument(
+        QStringLiteral("files"),
+        QCoreApplication::translate("main", "Exemplars, a recipe or a session to open."),
+        QStringLiteral("[files…]"));
     arguments.process(application);
 
     texloom::ui::applyAppearance(texloom::ui::savedAppearance());
     auto window = std::make_unique<texloom::ui::MainWindow>();
     window->show();
     window->openFiles(arguments.positionalArguments());
+    window->document()->offerRecovery();
     const int status = QApplication::exec();
     window.reset();
     texloom::ui::workers().waitForDone();

@@ -1,6 +1,7 @@
 #include "ui/exemplar/exemplar_panel.h"
 
 #include "core/color/color_pipeline.h"
+#include "ui/exemplar/companion_list.h"
 #include "ui/exemplar/files.h"
 #include "ui/viewers/image_viewer.h"
 #include "ui/window/elided_label.h"
@@ -60,7 +61,7 @@ ExemplarPanel::ExemplarPanel(ExemplarStore* store, const QList<QAction*>& action
     : QWidget(parent), m_store(store), m_viewer(new ImageViewer(this)), m_name(new ElidedLabel(this)),
       m_facts(new QLabel(this)), m_space(new QComboBox(this)), m_maskName(new ElidedLabel(this)),
       m_setMask(new QToolButton(this)), m_clearMask(new QToolButton(this)), m_maskRow(new QWidget(this)),
-      m_list(new QListWidget(this)) {
+      m_companions(new CompanionList(store, this)), m_list(new QListWidget(this)) {
     setObjectName(QStringLiteral("exemplarPanel"));
     m_viewer->setObjectName(QStringLiteral("exemplarViewer"));
     m_viewer->setAccessibleName(tr("Exemplar"));
@@ -124,6 +125,7 @@ QWidget* ExemplarPanel::makeDetails() {
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("&Colour space"), m_space);
     form->addRow(tr("Mask"), m_maskRow);
+    form->addRow(tr("Maps"), m_companions);
     return details;
 }
 
@@ -238,6 +240,7 @@ void ExemplarPanel::showPicture(const ExemplarEntry* entry) {
     m_viewer->setBadge(legend ? tr("Position map") : QString());
     if (m_viewer->picture() != picture)
         m_viewer->setPicture(std::move(picture));
+    m_viewer->setHidden(entry != nullptr && !legend ? entry->hidden : QImage());
 }
 
 } // namespace texloom::ui

@@ -14,6 +14,7 @@ class QToolButton;
 
 namespace texloom::ui {
 
+class CompanionList;
 class ElidedLabel;
 class ImageViewer;
 
@@ -34,6 +35,7 @@ public:
     /// Shows the current exemplar in other colours, a map's legend; null: as it is.
     void setLegend(std::shared_ptr<const DisplayPicture> legend);
     ImageViewer* viewer() const { return m_viewer; }
+    CompanionList* companions() const { return m_companions; }
     /// Asks for a mask file for the current exemplar.
     void chooseMask();
 
@@ -58,6 +60,7 @@ private:
     QToolButton* m_setMask;
     QToolButton* m_clearMask;
     QWidget* m_maskRow;
+    CompanionList* m_companions;
     QListWidget* m_list;
     std::shared_ptr<const DisplayPicture> m_legend;
     bool m_several = false;

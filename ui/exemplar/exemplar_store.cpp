@@ -1,30 +1,81 @@
 #include "ui/exemplar/exemplar_store.h"
 
+#include "core/base/error.h"
+#include "core/image/mask_paint.h"
+#include "core/session/edited_exemplar.h"
+#include "ui/exemplar/files.h"
 #include "ui/jobs/background.h"
 #include "ui/window/text.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace texloom::ui {
 
 namespace {
 
-/// A file with the picture that shows it.
-struct Loaded {
-    ExemplarFile file;
-    std::shared_ptr<const DisplayPicture> picture;
-};
+/// White where the mask hides.
+QImage hiddenPicture(const Image& mask) {
+    QImage hidden(mask.width(), mask.height(), QImage::Format_Alpha8);
+    for (int y = 0; y < mask.height(); ++y) {
+        uchar* row = hidden.scanLine(y);
+        for (int x = 0; x < mask.width(); ++x)
+            row[x] = mask(x, y, 0) == 0 ? 255 : 0;
+    }
+    return hidden;
+}
 
-Loaded loadShown(const std::filesystem::path& path, const std::string& space) {
-    Loaded loaded{loadExemplar(path, space), nullptr};
-    loaded.picture = std::make_shared<const DisplayPicture>(loaded.file.image);
-    return loaded;
+/// A small picture of a map, by its nearest pixels.
+QImage thumbOf(const Image& map) {
+    constexpr int kSide = 96;
+    const double step = std::max(1.0, static_cast<double>(map.size().longerSide()) / kSide);
+    const int width = std::max(1, static_cast<int>(map.width() / step));
+    const int height = std::max(1, static_cast<int>(map.height() / step));
+    QImage thumb(width, height, QImage::Format_RGB32);
+    const auto level = [&](int x, int y, int c) {
+        const float value = map(x, y, map.channels() >= 3 ? c : 0);
+        return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int column = static_cast<int>(x * step), row = static_cast<int>(y * step);
+            thumb.setPixel(x, y, qRgb(level(column, row, 0), level(column, row, 1), level(column, row, 2)));
+        }
+    return thumb;
+}
+
+ExemplarState stateOf(const RunExemplar& exemplar) {
+    return {exemplar.original(), exemplar.edits};
+}
+
+/// Loads a companion map and checks that it fits. @throws Error, UsageError
+ExemplarFile loadCompanion(const RunExemplar& original, const QString& path) {
+    ExemplarFile companion = loadData(toPath(path));
+    checkSizeLike(original.image, companion, "companion");
+    return companion;
+}
+
+bool isCompanionRole(MapRole role) {
+    return role != MapRole::Other && role != MapRole::Color;
+}
+
+MapName nameOf(const QString& path) {
+    return mapNameFrom(QFileInfo(path).completeBaseName().toStdString());
+}
+
+/// Whether two files are maps of one material by their names.
+bool belongTogether(const QString& companion, const QString& other) {
+    return QFileInfo(companion).path() == QFileInfo(other).path() &&
+           nameOf(companion).base == nameOf(other).base && !isCompanionRole(nameOf(other).role);
 }
 
 } // namespace
 
-template <class Work, class Done> void ExemplarStore::load(Work work, Done done) {
+template <class Work, class Done, class Failed>
+void ExemplarStore::load(Work work, Done done, Failed onFailed) {
     beginLoading(1);
     inBackground(
         this, std::move(work),
@@ -32,10 +83,15 @@ template <class Work, class Done> void ExemplarStore::load(Work work, Done done)
             beginLoading(-1);
             done(std::move(loaded));
         },
-        [this](const QString& why) {
+        [this, onFailed = std::move(onFailed)](const QString& why) {
             beginLoading(-1);
             Q_EMIT failed(why);
+            onFailed();
         });
+}
+
+template <class Work, class Done> void ExemplarStore::load(Work work, Done done) {
+    load(std::move(work), std::move(done), [] {});
 }
 
 void ExemplarStore::beginLoading(int step) {
@@ -67,41 +123,93 @@ ExemplarEntry* ExemplarStore::entry(int id) {
     return const_cast<ExemplarEntry*>(std::as_const(*this).find(id));
 }
 
-int ExemplarStore::add(RunExemplar exemplar, std::shared_ptr<const DisplayPicture> picture) {
-    m_entries.push_back({++m_lastId, std::move(exemplar), true, std::move(picture)});
+ExemplarStore::Shown ExemplarStore::shown(RunExemplar exemplar, const ExemplarEntry* before) {
+    Shown made{std::move(exemplar), nullptr, {}, {}};
+    const bool same = before != nullptr && before->file().image == made.exemplar.image.image;
+    made.picture = same ? before->picture : std::make_shared<const DisplayPicture>(made.exemplar.image.image);
+    if (made.exemplar.mask)
+        made.hidden = hiddenPicture(*made.exemplar.mask->image);
+    for (const ExemplarFile& companion : made.exemplar.companions)
+        made.companionThumbs.push_back(thumbOf(*companion.image));
+    return made;
+}
+
+int ExemplarStore::add(Shown made) {
+    m_entries.push_back({++m_lastId, std::move(made.exemplar), true, std::move(made.picture),
+                         std::move(made.hidden), std::move(made.companionThumbs)});
     return m_lastId;
 }
 
 void ExemplarStore::open(const QString& path) {
+    openFirst(path, {});
+}
+
+void ExemplarStore::openAll(const QStringList& paths) {
+    for (const QString& path : paths) {
+        const bool companion = isCompanionRole(nameOf(path).role);
+        const auto together = [&path](const QString& other) { return belongTogether(path, other); };
+        if (companion && std::any_of(paths.begin(), paths.end(), together))
+            continue; // it comes with the other
+        const auto known = std::find_if(m_entries.begin(), m_entries.end(), [&](const ExemplarEntry& entry) {
+            return together(toQString(entry.file().path));
+        });
+        if (companion && known != m_entries.end()) {
+            addCompanion(known->id, path);
+            continue;
+        }
+        QStringList companions;
+        for (const QString& other : paths)
+            if (isCompanionRole(nameOf(other).role) && belongTogether(other, path))
+                companions += other;
+        openFirst(path, companions);
+    }
+}
+
+void ExemplarStore::openFirst(const QString& path, const QStringList& companions) {
     const auto file = toPath(path);
     const auto known = std::find_if(m_entries.begin(), m_entries.end(),
                                     [&](const auto& entry) { return entry.file().path == file; });
     if (known != m_entries.end()) {
         const int id = known->id;
+        for (const QString& companion : companions)
+            addCompanion(id, companion);
         setCurrent(id);
         Q_EMIT opened(id);
         return;
     }
-    load([file] { return loadShown(file, {}); },
-         [this](Loaded loaded) {
-             const int id = add({std::move(loaded.file), {}, {}}, std::move(loaded.picture));
-             Q_EMIT changed();
-             setCurrent(id);
-             Q_EMIT opened(id);
-         });
+    load(
+        [file, companions] {
+            RunExemplar exemplar{loadExemplar(file), {}, {}};
+            QStringList refused;
+            for (const QString& companion : companions)
+                try {
+                    exemplar.companions.push_back(loadCompanion(exemplar, companion));
+                } catch (const std::exception& error) {
+                    refused += sentence(error);
+                }
+            return std::pair(shown(std::move(exemplar)), refused);
+        },
+        [this](std::pair<Shown, QStringList> made) {
+            const int id = add(std::move(made.first));
+            Q_EMIT changed();
+            setCurrent(id);
+            Q_EMIT opened(id);
+            for (const QString& refusal : made.second)
+                Q_EMIT failed(refusal);
+        });
 }
 
 void ExemplarStore::replaceAll(std::vector<RunExemplar> exemplars) {
     const auto make = [exemplars = std::move(exemplars)] {
-        std::vector<std::pair<RunExemplar, std::shared_ptr<const DisplayPicture>>> made;
+        std::vector<Shown> made;
         for (const RunExemplar& exemplar : exemplars)
-            made.emplace_back(exemplar, std::make_shared<const DisplayPicture>(exemplar.image.image));
+            made.push_back(shown(exemplar));
         return made;
     };
-    load(make, [this](auto made) {
+    load(make, [this](std::vector<Shown> made) {
         m_entries.clear();
-        for (auto& [exemplar, picture] : made)
-            add(std::move(exemplar), std::move(picture));
+        for (Shown& one : made)
+            add(std::move(one));
         m_current = m_entries.empty() ? 0 : m_entries.front().id;
         Q_EMIT changed();
         Q_EMIT currentChanged();
@@ -136,36 +244,162 @@ void ExemplarStore::setChecked(int id, bool checked) {
     Q_EMIT changed();
 }
 
+void ExemplarStore::change(Change change) {
+    if (find(change.id) == nullptr)
+        return;
+    const std::size_t waiting = m_changes.size() - (m_changing ? 1 : 0);
+    const bool replaces = waiting > 0 && !change.key.isEmpty() && m_changes.back().id == change.id &&
+                          m_changes.back().key == change.key;
+    if (replaces)
+        m_changes.back() = std::move(change);
+    else
+        m_changes.push_back(std::move(change));
+    nextChange();
+}
+
+void ExemplarStore::nextChange() {
+    if (m_changing || m_changes.empty())
+        return;
+    const Change& next = m_changes.front();
+    const ExemplarEntry* const known = find(next.id);
+    if (known == nullptr) {
+        m_changes.pop_front();
+        return nextChange();
+    }
+    m_changing = true;
+    load(
+        [apply = next.apply, entry = *known] {
+            ExemplarState state = stateOf(entry.exemplar);
+            apply(state);
+            return shown(texloom::edited(state.original, state.edits), &entry);
+        },
+        [this, before = stateOf(known->exemplar)](Shown made) {
+            const Change done = std::move(m_changes.front());
+            endChange();
+            changeDone(done, before, std::move(made));
+            nextChange();
+        },
+        [this] {
+            endChange();
+            nextChange();
+        });
+}
+
+void ExemplarStore::endChange() {
+    m_changes.pop_front();
+    m_changing = false;
+}
+
+ExemplarEdits ExemplarStore::wantedEdits(int id) const {
+    for (auto change = m_changes.rbegin(); change != m_changes.rend(); ++change)
+        if (change->id == id && change->edits)
+            return *change->edits;
+    const ExemplarEntry* const known = find(id);
+    return known != nullptr ? known->exemplar.edits : ExemplarEdits{};
+}
+
+void ExemplarStore::changeDone(const Change& change, const ExemplarState& before, Shown made) {
+    ExemplarEntry* const changing = entry(change.id);
+    if (changing == nullptr)
+        return;
+    changing->exemplar = std::move(made.exemplar);
+    changing->picture = std::move(made.picture);
+    changing->hidden = std::move(made.hidden);
+    changing->companionThumbs = std::move(made.companionThumbs);
+    const ExemplarState after = stateOf(changing->exemplar);
+    Q_EMIT changed();
+    Q_EMIT currentChanged();
+    if (change.undoable)
+        Q_EMIT edited(change.id, before, after, change.what, change.key);
+}
+
 void ExemplarStore::setSpace(int id, const QString& space) {
     const ExemplarEntry* const known = find(id);
     if (known == nullptr || known->file().space == space.toStdString())
         return;
-    load([file = known->file().path, space = space.toStdString()] { return loadShown(file, space); },
-         [this, id](Loaded loaded) {
-             if (ExemplarEntry* const changing = entry(id)) {
-                 changing->exemplar.image = std::move(loaded.file);
-                 changing->picture = std::move(loaded.picture);
-                 Q_EMIT changed();
-                 Q_EMIT currentChanged();
-             }
-         });
+    change({id,
+            tr("Colour space"),
+            {},
+            [space = space.toStdString()](ExemplarState& state) {
+                state.original.image = loadExemplar(state.original.image.path, space);
+            },
+            true});
 }
 
 void ExemplarStore::setMask(int id, const QString& path) {
-    load([file = toPath(path)] { return loadMask(file); },
-         [this, id](ExemplarFile mask) {
-             if (ExemplarEntry* const changing = entry(id)) {
-                 changing->exemplar.mask = std::move(mask);
-                 Q_EMIT changed();
-             }
-         });
+    change({id,
+            tr("Mask"),
+            {},
+            [file = toPath(path)](ExemplarState& state) {
+                ExemplarFile mask = loadMask(file);
+                checkSizeLike(state.original.image, mask, "mask");
+                state.original.mask = std::move(mask);
+            },
+            true});
 }
 
 void ExemplarStore::clearMask(int id) {
-    if (ExemplarEntry* const changing = entry(id)) {
-        changing->exemplar.mask.reset();
-        Q_EMIT changed();
-    }
+    change({id, tr("Clear mask"), {}, [](ExemplarState& state) { state.original.mask.reset(); }, true});
+}
+
+void ExemplarStore::paintMask(int id, Image stroke, bool hide) {
+    const auto painted = std::make_shared<const Image>(std::move(stroke));
+    change({id,
+            hide ? tr("Paint mask") : tr("Erase mask"),
+            {},
+            [painted, hide](ExemplarState& state) {
+                const Image* const known = state.original.mask ? state.original.mask->image.get() : nullptr;
+                const Size size = state.original.image.image->size();
+                state.original.mask =
+                    saveMask(paintedMask(known, size, placementOf(state.edits, size), *painted, hide),
+                             state.original.image.name());
+            },
+            true});
+}
+
+void ExemplarStore::addCompanion(int id, const QString& path) {
+    change({id,
+            tr("Add companion map"),
+            {},
+            [path](ExemplarState& state) {
+                ExemplarFile companion = loadCompanion(state.original, path);
+                std::vector<ExemplarFile>& companions = state.original.companions;
+                std::erase_if(companions,
+                              [&](const ExemplarFile& known) { return known.path == companion.path; });
+                companions.push_back(std::move(companion));
+            },
+            true});
+}
+
+void ExemplarStore::removeCompanion(int id, std::size_t index) {
+    change({id,
+            tr("Remove companion map"),
+            {},
+            [index](ExemplarState& state) {
+                std::vector<ExemplarFile>& companions = state.original.companions;
+                if (index < companions.size())
+                    companions.erase(companions.begin() + static_cast<std::ptrdiff_t>(index));
+            },
+            true});
+}
+
+void ExemplarStore::setCompanionRole(int id, std::size_t index, MapRole role) {
+    change({id,
+            tr("Kind of companion map"),
+            {},
+            [index, role](ExemplarState& state) {
+                if (index < state.original.companions.size())
+                    state.original.companions[index].role = role;
+            },
+            true});
+}
+
+void ExemplarStore::setEdits(int id, const ExemplarEdits& edits, const QString& what, const QString& key) {
+    change({id, what, key, [edits](ExemplarState& state) { state.edits = edits; }, true, edits});
+}
+
+void ExemplarStore::restoreState(int id, const ExemplarState& state) {
+    change({id, {}, {}, [state](ExemplarState& restored) { restored = state; }, false, state.edits});
 }
 
 } // namespace texloom::ui

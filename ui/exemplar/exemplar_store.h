@@ -8,6 +8,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,8 +22,16 @@ struct ExemplarEntry {
     RunExemplar exemplar;
     bool checked = true; ///< whether methods that learn from several use it
     std::shared_ptr<const DisplayPicture> picture;
+    QImage hidden; ///< what the mask hides, as Format_Alpha8 of the exemplar's size; null without a mask
+    std::vector<QImage> companionThumbs;
 
     const ExemplarFile& file() const { return exemplar.image; }
+};
+
+/// All that can be changed of an exemplar, and undone: pixels are shared, so that copies cost nothing.
+struct ExemplarState {
+    RunExemplar original;
+    ExemplarEdits edits;
 };
 
 /// The exemplars that are open, and which of them is looked at. Files are read on a worker: what is asked for
@@ -45,6 +55,9 @@ public:
 
     /// Reads an image and adds it, or looks at it again if it is open.
     void open(const QString& path);
+    /// Opens several; those whose names say that they belong to another, as bark_normal to bark_albedo or to
+    /// an open exemplar bark, become its companion maps.
+    void openAll(const QStringList& paths);
     /// Takes the place of everything open, as a recipe wants it; replaced() follows.
     void replaceAll(std::vector<RunExemplar> exemplars);
     void remove(int id);
@@ -54,6 +67,18 @@ public:
     void setSpace(int id, const QString& space);
     void setMask(int id, const QString& path);
     void clearMask(int id);
+    /// Adds a stroke, one channel of the exemplar's size, to the mask. @param hide or shows again.
+    void paintMask(int id, Image stroke, bool hide);
+    void addCompanion(int id, const QString& path);
+    void removeCompanion(int id, std::size_t index);
+    void setCompanionRole(int id, std::size_t index, MapRole role);
+    /// @param what names the change in the undo list. @param key changes of one key that follow each other
+    /// are one, such as those of a slider's drag; empty for none.
+    void setEdits(int id, const ExemplarEdits& edits, const QString& what, const QString& key = {});
+    /// The edits as they will be when all that was asked for is done.
+    ExemplarEdits wantedEdits(int id) const;
+    /// Goes back to a state, without telling edited().
+    void restoreState(int id, const ExemplarState& state);
 
 Q_SIGNALS:
     /// Entries, their order or anything about them changed.
@@ -63,16 +88,44 @@ Q_SIGNALS:
     /// An image was opened by open().
     void opened(int id);
     void replaced();
+    /// An exemplar was changed in a way that can be undone.
+    void edited(int id, const texloom::ui::ExemplarState& before, const texloom::ui::ExemplarState& after,
+                const QString& what, const QString& key);
     /// A file could not be read; the sentence says why. Everything is as it was before.
     void failed(const QString& sentence);
 
 private:
+    /// A change that waits for those before it.
+    struct Change {
+        int id;
+        QString what, key;
+        std::function<void(ExemplarState&)> apply; ///< on a worker
+        bool undoable;
+        std::optional<ExemplarEdits> edits = {}; ///< what it makes of them, where that is known before
+    };
+    /// An exemplar with the pictures that show it.
+    struct Shown {
+        RunExemplar exemplar;
+        std::shared_ptr<const DisplayPicture> picture;
+        QImage hidden;
+        std::vector<QImage> companionThumbs;
+    };
+
+    static Shown shown(RunExemplar exemplar, const ExemplarEntry* before = nullptr);
     ExemplarEntry* entry(int id);
-    int add(RunExemplar exemplar, std::shared_ptr<const DisplayPicture> picture);
+    int add(Shown made);
+    void openFirst(const QString& path, const QStringList& companions);
+    void change(Change change);
+    void nextChange();
+    void endChange();
+    void changeDone(const Change& change, const ExemplarState& before, Shown made);
     void beginLoading(int step);
+    template <class Work, class Done, class Failed> void load(Work work, Done done, Failed onFailed);
     template <class Work, class Done> void load(Work work, Done done);
 
     std::vector<ExemplarEntry> m_entries;
+    std::deque<Change> m_changes; ///< the first one is under way while m_changing
+    bool m_changing = false;
     int m_current = 0;
     int m_lastId = 0;
     int m_loading = 0;

@@ -1,6 +1,7 @@
 #include "ui/exemplar/files.h"
 
 #include "core/base/error.h"
+#include "ui/window/text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -103,6 +104,23 @@ QString savePastedPicture(const QImage& picture) {
         fail("The pasted picture could not be kept in {}; check that there is room.",
              folder.path().toStdString());
     return path;
+}
+
+QString ownFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/masks");
+}
+
+ExemplarFile saveMask(const Image& mask, const std::string& exemplar) {
+    const QDir folder(ownFolder());
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+    if (!folder.mkpath(QStringLiteral(".")))
+        fail("The painted mask could not be kept in {}; check that there is room.",
+             folder.path().toStdString());
+    const QString name = QStringLiteral("%1_mask-%2.png").arg(QString::fromStdString(exemplar), stamp);
+    WriteOptions options;
+    options.space = "raw";
+    writeImage(toPath(folder.filePath(name)), mask, options);
+    return loadMask(toPath(folder.filePath(name)));
 }
 
 } // namespace texloom::ui

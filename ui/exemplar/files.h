@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/session/exemplar_file.h"
+
 #include <QImage>
 #include <QString>
 #include <QStringList>
@@ -27,5 +29,11 @@ QStringList localFiles(const QMimeData& data);
 
 /// Writes a pasted picture to a file of its own in the cache folder. Called on a worker. @throws Error
 QString savePastedPicture(const QImage& picture);
+
+/// The folder for what is made here and has no place of its own: painted masks.
+QString ownFolder();
+
+/// Writes a painted mask to a file of its own in ownFolder(). Called on a worker. @throws Error
+ExemplarFile saveMask(const Image& mask, const std::string& exemplar);
 
 } // namespace texloom::ui

@@ -20,6 +20,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace texloom::ui {
@@ -37,8 +38,8 @@ bool hasCompanions(const RunPlan& plan) {
 
 ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& folder, QWidget* parent)
     : QDialog(parent), m_result(std::move(result)),
-      m_folder(new QLineEdit(QDir::toNativeSeparators(folder), this)),
-      m_name(new QLineEdit(QString::fromStdString(m_result->fileName()), this)),
+      m_folder(new QLineEdit(QDir::toNativeSeparators(folder), this)), m_preset(new QComboBox(this)),
+      m_name(new QLineEdit(this)), m_nameShown(new QLabel(this)), m_normals(new QComboBox(this)),
       m_format(new QComboBox(this)), m_depth(new QComboBox(this)), m_space(new QComboBox(this)),
       m_stMap(new QCheckBox(tr("S&TMap for compositors (EXR)"), this)),
       m_exactMap(new QCheckBox(tr("Exact &positions (16-bit PNG)"), this)),
@@ -49,6 +50,9 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     setWindowTitle(tr("Export"));
     m_folder->setObjectName(QStringLiteral("exportFolder"));
     m_name->setObjectName(QStringLiteral("exportName"));
+    m_preset->setObjectName(QStringLiteral("exportPreset"));
+    m_normals->setObjectName(QStringLiteral("exportNormals"));
+    m_nameShown->setObjectName(QStringLiteral("exportNameShown"));
     m_name->setMinimumWidth(fontMetrics().averageCharWidth() * kNameWidth);
     m_format->setObjectName(QStringLiteral("exportFormat"));
     m_depth->setObjectName(QStringLiteral("exportDepth"));
@@ -67,7 +71,31 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     m_name->selectAll();
 }
 
+void ExportDialog::presetChosen() {
+    const ExportPreset& preset = findExportPreset(m_preset->currentData().toString().toStdString());
+    m_name->setText(QString::fromStdString(preset.pattern));
+    refresh();
+}
+
+QString ExportDialog::nameFor(const std::string& map) const {
+    return QString::fromStdString(
+               expandName(m_name->text().trimmed().toStdString(), nameWords(*m_result, map)))
+        .trimmed();
+}
+
 void ExportDialog::fillFormats() {
+    for (const ExportPreset& preset : exportPresets())
+        m_preset->addItem(translated(preset.title), QString::fromStdString(preset.id));
+    m_preset->setToolTip(
+        tr("What the files are called, which maps share one, and where green points in normal "
+           "maps."));
+    m_name->setText(QString::fromStdString(exportPresets().front().pattern));
+    m_name->setToolTip(
+        tr("The name of the files. $name is the exemplar's, $map the kind of map; there is $method, "
+           "$seed, $w, $h, $size and $place, too."));
+    m_normals->addItem(tr("As the preset says"), static_cast<int>(MapRole::Other));
+    m_normals->addItem(tr("OpenGL, green up"), static_cast<int>(MapRole::NormalGl));
+    m_normals->addItem(tr("DirectX, green down"), static_cast<int>(MapRole::NormalDx));
     m_format->addItem(tr("PNG"), QStringLiteral(".png"));
     m_format->addItem(tr("TIFF"), QStringLiteral(".tif"));
     m_format->addItem(tr("OpenEXR"), QStringLiteral(".exr"));
@@ -117,10 +145,19 @@ void ExportDialog::makeForm() {
     QWidget* const folderRow = makeFolderRow();
     form->addRow(tr("&Folder"), folderRow);
     qobject_cast<QLabel*>(form->labelForField(folderRow))->setBuddy(m_folder);
+    form->addRow(tr("&Preset"), m_preset);
     form->addRow(tr("&Name"), m_name);
+    form->addRow(QString(), m_nameShown);
     form->addRow(tr("F&ormat"), m_format);
     form->addRow(tr("&Depth"), m_depth);
     form->addRow(tr("&Colour space"), m_space);
+    const std::vector<std::vector<ExemplarFile>>& maps = m_result->plan.companions;
+    const bool normals = hasCompanions(m_result->plan) &&
+                         std::any_of(maps.front().begin(), maps.front().end(),
+                                     [](const ExemplarFile& map) { return isNormal(map.role); });
+    if (normals)
+        form->addRow(tr("Norm&als"), m_normals);
+    m_normals->setVisible(normals);
     form->addRow(tr("Position map"), m_stMap);
     form->addRow(QString(), m_exactMap);
     form->addRow(tr("Also"), m_sidecar);
@@ -162,7 +199,8 @@ void ExportDialog::makeForm() {
     });
     for (QLineEdit* edit : {m_folder, m_name})
         connect(edit, &QLineEdit::textChanged, this, &ExportDialog::refresh);
-    for (QComboBox* combo : {m_depth, m_space})
+    connect(m_preset, &QComboBox::currentIndexChanged, this, &ExportDialog::presetChosen);
+    for (QComboBox* combo : {m_depth, m_space, m_normals})
         connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
     for (QCheckBox* box : {m_stMap, m_exactMap, m_sidecar, m_companions})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
@@ -173,16 +211,28 @@ QString ExportDialog::folder() const {
 }
 
 ExportOptions ExportDialog::options() const {
-    const QString base = folder() + QLatin1Char('/') + m_name->text().trimmed();
+    const std::string pattern = m_name->text().trimmed().toStdString();
+    const bool holdsMap =
+        pattern.find("$map") != std::string::npos || pattern.find("${map}") != std::string::npos;
     ExportOptions options;
-    options.image = toPath(base + m_format->currentData().toString());
+    options.preset = m_preset->currentData().toString().toStdString();
+    options.pattern = holdsMap ? pattern : "";
+    options.normals = static_cast<MapRole>(m_normals->currentData().toInt());
+    options.mayReplace = m_replaced;
+    const QString place = folder() + QLatin1Char('/');
+    options.image =
+        toPath(place + nameFor(findExportPreset(options.preset).color) + m_format->currentData().toString());
+    const auto besideIt = [&](const char* word, const char* extension) {
+        const QString name = holdsMap ? nameFor(word) : nameFor("") + QLatin1Char('_') + QLatin1String(word);
+        return toPath(place + name + QLatin1String(extension));
+    };
     options.depth = static_cast<Depth>(m_depth->currentData().toInt());
     options.space = m_space->currentData().toString().toStdString();
     options.sidecar = m_sidecar->isChecked();
     if (m_stMap->isChecked())
-        options.maps.push_back(toPath(base + QStringLiteral("_stmap.exr")));
+        options.maps.push_back(besideIt("stmap", ".exr"));
     if (m_exactMap->isChecked())
-        options.maps.push_back(toPath(base + QStringLiteral("_map.png")));
+        options.maps.push_back(besideIt("map", ".png"));
     options.companions = m_companions->isChecked();
     return options;
 }
@@ -198,6 +248,8 @@ QString ExportDialog::refusal() const {
     if (!QDir(folder()).exists())
         return tr("The folder %1 is not there.").arg(folder());
     try {
+        if (nameFor("x").isEmpty())
+            return tr("The files need a name.");
         checkWritable(options().image, m_result->synthesis.image.channels(), options().depth);
         exportEntries(*m_result, options());
     } catch (const std::exception& error) {
@@ -212,13 +264,20 @@ void ExportDialog::refresh() {
     m_problem->setText(problem);
     m_write->setEnabled(problem.isEmpty());
     m_write->setToolTip(problem);
+    if (problem.isEmpty())
+        m_nameShown->setText(tr("→ %1").arg(toQString(options().image.filename())));
+    else
+        m_nameShown->clear();
     fillTable(problem.isEmpty() ? exportEntries(*m_result, options()) : std::vector<ExportEntry>());
 }
 
 void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
     m_table->setRowCount(static_cast<int>(entries.size()));
+    m_replaced.clear();
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const ExportEntry& entry = entries[static_cast<std::size_t>(row)];
+        if (entry.exists)
+            m_replaced.insert(entry.path);
         auto* file = new QTableWidgetItem(toQString(entry.path.filename()));
         file->setToolTip(toQString(entry.path));
         auto* disk = new QTableWidgetItem(entry.exists ? tr("replaces the file there") : tr("new"));

@@ -38,10 +38,16 @@ private:
     void refresh();
     void fillTable(const std::vector<ExportEntry>& entries);
     void chooseFolder();
+    void presetChosen();
+    /// The name for one kind of map, from the template in the name's field. @throws UsageError
+    QString nameFor(const std::string& map) const;
 
     std::shared_ptr<const Result> m_result;
     QLineEdit* m_folder;
+    QComboBox* m_preset;
     QLineEdit* m_name;
+    QLabel* m_nameShown;
+    QComboBox* m_normals;
     QComboBox* m_format;
     QComboBox* m_depth;
     QComboBox* m_space;
@@ -52,6 +58,7 @@ private:
     QTableWidget* m_table;
     QLabel* m_problem;
     QPushButton* m_write = nullptr;
+    std::set<std::filesystem::path> m_replaced; ///< files that the table says are replaced
 };
 
 } // namespace texloom::ui

@@ -117,6 +117,10 @@ Values Inspector::values() const {
     return m_form->values();
 }
 
+Values Inspector::changedValues() const {
+    return m_form->changedValues();
+}
+
 void Inspector::setValues(const Values& values) {
     m_form->setValues(values);
 }

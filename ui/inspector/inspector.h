@@ -32,6 +32,8 @@ public:
     void setExemplarSize(Size size);
     /// All parameters' values as the form shows them.
     Values values() const;
+    /// Those that the user set.
+    Values changedValues() const;
     /// Sets these parameters and brings all others back to their defaults.
     void setValues(const Values& values);
     /// Sets these parameters, those of them that the method has, and leaves all others.

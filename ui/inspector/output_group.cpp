@@ -219,6 +219,10 @@ bool OutputGroup::seedLocked() const {
     return m_lock->isChecked();
 }
 
+void OutputGroup::setSeedLocked(bool locked) {
+    m_lock->setChecked(locked);
+}
+
 void OutputGroup::drawSeed() {
     m_seed->draw();
 }

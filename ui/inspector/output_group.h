@@ -35,6 +35,7 @@ public:
     void setSeed(std::uint64_t seed);
     /// Whether each run keeps the seed.
     bool seedLocked() const;
+    void setSeedLocked(bool locked);
     void drawSeed();
     /// 0: one per core.
     int threads() const;

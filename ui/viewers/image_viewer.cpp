@@ -66,6 +66,11 @@ void ImageViewer::setBadge(const QString& text) {
     update();
 }
 
+void ImageViewer::setHidden(const QImage& hidden) {
+    m_hidden = hidden;
+    update();
+}
+
 void ImageViewer::setMarker(std::optional<QPoint> pixel) {
     if (m_marker == pixel)
         return;

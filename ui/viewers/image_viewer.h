@@ -34,6 +34,9 @@ public:
     /// Marks an image pixel with a crosshair and a circle; none takes the mark away.
     void setMarker(std::optional<QPoint> pixel);
     const std::optional<QPoint>& marker() const { return m_marker; }
+    /// Hatches pixels: those where `hidden`, of Format_Alpha8 and the picture's size, is not 0; none if null.
+    void setHidden(const QImage& hidden);
+    const QImage& hidden() const { return m_hidden; }
 
     /// Rings around these image pixels: where the copies of a pixel are.
     void setRings(std::vector<QPoint> pixels);
@@ -88,6 +91,8 @@ protected:
     /// Paints a picture where this viewer's would lie.
     void paintPicture(QPainter& painter, const DisplayPicture& picture) const;
     void paintBackground(QPainter& painter, const QRect& part) const;
+    /// The pixel under the keyboard's cursor, if it was ever moved.
+    const std::optional<QPoint>& cursorPixel() const { return m_cursor; }
 
 private:
     QSizeF imageSize() const;
@@ -105,6 +110,7 @@ private:
     void paintOnce(QPainter& painter, const DisplayPicture& picture, const QImage& level) const;
     void paintBackdrop(QPainter& painter, const DisplayPicture& picture) const;
     QRectF placeOf(const DisplayPicture& picture) const;
+    void paintHidden(QPainter& painter) const;
     void paintMarker(QPainter& painter, QPoint pixel) const;
     void paintRings(QPainter& painter) const;
     void paintBadge(QPainter& painter) const;
@@ -112,6 +118,7 @@ private:
     std::shared_ptr<const DisplayPicture> m_picture;
     QString m_placeholder;
     QString m_badge;
+    QImage m_hidden;
     ViewTransform m_view;
     bool m_fitted = true;
     bool m_repeat = false;

@@ -31,6 +31,8 @@ void ImageViewer::paintEvent(QPaintEvent* event) {
     const int margin = fontMetrics().height();
     if (m_picture) {
         paintPicture(painter, *m_picture);
+        if (!m_hidden.isNull() && !m_repeat)
+            paintHidden(painter);
         paintOver(painter);
     } else {
         painter.setPen(palette().color(QPalette::WindowText));
@@ -78,6 +80,29 @@ void ImageViewer::paintBackdrop(QPainter& painter, const DisplayPicture& picture
     const int square = std::max(2, fontMetrics().height() / 2);
     const QBrush brush(checkerboard(square, isDark(palette())));
     painter.fillRect(m_repeat ? QRectF(rect()) : placeOf(picture).intersected(rect()), brush);
+}
+
+/// Hatching in screen pixels, cut out by the mask: the same density at any zoom.
+void ImageViewer::paintHidden(QPainter& painter) const {
+    const double ratio = devicePixelRatioF();
+    QImage layer(size() * ratio, QImage::Format_ARGB32_Premultiplied);
+    layer.setDevicePixelRatio(ratio);
+    layer.fill(Qt::transparent);
+    QPainter hatching(&layer);
+    hatching.drawImage(QRectF(m_view.origin(), imageSize() * m_view.scale()), m_hidden);
+    hatching.setCompositionMode(QPainter::CompositionMode_SourceIn);
+    hatching.fillRect(rect(), QColor(0, 0, 0, 110));
+    hatching.setCompositionMode(QPainter::CompositionMode_SourceAtop);
+    hatching.setRenderHint(QPainter::Antialiasing);
+    const double gap = fontMetrics().height() / 2.0;
+    for (const auto& [color, share] :
+         {std::pair(QColor(Qt::black), 0.3), std::pair(QColor(Qt::white), 0.12)}) {
+        hatching.setPen(QPen(color, gap * share));
+        for (double x = -height(); x < width(); x += gap)
+            hatching.drawLine(QPointF(x, height()), QPointF(x + height(), 0));
+    }
+    hatching.end();
+    painter.drawImage(0, 0, layer);
 }
 
 void ImageViewer::paintOnce(QPainter& painter, const DisplayPicture& picture, const QImage& level) const {

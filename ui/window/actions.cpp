@@ -52,6 +52,10 @@ Actions::Actions(QMainWindow* window) {
     clearMask = make("clearExemplarMask", tr("&Clear mask"));
     removeExemplar = make("removeExemplar", tr("&Remove"), {Qt::CTRL | Qt::Key_Delete},
                           tr("Take the exemplar off the list; its file stays"), "close");
+    editExemplar = make("editExemplar", tr("E&dit…"), {Qt::CTRL | Qt::Key_D},
+                        tr("Crop, turn, rectify, even out the light, hide parts"));
+    editExemplar->setCheckable(true);
+    addCompanions = make("addCompanions", tr("Add companion &maps…"));
     run = make("run", tr("&Run"), {Qt::CTRL | Qt::Key_Return, Qt::CTRL | Qt::Key_Enter},
                tr("Make the result; if a run is under way, right after it, but a quick preview gives way"),
                "run");

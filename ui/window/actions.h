@@ -18,6 +18,8 @@ struct Actions {
     QAction* setMask;
     QAction* clearMask;
     QAction* removeExemplar;
+    QAction* editExemplar;
+    QAction* addCompanions;
     QAction* run;
     QAction* addToQueue;
     QAction* quick;

@@ -1,6 +1,8 @@
 #include "ui/window/main_window.h"
 
 #include "ui/compare/compare_view.h"
+#include "ui/exemplar/companion_list.h"
+#include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
@@ -9,6 +11,8 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/session/document.h"
+#include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/appearance.h"
 #include "ui/window/message_bar.h"
@@ -77,6 +81,8 @@ MainWindow::MainWindow(QWidget* parent)
     m_method->setCurrentIndex(m_method->findData(kFirstMethod));
     makeCentre();
     makeDocks();
+    m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString()));
+    makeDocument();
     makeMenus();
     makeToolBar();
     m_readout = new Readout(this);
@@ -104,6 +110,7 @@ MainWindow::~MainWindow() {
     hide();
     delete m_controller;
     workers().waitForDone();
+    delete m_document; // takes its copy for recovery away, once nobody writes it
 }
 
 void MainWindow::makeCentre() {
@@ -114,6 +121,8 @@ void MainWindow::makeCentre() {
     m_results = new ResultView(m_centre);
     m_centre->addWidget(m_start);
     m_centre->addWidget(m_results);
+    m_editor = new ExemplarEditor(m_store, m_centre);
+    m_centre->addWidget(m_editor);
     auto* column = new QVBoxLayout(middle);
     column->addWidget(m_messages);
     column->addWidget(m_centre, 1);
@@ -121,7 +130,8 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::makeDocks() {
-    m_exemplars = new ExemplarPanel(m_store, {m_actions.open, m_actions.paste, m_actions.removeExemplar});
+    m_exemplars =
+        new ExemplarPanel(m_store, {m_actions.open, m_actions.editExemplar, m_actions.removeExemplar});
     auto* parameters = new QWidget;
     m_inspector = new Inspector(parameters);
     m_runPanel =
@@ -158,14 +168,20 @@ void MainWindow::makeMenus() {
     samples->setEnabled(!samples->isEmpty());
     file->addAction(m_actions.paste);
     file->addSeparator();
+    m_document->addTo(file);
+    file->addSeparator();
     file->addAction(m_actions.exportResult);
     file->addSeparator();
     file->addAction(m_actions.quit);
 
-    menuBar()->addMenu(tr("&Edit"))->addAction(m_actions.copyResult);
+    QMenu* const edit = menuBar()->addMenu(tr("&Edit"));
+    edit->addActions({m_undo->undoAction(), m_undo->redoAction()});
+    edit->addSeparator();
+    edit->addAction(m_actions.copyResult);
     menuBar()
         ->addMenu(tr("E&xemplar"))
-        ->addActions({m_actions.lattice, m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
+        ->addActions({m_actions.editExemplar, m_actions.addCompanions, m_actions.lattice, m_actions.setMask, m_actions.clearMask,
+                      m_actions.removeExemplar});
     QMenu* const synthesis = menuBar()->addMenu(tr("&Synthesis"));
     synthesis->addActions(
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
@@ -275,6 +291,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+    if (!m_document->mayClose())
+        return event->ignore();
     m_bench->queue()->clear();
     m_controller->stop();
     QMainWindow::closeEvent(event);
@@ -286,6 +304,9 @@ void MainWindow::connectActions() {
     connect(m_actions.exportResult, &QAction::triggered, this, &MainWindow::exportDialog);
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.copyResult, &QAction::triggered, this, &MainWindow::copyResult);
+    connect(m_actions.editExemplar, &QAction::toggled, this, &MainWindow::editExemplar);
+    connect(m_editor, &ExemplarEditor::done, this, [this] { m_actions.editExemplar->setChecked(false); });
+    connect(m_actions.addCompanions, &QAction::triggered, m_exemplars->companions(), &CompanionList::choose);
     connect(m_actions.setMask, &QAction::triggered, m_exemplars, &ExemplarPanel::chooseMask);
     connect(m_actions.clearMask, &QAction::triggered, this, [this] {
         if (const ExemplarEntry* entry = m_store->current())

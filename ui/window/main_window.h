@@ -2,6 +2,7 @@
 
 #include "core/session/preset.h"
 #include "core/session/run.h"
+#include "core/session/session.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/exemplar/named_image.h"
 #include "ui/jobs/job_queue.h"
@@ -20,6 +21,8 @@ class QStackedWidget;
 
 namespace texloom::ui {
 
+class Document;
+class ExemplarEditor;
 class ExemplarPanel;
 class ExportDialog;
 class FiguresPanel;
@@ -31,7 +34,9 @@ class Readout;
 class ResultView;
 class RunPanel;
 class StartPage;
+class UndoHistory;
 class Workbench;
+struct LoadedSession;
 
 /// The size of a preview of an output: its shape, small.
 Size quickSize(Size size);
@@ -77,6 +82,11 @@ public:
     MessageBar* messages() const { return m_messages; }
     RunPanel* runPanel() const { return m_runPanel; }
     ExemplarPanel* exemplarPanel() const { return m_exemplars; }
+    ExemplarEditor* exemplarEditor() const { return m_editor; }
+    Document* document() const { return m_document; }
+    UndoHistory* undoHistory() const { return m_undo; }
+    /// Everything that a session keeps, as it stands.
+    Session session() const;
     Workbench* workbench() const { return m_bench; }
     LatticeTool* lattice() const { return m_lattice; }
     /// The finished result that was shown last; null if there is none.
@@ -108,6 +118,10 @@ private:
     std::vector<NamedImage> images() const;
     std::vector<NamedImage> earlierResults();
     void restoreLayout();
+    void makeDocument();
+    void showTitle();
+    void showSession(const LoadedSession& loaded, const std::function<void()>& shown);
+    void editExemplar(bool edit);
 
     void fillRecentMenu(QMenu* menu);
     void openDialog();
@@ -154,6 +168,9 @@ private:
     QStackedWidget* m_centre = nullptr;
     StartPage* m_start = nullptr;
     ResultView* m_results = nullptr;
+    ExemplarEditor* m_editor = nullptr;
+    Document* m_document = nullptr;
+    UndoHistory* m_undo = nullptr;
     MessageBar* m_messages = nullptr;
     ExemplarPanel* m_exemplars = nullptr;
     Inspector* m_inspector = nullptr;

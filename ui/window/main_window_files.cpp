@@ -4,6 +4,8 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/background.h"
+#include "ui/session/document.h"
+#include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
@@ -59,13 +61,17 @@ LoadedRecipe loadAll(const std::filesystem::path& path) {
 } // namespace
 
 void MainWindow::openFiles(const QStringList& paths) {
+    QStringList pictures;
     for (const QString& path : paths) {
         const QString file = QFileInfo(path).absoluteFilePath();
-        if (isRecipe(file))
+        if (Document::isSession(file))
+            m_document->open(file);
+        else if (isRecipe(file))
             offerRecipe(file, tr("%1 holds the settings of a result.").arg(QFileInfo(file).fileName()));
         else
-            m_store->open(file);
+            pictures += file;
     }
+    m_store->openAll(pictures);
 }
 
 void MainWindow::openDialog() {
@@ -174,15 +180,17 @@ void MainWindow::restore(const RunInput& input) {
 }
 
 void MainWindow::applySettings(const RunInput& input) {
-    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
-    OutputGroup* const output = m_inspector->output();
-    output->setOutputSize(input.size);
-    output->setWrap(input.wrap);
-    output->setSeed(input.seed);
-    output->setInitial(input.initial);
-    output->setPart(input.region);
-    m_inspector->setValues(input.settings);
-    m_inspector->setThen(input.then);
+    m_undo->asOne([this, &input] {
+        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
+        OutputGroup* const output = m_inspector->output();
+        output->setOutputSize(input.size);
+        output->setWrap(input.wrap);
+        output->setSeed(input.seed);
+        output->setInitial(input.initial);
+        output->setPart(input.region);
+        m_inspector->setValues(input.settings);
+        m_inspector->setThen(input.then);
+    });
     plan();
 }
 

@@ -1,5 +1,6 @@
 #include "core/base/text.h"
 #include "ui/compare/compare_view.h"
+#include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
@@ -7,6 +8,8 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/log/log_panel.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/session/document.h"
+#include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
@@ -97,7 +100,8 @@ RunInput MainWindow::input(bool quick) const {
 }
 
 void MainWindow::methodChosen() {
-    m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString()));
+    m_undo->asOne(
+        [this] { m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString())); });
     m_method->setToolTip(m_method->currentData(Qt::ToolTipRole).toString());
     settingsEdited();
 }
@@ -105,19 +109,27 @@ void MainWindow::methodChosen() {
 void MainWindow::settingsEdited() {
     m_exemplars->setAbilities(m_inspector->allMethods(&MethodInfo::severalExemplars),
                               m_inspector->allMethods(&MethodInfo::usesMask));
+    m_editor->setMaskUsed(m_inspector->allMethods(&MethodInfo::usesMask));
+    m_undo->settingsEdited();
+    m_document->touch();
     planSoon();
 }
 
 void MainWindow::usePreset(const Preset& preset) {
-    const RecipeStep& first = preset.steps.front();
-    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(first.method)));
-    m_inspector->setValues(first.parameters);
-    m_inspector->setThen({preset.steps.begin() + 1, preset.steps.end()});
+    m_undo->asOne([this, &preset] {
+        const RecipeStep& first = preset.steps.front();
+        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(first.method)));
+        m_inspector->setValues(first.parameters);
+        m_inspector->setThen({preset.steps.begin() + 1, preset.steps.end()});
+    });
 }
 
 void MainWindow::exemplarsChanged() {
     const bool any = !m_store->entries().empty() || m_result;
-    m_centre->setCurrentIndex(any ? 1 : 0);
+    if (m_centre->currentWidget() != m_editor || m_store->entries().empty())
+        m_centre->setCurrentIndex(any ? 1 : 0);
+    const UndoHistory::Pause pause(m_undo);
+    m_document->touch();
     const std::vector<RunExemplar> used = usedExemplars();
     m_inspector->setExemplarSize(used.empty() ? Size{} : used.front().image.image->size());
 
@@ -172,6 +184,8 @@ void MainWindow::updateActions() {
     m_actions.copyResult->setEnabled(m_result && m_resultShown);
     const ExemplarEntry* const current = m_store->current();
     const bool masks = m_inspector->allMethods(&MethodInfo::usesMask);
+    m_actions.editExemplar->setEnabled(current != nullptr);
+    m_actions.addCompanions->setEnabled(current != nullptr);
     m_actions.setMask->setEnabled(current != nullptr && masks);
     m_actions.clearMask->setEnabled(current != nullptr && current->exemplar.mask);
     m_actions.removeExemplar->setEnabled(current != nullptr);
@@ -226,6 +240,7 @@ void MainWindow::watch(int id) {
     takeShownExemplars(job->plan);
     if (m_bench->compare()->isVisible())
         m_results->setTab(ResultView::ResultTab);
+    m_actions.editExemplar->setChecked(false);
     m_resultShown = false;
     m_results->setNotes({});
     m_results->setTitle(

@@ -1,0 +1,330 @@
+#include "core/image/map_role.h"
+#include "core/io/image_file.h"
+#include "core/session/session.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/exemplar/companion_list.h"
+#include "ui/exemplar/exemplar_editor.h"
+#include "ui/exemplar/exemplar_panel.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/inspector/param_row.h"
+#include "ui/inspector/value_editor.h"
+#include "ui/jobs/background.h"
+#include "ui/session/document.h"
+#include "ui/session/missing_files_dialog.h"
+#include "ui/session/undo_history.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/text.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QGroupBox>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QUndoStack>
+
+using namespace texloom;
+using namespace texloom::ui;
+
+/// Exemplar edits, companion maps, undo, sessions and their recovery, in the real window.
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_window = std::make_unique<MainWindow>();
+        m_window->document()->setRecoveryFolder(m_folder->filePath(QStringLiteral("recovery")));
+        m_window->resize(1200, 800);
+        m_window->show();
+    }
+    void cleanup() { m_window.reset(); }
+
+    void mapsAreRecognisedByTheirNames() {
+        openBark(true);
+        const RunExemplar& bark = m_window->store()->current()->exemplar;
+        QCOMPARE(m_window->store()->entries().size(), 1U);
+        QCOMPARE(bark.companions.size(), 1U);
+        QVERIFY(bark.companions.front().role == MapRole::NormalGl);
+        const QString rough = writeTexture(*m_folder, QStringLiteral("bark_ROUGH.png"), {64, 48}, 3);
+        m_window->openFiles({rough});
+        QTRY_COMPARE(m_window->store()->current()->exemplar.companions.size(), 2U);
+        auto* list = child<QListWidget>(*m_window, "companionList");
+        QCOMPARE(list->count(), 2);
+        list->setCurrentRow(0);
+        auto* role = child<QComboBox>(*m_window, "companionRole");
+        role->setCurrentIndex(role->findData(static_cast<int>(MapRole::NormalDx)));
+        Q_EMIT role->activated(role->currentIndex());
+        QTRY_VERIFY(m_window->store()->current()->exemplar.companions.front().role == MapRole::NormalDx);
+        m_window->openFiles({writeTexture(*m_folder, QStringLiteral("bark_ao.png"), {40, 48}, 3)});
+        QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("40 × 48")));
+        QCOMPARE(list->count(), 2);
+    }
+
+    void editsShowAndAreUndone() {
+        openBark(true);
+        child<QAction>(*m_window, "editExemplar")->trigger();
+        auto* editor = m_window->exemplarEditor();
+        QVERIFY(editor->isVisible());
+        child<QToolButton>(*editor, "toolCrop")->click();
+        child<QSpinBox>(*editor, "cropX")->setValue(4);
+        child<QSpinBox>(*editor, "cropY")->setValue(2);
+        child<QSpinBox>(*editor, "cropWidth")->setValue(50);
+        child<QSpinBox>(*editor, "cropHeight")->setValue(40);
+        child<QPushButton>(*editor, "applyCrop")->click();
+        QTRY_VERIFY((current() == Size{50, 40}));
+        child<QToolButton>(*editor, "turnRight")->click();
+        child<QToolButton>(*editor, "mirrorAcross")->click(); // before the turn is done
+        QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 3U);
+        QVERIFY((current() == Size{40, 50}));
+        QCOMPARE(child<QListWidget>(*editor, "editList")->count(), 3);
+        QVERIFY((m_window->store()->current()->exemplar.companions.front().image->size() == Size{40, 50}));
+        QVERIFY(m_window->input(false).exemplars.front().image.image ==
+                m_window->store()->current()->file().image);
+        for (int i = 0; i < 3; ++i) {
+            child<QAction>(*m_window, "undo")->trigger();
+            QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(),
+                         static_cast<std::size_t>(2 - i));
+        }
+        QVERIFY((current() == Size{64, 48}));
+        child<QAction>(*m_window, "redo")->trigger();
+        QTRY_VERIFY((current() == Size{50, 40}));
+    }
+
+    void aCornerIsDraggedOrMovedByKeys() {
+        openBark(false);
+        child<QAction>(*m_window, "editExemplar")->trigger();
+        auto* editor = m_window->exemplarEditor();
+        EditCanvas* const canvas = editor->canvas();
+        editor->setTool(EditCanvas::Tool::Rectify);
+        const PlanePoint before = canvas->corners()[1];
+        const QPoint from = canvas->view().toWidget({before.x, before.y}).toPoint();
+        QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+        QTest::mouseMove(canvas, from + QPoint(-30, 20));
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(-30, 20));
+        QVERIFY(canvas->corners()[1].x < before.x && canvas->corners()[1].y > before.y);
+        const PlanePoint next = canvas->corners()[2];
+        QTest::keyClick(canvas, Qt::Key_N);
+        QTest::keyClick(canvas, Qt::Key_Left);
+        QTest::keyClick(canvas, Qt::Key_Up, Qt::ControlModifier);
+        QCOMPARE(canvas->corners()[2].x, next.x - 1);
+        QCOMPARE(canvas->corners()[2].y, next.y - 10);
+        QCOMPARE(child<QSpinBox>(*editor, "corner2x")->value(), static_cast<int>(std::lround(next.x - 1)));
+        child<QPushButton>(*editor, "applyRectify")->click();
+        QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
+        QVERIFY(std::holds_alternative<RectifyEdit>(m_window->store()->current()->exemplar.edits.front()));
+    }
+
+    void lightAndAngleAreOneStepEach() {
+        openBark(false);
+        child<QAction>(*m_window, "editExemplar")->trigger();
+        auto* editor = m_window->exemplarEditor();
+        const int steps = m_window->undoHistory()->stack()->count();
+        child<QGroupBox>(*editor, "editLight")->setChecked(true);
+        QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
+        auto* angle = child<ValueEditor>(*editor, "edit-angle");
+        for (const double degrees : {1.0, 2.0, 3.5}) {
+            angle->setValue(degrees);
+            Q_EMIT angle->edited();
+        }
+        QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 2U);
+        QTRY_COMPARE(std::get<RotateEdit>(m_window->store()->current()->exemplar.edits[0]).degrees, 3.5);
+        QVERIFY(std::holds_alternative<FlattenEdit>(m_window->store()->current()->exemplar.edits[1]));
+        QCOMPARE(m_window->undoHistory()->stack()->count(), steps + 2);
+        angle->setValue(0.0);
+        Q_EMIT angle->edited();
+        QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
+    }
+
+    void aPaintedMaskIsNeverCopied() {
+        openBark(false);
+        child<QAction>(*m_window, "editExemplar")->trigger();
+        auto* editor = m_window->exemplarEditor();
+        editor->setTool(EditCanvas::Tool::Hide);
+        editor->canvas()->setBrushSize(24);
+        const QPoint from = editor->canvas()->view().toWidget({0, 24}).toPoint();
+        const QPoint to = editor->canvas()->view().toWidget({20, 24}).toPoint();
+        QTest::mousePress(editor->canvas(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(editor->canvas(), to);
+        QTest::mouseRelease(editor->canvas(), Qt::LeftButton, {}, to);
+        QTRY_VERIFY(m_window->store()->current()->exemplar.mask);
+        const Image& mask = *m_window->store()->current()->exemplar.mask->image;
+        QCOMPARE(mask(10, 24, 0), 0.0F);
+        QCOMPARE(mask(10, 2, 0), 1.0F);
+        QVERIFY(!editor->canvas()->hidden().isNull());
+        m_window->inspector()->setValues({{"patch", 8}});
+        QSignalSpy finished(m_window->controller(), &RunController::finished);
+        m_window->startRun(false);
+        QVERIFY(finished.wait(30'000));
+        const PositionMap& map = m_window->result()->synthesis.map;
+        for (int y = 0; y < map.height(); ++y)
+            for (int x = 0; x < map.width(); ++x)
+                QVERIFY(mask(map.at(x, y).x, map.at(x, y).y, 0) != 0);
+        child<QAction>(*m_window, "undo")->trigger(); // the patch
+        child<QAction>(*m_window, "undo")->trigger();
+        QTRY_VERIFY(!m_window->store()->current()->exemplar.mask);
+    }
+
+    void settingsAreUndoneAndOneDragIsOneStep() {
+        openBark(false);
+        ParamRow* const patch = m_window->inspector()->rows().front();
+        const Value before = patch->value();
+        QUndoStack* const stack = m_window->undoHistory()->stack();
+        const int steps = stack->count();
+        for (const int size : {9, 10, 11}) {
+            patch->editor()->setValue(size);
+            Q_EMIT patch->editor()->edited();
+        }
+        QCOMPARE(stack->count(), steps + 1);
+        auto* method = child<QComboBox>(*m_window, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
+        QCOMPARE(stack->count(), steps + 2);
+        stack->undo();
+        QCOMPARE(m_window->inspector()->method()->id(), std::string("quilting"));
+        QVERIFY(m_window->inspector()->rows().front()->value() == Value(11));
+        stack->undo();
+        QVERIFY(m_window->inspector()->rows().front()->value() == before);
+        stack->redo();
+        QVERIFY(m_window->inspector()->rows().front()->value() == Value(11));
+    }
+
+    void aSessionComesBackWhole() {
+        openBark(true);
+        m_window->openFiles({writeTexture(*m_folder, QStringLiteral("moss.png"), {50, 50}, 9)});
+        QTRY_COMPARE(m_window->store()->entries().size(), 2U);
+        const int bark = m_window->store()->entries().front().id;
+        m_window->store()->setEdits(bark, {RotateEdit{90}}, {});
+        QTRY_COMPARE(m_window->store()->find(bark)->exemplar.edits.size(), 1U);
+        m_window->store()->setChecked(bark, false);
+        m_window->inspector()->setValues({{"patch", 9}});
+        m_window->inspector()->output()->setOutputSize({123, 77});
+        m_window->inspector()->output()->setSeed(42);
+        const QString file = m_folder->filePath(QStringLiteral("work.texloom"));
+        m_window->document()->saveTo(file, false);
+        QTRY_VERIFY(m_window->windowTitle().contains(QStringLiteral("work")));
+        const std::string saved = m_window->session().toJson("/");
+
+        MainWindow other;
+        other.show();
+        other.openFiles({file});
+        QTRY_COMPARE(other.document()->file(), file);
+        QCOMPARE(other.session().toJson("/"), saved);
+        QVERIFY(!other.document()->modified());
+        QVERIFY((other.store()->entries().front().file().image->size() == Size{48, 64}));
+        other.inspector()->output()->setSeed(43);
+        QVERIFY(other.document()->modified());
+        QVERIFY(other.isWindowModified());
+        other.document()->saveTo(file, true); // closing would ask
+        QTRY_VERIFY(QFile::exists(m_folder->filePath(QStringLiteral("work_files/bark_albedo.png"))));
+        QTRY_VERIFY(!other.document()->modified());
+    }
+
+    void missingFilesAreAskedForAndTheRestIsKept() {
+        openBark(true);
+        m_window->openFiles({writeTexture(*m_folder, QStringLiteral("moss.png"), {50, 50}, 9)});
+        QTRY_COMPARE(m_window->store()->entries().size(), 2U);
+        const QString file = m_folder->filePath(QStringLiteral("work.texloom"));
+        m_window->document()->saveTo(file, false);
+        QTRY_VERIFY(QFile::exists(file));
+        QDir folder(m_folder->path());
+        QVERIFY(folder.mkdir(QStringLiteral("moved")));
+        for (const char* name : {"bark_albedo.png", "bark_normal.png"})
+            QVERIFY(folder.rename(QLatin1String(name), QStringLiteral("moved/") + QLatin1String(name)));
+        QVERIFY(folder.remove(QStringLiteral("moss.png")));
+        MainWindow other;
+        other.show();
+        other.openFiles({file});
+        QTRY_VERIFY(other.findChild<MissingFilesDialog*>() != nullptr);
+        auto* dialog = other.findChild<MissingFilesDialog*>();
+        QCOMPARE(dialog->missing().size(), 3);
+        dialog->found(m_folder->filePath(QStringLiteral("bark_albedo.png")),
+                      m_folder->filePath(QStringLiteral("moved/bark_albedo.png")));
+        QCOMPARE(dialog->missing(), QStringList{m_folder->filePath(QStringLiteral("moss.png"))});
+        child<QPushButton>(*dialog, "goOn")->click();
+        QTRY_COMPARE(other.store()->entries().size(), 1U);
+        QCOMPARE(other.store()->current()->exemplar.companions.size(), 1U);
+    }
+
+    void aNewerSessionIsRefusedInWords() {
+        const QString file = m_folder->filePath(QStringLiteral("new.texloom"));
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write(R"({"session": 99})");
+        out.close();
+        m_window->openFiles({file});
+        QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("newer")));
+        QVERIFY(m_window->document()->file().isEmpty());
+    }
+
+    void noRoomForRecoveryIsSaidOnce() {
+        QFile blocked(m_folder->filePath(QStringLiteral("blocked")));
+        QVERIFY(blocked.open(QIODevice::WriteOnly)); // a file where the folder should be
+        m_window->document()->setRecoveryFolder(blocked.fileName());
+        m_window->document()->setRecoveryDelay(std::chrono::milliseconds(10));
+        m_window->inspector()->output()->setSeed(5);
+        QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("make room")));
+        QVERIFY(m_window->messages()->text().contains(QStringLiteral("crash would lose it")));
+    }
+
+    void anOrderlyEndLeavesNothingToRecover() {
+        m_window->document()->setRecoveryDelay(std::chrono::milliseconds(10));
+        m_window->inspector()->output()->setSeed(5);
+        QTRY_VERIFY(!m_window->document()->recoveryFile().isEmpty() &&
+                    QFile::exists(m_window->document()->recoveryFile()));
+        m_window.reset();
+        QVERIFY(QDir(m_folder->filePath(QStringLiteral("recovery"))).isEmpty());
+    }
+
+    void aKilledProgramIsRecovered() {
+        const QString bark = writeTexture(*m_folder, QStringLiteral("bark.png"), {64, 48});
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("XDG_DATA_HOME"), m_folder->filePath(QStringLiteral("data")));
+        environment.insert(QStringLiteral("XDG_CONFIG_HOME"), m_folder->filePath(QStringLiteral("config")));
+        environment.insert(QStringLiteral("TEXLOOM_RECOVERY_SECONDS"), QStringLiteral("1"));
+        program.setProcessEnvironment(environment);
+        program.start(QStringLiteral(TEXLOOM_GUI), {bark});
+        QVERIFY(program.waitForStarted());
+        const QDir kept(m_folder->filePath(QStringLiteral("data/Texloom/texloom/recovery")));
+        QTRY_VERIFY_WITH_TIMEOUT(!kept.entryList({QStringLiteral("*.texloom")}, QDir::Files).isEmpty(),
+                                 30'000);
+        program.kill();
+        QVERIFY(program.waitForFinished());
+        QCOMPARE(program.exitStatus(), QProcess::CrashExit);
+
+        m_window->document()->setRecoveryFolder(kept.path());
+        m_window->document()->offerRecovery();
+        auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("recoveryDialog"));
+        QVERIFY(box != nullptr);
+        child<QPushButton>(*box, "recover")->click();
+        QTRY_COMPARE(m_window->store()->entries().size(), 1U);
+        QCOMPARE(toQString(m_window->store()->current()->file().path), bark);
+        QVERIFY(m_window->document()->modified());
+        QVERIFY(QFile::exists(m_window->document()->recoveryFile()));
+    }
+
+private:
+    /// bark_albedo.png, 64 × 48 px, with its normal map if wanted; its first quick run has ended.
+    void openBark(bool normal) {
+        QStringList files{writeTexture(*m_folder, QStringLiteral("bark_albedo.png"), {64, 48})};
+        if (normal)
+            files += writeTexture(*m_folder, QStringLiteral("bark_normal.png"), {64, 48}, 2);
+        QSignalSpy finished(m_window->controller(), &RunController::finished);
+        m_window->openFiles(files);
+        QVERIFY(finished.wait(30'000));
+    }
+    Size current() const { return m_window->store()->current()->file().image->size(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+TEXLOOM_UI_TESTS(SessionTest)
+#include "session_test.moc"

@@ -1,0 +1,324 @@
+#include "ui/exemplar/edit_canvas.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::ui {
+
+namespace {
+
+/// Share of the picture that frames first leave at each side.
+constexpr double kFirstMargin = 0.1;
+constexpr int kFarStep = 10;
+constexpr double kLoupeZoom = 6;
+
+QPointF toQt(PlanePoint point) {
+    return {point.x, point.y};
+}
+
+} // namespace
+
+EditCanvas::EditCanvas(QWidget* parent) : ImageViewer(parent) {
+    setObjectName(QStringLiteral("editCanvas"));
+}
+
+void EditCanvas::setTool(Tool tool) {
+    m_tool = tool;
+    m_moving = false;
+    m_stroke = {};
+    m_brushAt.reset();
+    setCursor(brushing() ? Qt::CrossCursor : Qt::ArrowCursor);
+    update();
+}
+
+void EditCanvas::resetFrames() {
+    if (!picture())
+        return;
+    const Size size = picture()->size();
+    const double x = std::floor(kFirstMargin * size.width), y = std::floor(kFirstMargin * size.height);
+    m_corners = {
+        PlanePoint{x, y}, {size.width - x, y}, {size.width - x, size.height - y}, {x, size.height - y}};
+    m_active = 0;
+    m_moving = false;
+    update();
+    Q_EMIT frameMoved();
+}
+
+QRect EditCanvas::cropFrame() const {
+    const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
+    const int left = whole(std::min(m_corners[0].x, m_corners[2].x));
+    const int top = whole(std::min(m_corners[0].y, m_corners[2].y));
+    return {left, top, std::max(1, whole(std::max(m_corners[0].x, m_corners[2].x)) - left),
+            std::max(1, whole(std::max(m_corners[0].y, m_corners[2].y)) - top)};
+}
+
+void EditCanvas::setCropFrame(const QRect& frame) {
+    const double right = frame.x() + frame.width(), bottom = frame.y() + frame.height();
+    setCorners({PlanePoint{double(frame.x()), double(frame.y())},
+                {right, double(frame.y())},
+                {right, bottom},
+                {double(frame.x()), bottom}});
+}
+
+void EditCanvas::setCorners(const std::array<PlanePoint, 4>& corners) {
+    m_corners = corners;
+    update();
+}
+
+void EditCanvas::setBrushSize(int pixels) {
+    m_brush = std::max(1, pixels);
+    update();
+}
+
+int EditCanvas::cornerAt(QPointF point) const {
+    const double reach = fontMetrics().height();
+    int nearest = -1;
+    double best = reach * reach;
+    for (int i = 0; i < 4; ++i) {
+        const QPointF away = view().toWidget(toQt(m_corners[static_cast<std::size_t>(i)])) - point;
+        if (const double distance = QPointF::dotProduct(away, away); distance <= best) {
+            best = distance;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+void EditCanvas::moveCorner(int corner, PlanePoint to) {
+    const Size size = picture()->size();
+    to.x = std::clamp(to.x, 0.0, static_cast<double>(size.width));
+    to.y = std::clamp(to.y, 0.0, static_cast<double>(size.height));
+    const auto at = static_cast<std::size_t>(corner);
+    if (m_tool == Tool::Crop) {
+        to = {std::round(to.x), std::round(to.y)};
+        // The neighbours share a side with it: 0 and 1 the top, 1 and 2 the right one, and so on.
+        const bool even = corner % 2 == 0;
+        PlanePoint& besideX = m_corners[even ? (at + 3) % 4 : (at + 1) % 4];
+        PlanePoint& besideY = m_corners[even ? (at + 1) % 4 : (at + 3) % 4];
+        besideX.x = to.x;
+        besideY.y = to.y;
+    }
+    m_corners[at] = to;
+    update();
+    Q_EMIT frameMoved();
+}
+
+bool EditCanvas::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool own =
+            (framing() && key->key() == Qt::Key_N) || (brushing() && key->key() == Qt::Key_Space);
+        if (own)
+            event->accept();
+    }
+    if (event->type() == QEvent::Leave) {
+        m_brushAt.reset();
+        update();
+    }
+    return ImageViewer::event(event);
+}
+
+void EditCanvas::mousePressEvent(QMouseEvent* event) {
+    const bool left = event->button() == Qt::LeftButton && picture() != nullptr;
+    if (left && framing()) {
+        if (const int corner = cornerAt(event->position()); corner >= 0) {
+            m_active = corner;
+            m_moving = true;
+            setFocus(Qt::MouseFocusReason);
+            update();
+            return;
+        }
+    }
+    if (left && brushing()) {
+        setFocus(Qt::MouseFocusReason);
+        m_last = view().toImage(event->position());
+        dab(m_last, m_last);
+        return;
+    }
+    ImageViewer::mousePressEvent(event);
+}
+
+void EditCanvas::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF at = view().toImage(event->position());
+    if (brushing() && picture()) {
+        m_brushAt = at;
+        if (!m_stroke.isNull()) {
+            dab(m_last, at);
+            m_last = at;
+        }
+        update();
+    } else if (m_moving) {
+        moveCorner(m_active, {at.x(), at.y()});
+    } else if (framing()) {
+        setCursor(cornerAt(event->position()) >= 0 ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    }
+    if (!m_moving && m_stroke.isNull())
+        ImageViewer::mouseMoveEvent(event);
+}
+
+void EditCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (!m_stroke.isNull())
+        return finishStroke();
+    if (m_moving) {
+        m_moving = false;
+        update();
+        return;
+    }
+    ImageViewer::mouseReleaseEvent(event);
+}
+
+void EditCanvas::keyPressEvent(QKeyEvent* event) {
+    const std::pair<int, QPointF> ways[] = {
+        {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, -1}}, {Qt::Key_Down, {0, 1}}};
+    if (picture() && framing() && !(event->modifiers() & Qt::ShiftModifier)) {
+        if (event->key() == Qt::Key_N) {
+            m_active = (m_active + 1) % 4;
+            m_moving = true;
+            return update();
+        }
+        for (const auto& [key, way] : ways)
+            if (event->key() == key) {
+                const QPointF step = way * ((event->modifiers() & Qt::ControlModifier) ? kFarStep : 1);
+                const PlanePoint& corner = m_corners[static_cast<std::size_t>(m_active)];
+                m_moving = true;
+                return moveCorner(m_active, {corner.x + step.x(), corner.y + step.y()});
+            }
+    }
+    if (picture() && brushing() && event->key() == Qt::Key_Space && cursorPixel()) {
+        const QPointF at = QPointF(*cursorPixel()) + QPointF(0.5, 0.5);
+        dab(at, at);
+        return finishStroke();
+    }
+    ImageViewer::keyPressEvent(event);
+}
+
+void EditCanvas::dab(QPointF from, QPointF to) {
+    const Size size = picture()->size();
+    if (m_stroke.isNull()) {
+        m_stroke = QImage(size.width, size.height, QImage::Format_Alpha8);
+        m_stroke.fill(0);
+    }
+    QPainter painter(&m_stroke);
+    painter.setPen(QPen(Qt::white, m_brush, Qt::SolidLine, Qt::RoundCap));
+    if (from == to)
+        painter.drawPoint(from);
+    else
+        painter.drawLine(from, to);
+    update();
+}
+
+void EditCanvas::finishStroke() {
+    const QImage stroke = m_stroke;
+    m_stroke = {};
+    update();
+    Q_EMIT painted(stroke);
+}
+
+QPolygonF EditCanvas::framePolygon() const {
+    QPolygonF polygon;
+    for (const PlanePoint& corner : m_corners)
+        polygon << view().toWidget(toQt(corner));
+    return polygon;
+}
+
+void EditCanvas::paintOver(QPainter& painter) const {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (framing())
+        paintFrame(painter);
+    if (framing() && m_moving)
+        paintLoupe(painter);
+    if (brushing())
+        paintStroke(painter);
+    painter.restore();
+}
+
+void EditCanvas::paintFrame(QPainter& painter) const {
+    const QPolygonF polygon = framePolygon();
+    QPainterPath outside, inside;
+    outside.addRect(rect());
+    inside.addPolygon(polygon);
+    inside.closeSubpath();
+    painter.fillPath(outside.subtracted(inside), QColor(0, 0, 0, 120));
+    const double width = std::max(1.0, fontMetrics().lineWidth() * 1.5),
+                 handle = fontMetrics().height() * 0.3;
+    for (const auto& [color, share] : {std::pair(Qt::black, 3.0), std::pair(Qt::white, 1.0)}) {
+        painter.setPen(QPen(color, width * share, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawPath(inside);
+        for (int i = 0; i < 4; ++i) {
+            // The active corner is a filled square, the others are rings.
+            const QPointF at = polygon[i];
+            painter.setBrush(i == m_active ? QBrush(Qt::white) : QBrush(Qt::NoBrush));
+            if (i == m_active)
+                painter.drawRect(QRectF(at - QPointF(handle, handle), at + QPointF(handle, handle)));
+            else
+                painter.drawEllipse(at, handle, handle);
+        }
+    }
+}
+
+/// The surroundings of the moving corner, enlarged, on the side where it hides neither corner nor cursor.
+void EditCanvas::paintLoupe(QPainter& painter) const {
+    const QPointF corner = toQt(m_corners[static_cast<std::size_t>(m_active)]);
+    const QPointF at = view().toWidget(corner);
+    const double radius = fontMetrics().height() * 4;
+    const QPointF away(at.x() > rect().center().x() ? -1.6 : 1.6, at.y() > rect().center().y() ? -1.6 : 1.6);
+    const QPointF centre = at + away * radius;
+    const double scale = kLoupeZoom * std::max(1.0, view().scale());
+    QPainterPath glass;
+    glass.addEllipse(centre, radius, radius);
+    painter.save();
+    painter.setClipPath(glass);
+    painter.fillPath(glass, palette().color(QPalette::Base));
+    const QImage& image = picture()->image();
+    const double step = picture()->step();
+    QTransform transform;
+    transform.translate(centre.x(), centre.y());
+    transform.scale(scale, scale);
+    transform.translate(-corner.x(), -corner.y());
+    transform.scale(step, step);
+    painter.setTransform(transform, true);
+    painter.drawImage(0, 0, image);
+    painter.restore();
+    const double width = std::max(1.0, fontMetrics().lineWidth() * 1.5);
+    for (const auto& [color, share] : {std::pair(Qt::black, 3.0), std::pair(Qt::white, 1.0)}) {
+        painter.setPen(QPen(color, width * share));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(centre, radius, radius);
+        for (const QPointF way : {QPointF(1, 0), QPointF(0, 1)})
+            painter.drawLine(centre - way * radius * 0.5, centre + way * radius * 0.5);
+    }
+}
+
+void EditCanvas::paintStroke(QPainter& painter) const {
+    const QRectF image(view().origin(),
+                       QSizeF(picture()->size().width, picture()->size().height) * view().scale());
+    if (!m_stroke.isNull()) {
+        QImage tinted = m_stroke.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+        QPainter tint(&tinted);
+        tint.setCompositionMode(QPainter::CompositionMode_SourceIn);
+        tint.fillRect(tinted.rect(),
+                      m_tool == Tool::Hide ? QColor(0, 0, 0, 150) : QColor(255, 255, 255, 120));
+        tint.end();
+        painter.drawImage(image, tinted);
+    }
+    std::optional<QPointF> brush = m_brushAt;
+    if (!brush && cursorPixel())
+        brush = QPointF(*cursorPixel()) + QPointF(0.5, 0.5);
+    if (!brush)
+        return;
+    const double radius = 0.5 * m_brush * view().scale();
+    for (const auto& [color, share] : {std::pair(Qt::black, 3.0), std::pair(Qt::white, 1.0)}) {
+        painter.setPen(QPen(color, std::max(1.0, fontMetrics().lineWidth() * share)));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(view().toWidget(*brush), radius, radius);
+    }
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,412 @@
+#include "ui/session/document.h"
+
+#include "core/base/error.h"
+#include "core/session/edited_exemplar.h"
+#include "ui/exemplar/files.h"
+#include "ui/jobs/background.h"
+#include "ui/session/missing_files_dialog.h"
+#include "ui/window/text.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QLockFile>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+const QString kEnding = QStringLiteral(".texloom");
+const QString kRecents = QStringLiteral("recentSessions");
+const QString kFolder = QStringLiteral("folders/session");
+constexpr int kMostRecents = 12;
+/// Well under the half minute that a crash may cost.
+constexpr std::chrono::seconds kRecoveryDelay{10};
+
+QString lockOf(const QString& path) {
+    return path + QStringLiteral(".lock");
+}
+
+QString filter() {
+    return Document::tr("Sessions (*.texloom)");
+}
+
+QStringList presentRecents() {
+    QStringList present;
+    for (const QString& path : QSettings().value(kRecents).toStringList())
+        if (QFileInfo::exists(path))
+            present += path;
+    return present;
+}
+
+/// Loads all images; what cannot be read is left out, with a sentence.
+LoadedSession loadAll(Session session) {
+    LoadedSession loaded;
+    for (const auto& path : checkFiles(session).changed)
+        loaded.changed += toQString(path.filename());
+    for (std::size_t i = 0; i < session.settings.exemplars.size();) {
+        const RecipeExemplar entry = session.settings.exemplars[i];
+        try {
+            loaded.exemplars.push_back(edited(loadFiles(entry), entry.edits));
+            ++i;
+        } catch (const std::exception& error) {
+            loaded.leftOut += sentence(error);
+            leaveOut(session, entry.image.path);
+        }
+    }
+    try {
+        if (const auto& initial = session.settings.initial)
+            loaded.initial = loadExemplar(initial->path, initial->space);
+    } catch (const std::exception& error) {
+        loaded.leftOut += sentence(error);
+        session.settings.initial.reset();
+    }
+    loaded.session = std::move(session);
+    return loaded;
+}
+
+} // namespace
+
+Document::Document(Window window, QObject* parent) : QObject(parent), m_window(std::move(window)) {
+    m_timer.setSingleShot(true);
+    const int asked = qEnvironmentVariableIntValue("TEXLOOM_RECOVERY_SECONDS");
+    m_timer.setInterval(asked > 0 ? std::chrono::seconds(asked) : kRecoveryDelay);
+    connect(&m_timer, &QTimer::timeout, this, &Document::writeRecovery);
+    setRecoveryFolder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                      QStringLiteral("/recovery"));
+}
+
+Document::~Document() {
+    // A window that is closed in order leaves nothing to recover.
+    dropRecovery();
+}
+
+bool Document::isSession(const QString& path) {
+    return path.endsWith(kEnding, Qt::CaseInsensitive);
+}
+
+QAction* Document::add(QMenu* menu, const char* name, const QString& text, const QKeySequence& key,
+                       void (Document::*method)()) {
+    auto* action = new QAction(text, m_window.widget);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(key);
+    m_window.widget->addAction(action);
+    menu->addAction(action);
+    connect(action, &QAction::triggered, this, method);
+    return action;
+}
+
+void Document::addTo(QMenu* menu) {
+    add(menu, "newSession", tr("&New session"), QKeySequence::New, &Document::startNew);
+    add(menu, "openSession", tr("Open &session…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+        &Document::chooseAndOpen);
+    QMenu* const recent = menu->addMenu(tr("Recent sess&ions"));
+    recent->setToolTipsVisible(true);
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    add(menu, "saveSession", tr("S&ave session"), QKeySequence::Save, &Document::save);
+    add(menu, "saveSessionAs", tr("Save session &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+        &Document::saveAs);
+    add(menu, "packSession", tr("Save session &with its images…"), {}, &Document::savePacked);
+}
+
+void Document::fillRecent(QMenu* menu) const {
+    menu->clear();
+    for (const QString& path : presentRecents()) {
+        QAction* const action = menu->addAction(QFileInfo(path).completeBaseName());
+        action->setToolTip(path);
+        connect(action, &QAction::triggered, this, [this, path] { const_cast<Document*>(this)->open(path); });
+    }
+    if (menu->isEmpty())
+        menu->addAction(tr("No session saved yet"))->setEnabled(false);
+}
+
+void Document::touch() {
+    if (m_loading)
+        return;
+    setModified(true);
+    if (!m_timer.isActive())
+        m_timer.start();
+}
+
+void Document::setModified(bool modified) {
+    if (std::exchange(m_modified, modified) != modified)
+        Q_EMIT titleChanged();
+}
+
+void Document::setFile(const QString& path) {
+    m_file = path;
+    if (!path.isEmpty()) {
+        QStringList recents = QSettings().value(kRecents).toStringList();
+        recents.removeAll(path);
+        recents.prepend(path);
+        QSettings().setValue(kRecents, recents.mid(0, kMostRecents));
+    }
+    Q_EMIT titleChanged();
+}
+
+void Document::startNew() {
+    if (!askToSave())
+        return;
+    LoadedSession empty;
+    empty.session = m_window.read();
+    empty.session.settings.exemplars.clear();
+    empty.session.used.clear();
+    m_loading = true;
+    m_window.show(empty, [this] {
+        m_loading = false;
+        dropRecovery();
+        setFile({});
+        setModified(false);
+    });
+}
+
+void Document::chooseAndOpen() {
+    const QString path = QFileDialog::getOpenFileName(m_window.widget, tr("Open session"),
+                                                      QSettings().value(kFolder).toString(), filter());
+    if (!path.isEmpty())
+        open(path);
+}
+
+void Document::open(const QString& path) {
+    if (!askToSave())
+        return;
+    const QString file = QFileInfo(path).absoluteFilePath();
+    QSettings().setValue(kFolder, QFileInfo(file).path());
+    inBackground(
+        this, [file = toPath(file)] { return readSession(file); },
+        [this, file](const Session& session) { resolve(session, file, false); },
+        [this](const QString& why) { m_window.refuse(why); });
+}
+
+/// Finds out which files are gone before anything is loaded.
+void Document::resolve(const Session& session, const QString& file, bool recovered) {
+    inBackground(
+        this,
+        [session] {
+            QStringList missing;
+            for (const auto& path : missingFiles(session))
+                missing += toQString(path);
+            return missing;
+        },
+        [this, session, file, recovered](const QStringList& missing) {
+            if (missing.isEmpty())
+                load(session, file, recovered);
+            else
+                askForMissing(session, missing, file, recovered);
+        },
+        [this](const QString& why) { m_window.refuse(why); });
+}
+
+void Document::askForMissing(const Session& session, const QStringList& missing, const QString& file,
+                             bool recovered) {
+    auto* dialog = new MissingFilesDialog(session, missing, m_window.widget);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, file, recovered] { load(dialog->session(), file, recovered); });
+    dialog->open();
+}
+
+void Document::load(const Session& session, const QString& file, bool recovered) {
+    inBackground(
+        this, [session] { return loadAll(session); },
+        [this, file, recovered](const LoadedSession& loaded) {
+            m_loading = true;
+            m_window.show(loaded, [this, loaded, file, recovered] { opened(loaded, file, recovered); });
+        },
+        [this](const QString& why) { m_window.refuse(why); });
+}
+
+void Document::opened(const LoadedSession& loaded, const QString& file, bool recovered) {
+    m_loading = false;
+    if (!recovered)
+        dropRecovery();
+    setFile(file);
+    setModified(recovered || !loaded.leftOut.isEmpty());
+    if (!loaded.leftOut.isEmpty())
+        m_window.refuse(tr("Opened, but without some files: %1").arg(loaded.leftOut.join(QLatin1Char(' '))));
+    else if (!loaded.changed.isEmpty())
+        m_window.tell(tr("Opened, but these files changed since the session was saved, so that results "
+                         "will differ: %1.")
+                          .arg(loaded.changed.join(QStringLiteral(", "))));
+}
+
+QString Document::askForFile(const QString& title) {
+    const QString start = m_file.isEmpty() ? QSettings().value(kFolder).toString() : m_file;
+    QString path = QFileDialog::getSaveFileName(m_window.widget, title, start, filter());
+    if (!path.isEmpty() && !isSession(path))
+        path += kEnding;
+    if (!path.isEmpty())
+        QSettings().setValue(kFolder, QFileInfo(path).path());
+    return path;
+}
+
+void Document::save() {
+    if (m_file.isEmpty())
+        saveAs();
+    else
+        saveTo(m_file, false);
+}
+
+void Document::saveAs() {
+    if (const QString path = askForFile(tr("Save session")); !path.isEmpty())
+        saveTo(path, false);
+}
+
+void Document::savePacked() {
+    if (const QString path = askForFile(tr("Save session with its images")); !path.isEmpty())
+        saveTo(path, true);
+}
+
+void Document::saveTo(const QString& path, bool packed) {
+    // What was painted here has no place of its own: it is always kept with the session.
+    const std::filesystem::path only = packed ? std::filesystem::path() : toPath(ownFolder());
+    setModified(false);
+    inBackground(
+        this,
+        [path = toPath(path), session = m_window.read(), only] { return packSession(path, session, only); },
+        [this, path](const Session&) {
+            setFile(path);
+            if (!m_modified)
+                dropRecovery();
+            m_window.tell(tr("Saved %1.").arg(QFileInfo(path).fileName()));
+        },
+        [this](const QString& why) {
+            setModified(true);
+            m_window.refuse(tr("The session was not saved. %1").arg(why));
+        });
+}
+
+bool Document::askToSave() {
+    if (!m_modified || m_file.isEmpty())
+        return true;
+    const auto answer = QMessageBox::question(
+        m_window.widget, tr("Unsaved changes"),
+        tr("%1 has changes that are not saved.").arg(QFileInfo(m_file).completeBaseName()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) {
+        try {
+            packSession(toPath(m_file), m_window.read(), toPath(ownFolder()));
+            setModified(false);
+        } catch (const std::exception& error) {
+            m_window.refuse(tr("The session was not saved. %1").arg(sentence(error)));
+            return false;
+        }
+    }
+    return answer != QMessageBox::Cancel;
+}
+
+bool Document::mayClose() {
+    if (!askToSave())
+        return false;
+    m_closing = true;
+    m_timer.stop();
+    return true;
+}
+
+void Document::setRecoveryFolder(const QString& folder) {
+    dropRecovery();
+    m_recoveryFolder = folder;
+}
+
+void Document::claimRecoveryFile(const QString& path) {
+    m_recoveryFile = path;
+    m_lock = std::make_unique<QLockFile>(lockOf(path));
+    m_lock->setStaleLockTime(0); // as long as this process lives, however long that is
+    m_lock->tryLock();
+}
+
+void Document::writeRecovery() {
+    if (m_closing || m_writing || !m_modified)
+        return;
+    if (m_recoveryFile.isEmpty()) {
+        QDir().mkpath(m_recoveryFolder);
+        claimRecoveryFile(m_recoveryFolder + QLatin1Char('/') +
+                          QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
+    }
+    m_writing = true;
+    Session session = m_window.read();
+    session.file = toPath(m_file);
+    inBackground(
+        this,
+        [path = toPath(m_recoveryFile), session] {
+            writeSession(path, session);
+            return true;
+        },
+        [this, path = m_recoveryFile](bool) {
+            m_writing = false;
+            m_recoveryFailed = false;
+            if (path != m_recoveryFile) // saved or closed in the meantime
+                QFile::remove(path);
+        },
+        [this](const QString& why) {
+            m_writing = false;
+            if (!std::exchange(m_recoveryFailed, true))
+                m_window.refuse(
+                    tr("The session could not be kept for recovery, so that a crash would lose it; make "
+                       "room or save it elsewhere. %1")
+                        .arg(why));
+            m_timer.start();
+        });
+}
+
+void Document::dropRecovery() {
+    m_timer.stop();
+    if (m_recoveryFile.isEmpty())
+        return;
+    QFile::remove(m_recoveryFile);
+    m_recoveryFile.clear();
+    m_lock.reset();
+}
+
+void Document::offerRecovery() {
+    const QFileInfoList found =
+        QDir(m_recoveryFolder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
+    for (const QFileInfo& copy : found) {
+        QLockFile lock(lockOf(copy.filePath()));
+        if (!lock.tryLock()) // the program that writes it is still there
+            continue;
+        auto* box = new QMessageBox(QMessageBox::Question, tr("Recover a session"),
+                                    tr("Texloom was not closed in order. The session of %1 can be recovered.")
+                                        .arg(QLocale().toString(copy.lastModified(), QLocale::ShortFormat)),
+                                    QMessageBox::NoButton, m_window.widget);
+        box->setObjectName(QStringLiteral("recoveryDialog"));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        QPushButton* const yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);
+        yes->setObjectName(QStringLiteral("recover"));
+        QPushButton* const no = box->addButton(tr("&Throw away"), QMessageBox::DestructiveRole);
+        no->setObjectName(QStringLiteral("throwAway"));
+        box->setDefaultButton(yes);
+        box->setEscapeButton(box->addButton(tr("&Later"), QMessageBox::RejectRole));
+        connect(yes, &QPushButton::clicked, this, [this, path = copy.filePath()] { recover(path); });
+        connect(no, &QPushButton::clicked, this, [path = copy.filePath()] {
+            QFile::remove(path);
+            QFile::remove(lockOf(path));
+        });
+        box->open();
+        return;
+    }
+}
+
+void Document::recover(const QString& path) {
+    try {
+        const Session session = readSession(toPath(path));
+        dropRecovery();
+        claimRecoveryFile(path); // written again as work goes on
+        resolve(session, toQString(session.file), true);
+    } catch (const std::exception& error) {
+        m_window.refuse(sentence(error));
+    }
+}
+
+} // namespace texloom::ui

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "ui/exemplar/exemplar_store.h"
+#include "ui/session/settings_state.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+
+class QAction;
+class QLockFile;
+class QMenu;
+class QWidget;
+
+namespace texloom::ui {
+
+/// A session with the images of its exemplars, loaded.
+struct LoadedSession {
+    Session session;
+    std::vector<RunExemplar> exemplars; ///< one for each of the session's
+    std::optional<ExemplarFile> initial;
+    QStringList changed; ///< names of files that are not those the session knew
+    QStringList leftOut; ///< sentences about files that could not be read
+};
+
+/// The session on which the window works, as a file: new, open, save, the recent ones, and a copy for
+/// recovery that is written in the background soon after every change and outlives a crash.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    /// What a document needs of its window.
+    struct Window {
+        QWidget* widget;
+        std::function<Session()> read; ///< as it stands; cheap
+        /// Shows it in place of all that is open, and calls `shown` when that is done.
+        std::function<void(const LoadedSession&, std::function<void()> shown)> show;
+        std::function<void(const QString&)> tell, refuse; ///< says a sentence in place
+    };
+
+    Document(Window window, QObject* parent);
+    ~Document() override;
+
+    /// New, open, recent, save and so on, in order.
+    void addTo(QMenu* menu);
+    /// To be called whenever anything changed that a session keeps.
+    void touch();
+    bool modified() const { return m_modified; }
+    /// The session's file; empty before it was first saved.
+    const QString& file() const { return m_file; }
+    void open(const QString& path);
+    /// @param packed with copies of all images beside it.
+    void saveTo(const QString& path, bool packed);
+    /// Whether the window may close: asks where changes of a saved session would be lost.
+    bool mayClose();
+    /// Looks for sessions whose program ended without closing them, and asks about the newest.
+    void offerRecovery();
+
+    /// Where copies for recovery are. @param folder made when needed.
+    void setRecoveryFolder(const QString& folder);
+    void setRecoveryDelay(std::chrono::milliseconds delay) { m_timer.setInterval(delay); }
+    const QString& recoveryFile() const { return m_recoveryFile; }
+
+    /// Whether a path names a session.
+    static bool isSession(const QString& path);
+
+Q_SIGNALS:
+    /// The file or whether it is modified changed; for the window's title.
+    void titleChanged();
+
+private:
+    QAction* add(QMenu* menu, const char* name, const QString& text, const QKeySequence& key,
+                 void (Document::*)());
+    void startNew();
+    void chooseAndOpen();
+    void save();
+    void saveAs();
+    void savePacked();
+    QString askForFile(const QString& title);
+    void fillRecent(QMenu* menu) const;
+    void load(const Session& session, const QString& file, bool recovered);
+    void opened(const LoadedSession& loaded, const QString& file, bool recovered);
+    void resolve(const Session& session, const QString& file, bool recovered);
+    void askForMissing(const Session& session, const QStringList& missing, const QString& file,
+                       bool recovered);
+    void setFile(const QString& path);
+    void setModified(bool modified);
+    bool askToSave();
+    void writeRecovery();
+    void dropRecovery();
+    void claimRecoveryFile(const QString& path);
+    void recover(const QString& path);
+
+    Window m_window;
+    QString m_file;
+    bool m_modified = false;
+    bool m_loading = false;
+    bool m_closing = false;
+    QTimer m_timer;
+    QString m_recoveryFolder;
+    QString m_recoveryFile;
+    std::unique_ptr<QLockFile> m_lock;
+    bool m_writing = false;
+    bool m_recoveryFailed = false;
+};
+
+} // namespace texloom::ui

@@ -1,0 +1,87 @@
+#include "ui/exemplar/exemplar_editor.h"
+#include "ui/inspector/inspector.h"
+#include "ui/session/document.h"
+#include "ui/session/undo_history.h"
+#include "ui/window/main_window.h"
+#include "ui/window/message_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QStackedWidget>
+
+namespace texloom::ui {
+
+void MainWindow::makeDocument() {
+    const auto read = [this] { return settingsOf(*m_method, *m_inspector); };
+    const auto write = [this](const SettingsState& state) { showSettings(state, *m_method, *m_inspector); };
+    m_undo = new UndoHistory(m_store, read, write, this);
+    m_document =
+        new Document({this, [this] { return session(); },
+                      [this](const LoadedSession& loaded, const std::function<void()>& shown) {
+                          showSession(loaded, shown);
+                      },
+                      [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); },
+                      [this](const QString& text) { fail(text); }},
+                     this);
+    connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
+    showTitle();
+}
+
+void MainWindow::showTitle() {
+    const QString name = QFileInfo(m_document->file()).completeBaseName();
+    setWindowTitle(name.isEmpty() ? tr("Texloom") : tr("%1[*] – Texloom").arg(name));
+    setWindowModified(m_document->modified() && !name.isEmpty());
+}
+
+Session MainWindow::session() const {
+    const SettingsState state = settingsOf(*m_method, *m_inspector);
+    Session session;
+    session.settings = state.settings;
+    session.seedLocked = state.seedLocked;
+    if (state.initial)
+        session.settings.initial = recipeFile(*state.initial);
+    for (const ExemplarEntry& entry : m_store->entries()) {
+        if (&entry == m_store->current())
+            session.current = static_cast<int>(session.used.size());
+        RecipeExemplar exemplar = recipeExemplar(entry.exemplar.original());
+        exemplar.edits = entry.exemplar.edits;
+        session.settings.exemplars.push_back(std::move(exemplar));
+        session.used.push_back(entry.checked);
+    }
+    return session;
+}
+
+void MainWindow::showSession(const LoadedSession& loaded, const std::function<void()>& shown) {
+    m_actions.editExemplar->setChecked(false);
+    connect(
+        m_store, &ExemplarStore::replaced, this,
+        [this, loaded, shown] {
+            std::vector<int> ids;
+            for (const ExemplarEntry& entry : m_store->entries())
+                ids.push_back(entry.id);
+            for (std::size_t i = 0; i < ids.size(); ++i)
+                m_store->setChecked(ids[i], loaded.session.used[i]);
+            if (!ids.empty())
+                m_store->setCurrent(ids[static_cast<std::size_t>(loaded.session.current)]);
+            {
+                const UndoHistory::Pause pause(m_undo);
+                showSettings({loaded.session.settings, loaded.initial, loaded.session.seedLocked}, *m_method,
+                             *m_inspector);
+            }
+            m_undo->clear();
+            shown();
+            plan();
+        },
+        Qt::SingleShotConnection);
+    m_store->replaceAll(loaded.exemplars);
+}
+
+void MainWindow::editExemplar(bool edit) {
+    if (edit)
+        m_centre->setCurrentWidget(m_editor);
+    else if (m_centre->currentWidget() == m_editor)
+        m_centre->setCurrentIndex(1);
+}
+
+} // namespace texloom::ui
