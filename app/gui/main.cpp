@@ -2,6 +2,7 @@
 #include "ui/jobs/background.h"
 #include "ui/session/document.h"
 #include "ui/window/appearance.h"
+#include "ui/window/language.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -16,6 +17,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationDisplayName(QStringLiteral("Texloom"));
     QApplication::setApplicationVersion(QLatin1String(texloom::kVersion));
     QApplication::setDesktopFileName(QStringLiteral("texloom"));
+
+    texloom::ui::useLanguage(QLocale());
 
     QCommandLineParser arguments;
     arguments.setApplicationDescription(

@@ -56,6 +56,22 @@ private Q_SLOTS:
                 QVERIFY(readPositionMap(toPath(target.filePath(file))) == m_window->result()->synthesis.map);
     }
 
+    void namesFollowTheTemplateAndThePreset() {
+        const QTemporaryDir target;
+        ExportDialog* const dialog = openDialog(target.path());
+        auto* name = child<QLineEdit>(*dialog, "exportName");
+        auto* table = child<QTableWidget>(*dialog, "exportTable");
+        name->setText(QStringLiteral("$name-$w-$map"));
+        QCOMPARE(table->item(0, 0)->text(), QStringLiteral("felt-96-.png"));
+        name->setText(QStringLiteral("$nam"));
+        QVERIFY(dialog->refusal().contains(QStringLiteral("$name")));
+        QCOMPARE(table->rowCount(), 0);
+        auto* preset = child<QComboBox>(*dialog, "exportPreset");
+        preset->setCurrentIndex(preset->findData(QStringLiteral("unreal")));
+        QCOMPARE(table->item(0, 0)->text(), QStringLiteral("T_felt_BC.png"));
+        dialog->reject();
+    }
+
     void marksWhatWillBeReplaced() {
         const QTemporaryDir target;
         ExportDialog* const dialog = openDialog(target.path());

@@ -2,6 +2,7 @@
 #include "ui/blend/blend_window.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/wipe_viewer.h"
+#include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/export/export_dialog.h"
@@ -14,8 +15,11 @@
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/variance_dialog.h"
+#include "ui/session/missing_files_dialog.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/appearance.h"
+#include "ui/window/drop_targets.h"
+#include "ui/window/language.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/workbench.h"
 
@@ -69,12 +73,41 @@ private Q_SLOTS:
         showError(window);
         showExport(window);
         showPipeline(window);
+        showEditing(window);
+        showSessions(window);
         showCompare(window);
         showMaps(window);
         showLattice(window);
         showFigures(window);
         showTools(window);
         showManyRuns(window);
+    }
+
+    void otherLanguages_data() {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("de") << QStringLiteral("de_DE");
+        QTest::newRow("fr") << QStringLiteral("fr_FR");
+    }
+
+    void otherLanguages() {
+        QFETCH(QString, language);
+        applyAppearance(Appearance::Light);
+        useLanguage(QLocale(language));
+        {
+            MainWindow window;
+            window.resize(1280, 800);
+            window.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&window));
+            shoot(window, "start");
+            QVERIFY(openAndFinish(window, bundledNamed("crazy_paving")));
+            workers().waitForDone();
+            shoot(window, "quick");
+            QVERIFY(child<QAction>(window, "run")->text() != QStringLiteral("&Run"));
+            showExport(window);
+            showEditing(window);
+            showSessions(window);
+        }
+        useLanguage(QLocale::c());
     }
 
     void twiceAsManyPixels() {
@@ -299,6 +332,47 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(!variance->computing(), 60'000);
         shoot(*variance, "variance");
         variance->close();
+    }
+
+    static void showEditing(MainWindow& window) {
+        ExemplarEditor* const editor = window.exemplarEditor();
+        const int id = window.store()->current()->id;
+        child<QAction>(window, "editExemplar")->trigger();
+        editor->setTool(EditCanvas::Tool::Crop);
+        shoot(window, "edit-crop");
+        editor->setTool(EditCanvas::Tool::Rectify);
+        QTest::keyClick(editor->canvas(), Qt::Key_N);
+        QTest::keyClick(editor->canvas(), Qt::Key_Left, Qt::ControlModifier);
+        shoot(window, "edit-rectify");
+        window.store()->setEdits(id, {RotateEdit{8}, FlattenEdit{}}, {});
+        const Size size = window.store()->current()->file().image->size();
+        Image stroke(sizeAfter(RotateEdit{8}, size), 1);
+        for (int y = stroke.height() / 5; y < stroke.height() / 2; ++y)
+            for (int x = stroke.width() / 4; x < stroke.width() * 2 / 3; ++x)
+                stroke(x, y, 0) = 1;
+        window.store()->paintMask(id, std::move(stroke), true);
+        QTRY_VERIFY(window.store()->current()->exemplar.mask);
+        editor->setTool(EditCanvas::Tool::Hide);
+        shoot(window, "edit-mask");
+        auto* targets = child<DropTargets>(window, "dropTargets");
+        targets->open(true, true);
+        shoot(window, "drop-targets");
+        targets->hide();
+        child<QAction>(window, "editExemplar")->trigger();
+        window.store()->setEdits(id, {}, {});
+        window.store()->clearMask(id);
+        QTRY_VERIFY(!window.store()->current()->exemplar.mask);
+    }
+
+    static void showSessions(MainWindow& window) {
+        MissingFilesDialog missing(
+            window.session(),
+            {QStringLiteral("/home/artist/materials/a long folder name/bark_albedo.png"),
+             QStringLiteral("/home/artist/materials/bark_normal.png")},
+            &window);
+        missing.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&missing));
+        shoot(missing, "missing-files");
     }
 
     static void showExport(MainWindow& window) {

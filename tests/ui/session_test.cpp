@@ -12,23 +12,28 @@
 #include "ui/jobs/background.h"
 #include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
+#include "ui/session/preset_menu.h"
 #include "ui/session/undo_history.h"
+#include "ui/window/drop_targets.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/text.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QDropEvent>
 #include <QFile>
 #include <QGroupBox>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QUrl>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -250,6 +255,57 @@ private Q_SLOTS:
         child<QPushButton>(*dialog, "goOn")->click();
         QTRY_COMPARE(other.store()->entries().size(), 1U);
         QCOMPARE(other.store()->current()->exemplar.companions.size(), 1U);
+    }
+
+    void somethingDroppedOnATargetGoesThere() {
+        openBark(false);
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(writeTexture(*m_folder, QStringLiteral("any.png"), {64, 48}, 5))});
+        QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
+        auto* targets = child<DropTargets>(*m_window, "dropTargets");
+        QVERIFY(targets->isVisible());
+        const auto drop = [&](DropTargets::Target target) {
+            targets->open(true, true);
+            QDropEvent event(targets->placeOf(target).center(), Qt::CopyAction, &data, Qt::LeftButton,
+                             Qt::NoModifier);
+            QApplication::sendEvent(targets, &event);
+            QVERIFY(!targets->isVisible());
+        };
+        drop(DropTargets::Target::Companion);
+        QTRY_COMPARE(m_window->store()->current()->exemplar.companions.size(), 1U);
+        drop(DropTargets::Target::Mask);
+        QTRY_VERIFY(m_window->store()->current()->exemplar.mask);
+        drop(DropTargets::Target::Exemplar);
+        QTRY_VERIFY(m_window->store()->current()->file().name() == "any");
+        QTRY_COMPARE(m_window->store()->entries().size(), 1U);
+        targets->open(false, true); // a picture without a file can be no map
+        QVERIFY(!targets->targetAt(targets->placeOf(DropTargets::Target::Mask).center()));
+        QVERIFY(targets->targetAt(targets->placeOf(DropTargets::Target::Add).center()));
+    }
+
+    void presetsAreKeptImportedAndRefused() {
+        auto* menu = child<PresetMenu>(*m_window, "presetMenu");
+        m_window->inspector()->setValues({{"patch", 9}});
+        menu->keep(QStringLiteral("Fine bark"));
+        auto* kept = child<QAction>(*menu, "own-preset-fine-bark");
+        m_window->inspector()->resetAll();
+        kept->trigger();
+        QVERIFY(m_window->inspector()->changedValues() == (Values{{"patch", 9}}));
+        menu->keep(QStringLiteral("Fine bark"));
+        QVERIFY(m_window->messages()->text().contains(QStringLiteral("already")));
+        const QString file = m_folder->filePath(QStringLiteral("coarse.json"));
+        menu->exportTo(file, QStringLiteral("Coarse"));
+        menu->importFrom(file);
+        QVERIFY(menu->findChild<QAction*>(QStringLiteral("own-preset-coarse")) != nullptr);
+        menu->remove(QStringLiteral("coarse"));
+        menu->remove(QStringLiteral("fine-bark"));
+        QFile newer(file);
+        QVERIFY(newer.open(QIODevice::WriteOnly));
+        newer.write(R"({"preset": 2, "title": "", "summary": "", "steps": []})");
+        newer.close();
+        menu->importFrom(file);
+        QVERIFY(m_window->messages()->text().contains(QStringLiteral("newer")));
     }
 
     void aNewerSessionIsRefusedInWords() {

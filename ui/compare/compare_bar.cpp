@@ -2,6 +2,7 @@
 
 #include "ui/window/icons.h"
 
+#include <QCoreApplication>
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
@@ -36,7 +37,7 @@ QAction* make(QWidget* window, const char* name, const QString& text, const QKey
 }
 
 QString tr(const char* text) {
-    return CompareBar::tr(text);
+    return QCoreApplication::translate("texloom::ui::CompareActions", text);
 }
 
 } // namespace

@@ -394,8 +394,7 @@ void ExemplarEditor::setTool(EditCanvas::Tool tool) {
     m_tools->button(static_cast<int>(tool))->setChecked(true);
     m_pages->setCurrentIndex(std::min(static_cast<int>(tool), 3));
     m_canvas->setTool(tool);
-    if (tool == EditCanvas::Tool::Crop || tool == EditCanvas::Tool::Rectify)
-        m_canvas->resetFrames();
+    m_canvas->resetFrames();
     m_canvas->setFocus();
 }
 
@@ -431,7 +430,7 @@ void ExemplarEditor::showCurrent() {
     m_canvas->setHidden(entry->hidden);
     m_clearMask->setEnabled(entry->exemplar.mask.has_value());
     if (other)
-        setTool(m_canvas->tool());
+        m_canvas->resetFrames();
     fillList(made);
     showLight(made);
 }

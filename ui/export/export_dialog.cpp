@@ -154,7 +154,7 @@ void ExportDialog::makeForm() {
     const std::vector<std::vector<ExemplarFile>>& maps = m_result->plan.companions;
     const bool normals = hasCompanions(m_result->plan) &&
                          std::any_of(maps.front().begin(), maps.front().end(),
-                                     [](const ExemplarFile& map) { return isNormal(map.role); });
+                                     [](const ExemplarFile& file) { return isNormal(file.role); });
     if (normals)
         form->addRow(tr("Norm&als"), m_normals);
     m_normals->setVisible(normals);

@@ -5,6 +5,7 @@
 #include "ui/results/result_text.h"
 #include "ui/window/icons.h"
 
+#include <QCoreApplication>
 #include <QAction>
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -39,7 +40,7 @@ QAction* make(QWidget* window, const char* name, const QString& text, const QStr
 }
 
 QString tr(const char* text) {
-    return ResultPanel::tr(text);
+    return QCoreApplication::translate("texloom::ui::ResultActions", text);
 }
 
 } // namespace

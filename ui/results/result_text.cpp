@@ -14,7 +14,7 @@ namespace texloom::ui {
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("Results", text);
+    return QCoreApplication::translate("texloom::ui", text);
 }
 
 /// A method's title; its id where this version does not have it.

@@ -139,6 +139,11 @@ void Document::touch() {
         m_timer.start();
 }
 
+void Document::settle() {
+    m_timer.stop();
+    setModified(false);
+}
+
 void Document::setModified(bool modified) {
     if (std::exchange(m_modified, modified) != modified)
         Q_EMIT titleChanged();

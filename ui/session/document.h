@@ -48,6 +48,8 @@ public:
     /// To be called whenever anything changed that a session keeps.
     void touch();
     bool modified() const { return m_modified; }
+    /// Takes what is there now as nothing that could be lost: the window as it first opens.
+    void settle();
     /// The session's file; empty before it was first saved.
     const QString& file() const { return m_file; }
     void open(const QString& path);

@@ -39,6 +39,7 @@ SettingsState settingsOf(const QComboBox& method, const Inspector& inspector) {
     state.settings.size = output->outputSize();
     state.settings.wrap = output->wrap();
     state.settings.seed = output->seed();
+    state.settings.region = output->part();
     state.initial = output->initial();
     state.seedLocked = output->seedLocked();
     return state;
@@ -54,6 +55,7 @@ void showSettings(const SettingsState& state, QComboBox& method, Inspector& insp
     output->setSeed(state.settings.seed);
     output->setSeedLocked(state.seedLocked);
     output->setInitial(state.initial);
+    output->setPart(state.settings.region);
     Q_EMIT inspector.edited();
 }
 

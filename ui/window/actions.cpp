@@ -33,7 +33,7 @@ struct Maker {
 };
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("Actions", text);
+    return QCoreApplication::translate("texloom::ui::Actions", text);
 }
 
 } // namespace

@@ -12,9 +12,11 @@
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/session/document.h"
+#include "ui/session/preset_menu.h"
 #include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/appearance.h"
+#include "ui/window/drop_targets.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
 #include "ui/window/start_page.h"
@@ -98,6 +100,7 @@ MainWindow::MainWindow(QWidget* parent)
     setTabOrderThrough();
     methodChosen();
     exemplarsChanged();
+    m_document->settle();
     plan();
     QTimer::singleShot(0, m_start, &StartPage::refresh);
 }
@@ -123,6 +126,9 @@ void MainWindow::makeCentre() {
     m_centre->addWidget(m_results);
     m_editor = new ExemplarEditor(m_store, m_centre);
     m_centre->addWidget(m_editor);
+    m_drop = new DropTargets(middle);
+    connect(m_drop, &DropTargets::dropped, this, &MainWindow::dropOn);
+    connect(m_drop, &DropTargets::closed, statusBar(), &QStatusBar::clearMessage);
     auto* column = new QVBoxLayout(middle);
     column->addWidget(m_messages);
     column->addWidget(m_centre, 1);
@@ -198,15 +204,18 @@ void MainWindow::makeMenus() {
 }
 
 QMenu* MainWindow::makePresetMenu() {
-    auto* menu = new QMenu(tr("Pre&sets"), this);
-    menu->setToolTipsVisible(true);
-    for (const Preset& preset : presets()) {
-        QAction* const action =
-            menu->addAction(translated(preset.title), this, [this, &preset] { usePreset(preset); });
-        action->setObjectName(QString::fromStdString("preset-" + preset.id));
-        action->setToolTip(translated(preset.summary));
-    }
-    menu->setEnabled(!menu->isEmpty());
+    auto* menu = new PresetMenu(
+        [this] {
+            std::vector<RecipeStep> steps = {{m_inspector->method()->id(), m_inspector->changedValues()}};
+            const std::vector<RecipeStep> then = m_inspector->then();
+            steps.insert(steps.end(), then.begin(), then.end());
+            return steps;
+        },
+        this);
+    connect(menu, &PresetMenu::chosen, this, &MainWindow::usePreset);
+    connect(menu, &PresetMenu::told, this,
+            [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); });
+    connect(menu, &PresetMenu::failed, this, &MainWindow::fail);
     return menu;
 }
 

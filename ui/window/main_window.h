@@ -7,6 +7,7 @@
 #include "ui/exemplar/named_image.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/window/actions.h"
+#include "ui/window/drop_targets.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -127,6 +128,7 @@ private:
     void openDialog();
     void paste();
     void take(const QMimeData& offered);
+    void dropOn(DropTargets::Target target, const QMimeData& offered);
     void exemplarOpened(int id);
     void offerRecipe(const QString& path, const QString& text);
     void loadRecipeFrom(const QString& path);
@@ -169,6 +171,7 @@ private:
     StartPage* m_start = nullptr;
     ResultView* m_results = nullptr;
     ExemplarEditor* m_editor = nullptr;
+    DropTargets* m_drop = nullptr;
     Document* m_document = nullptr;
     UndoHistory* m_undo = nullptr;
     MessageBar* m_messages = nullptr;

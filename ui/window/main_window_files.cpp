@@ -39,6 +39,7 @@ namespace {
 
 const QString kOpenFolder = QStringLiteral("folders/open");
 const QString kExportFolder = QStringLiteral("folders/export");
+constexpr std::chrono::milliseconds kDragGrace{150};
 
 bool isRecipe(const QString& path) {
     return path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
@@ -122,6 +123,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!offersPicture(*event->mimeData()))
         return;
     event->acceptProposedAction();
+    if (m_store->current() != nullptr)
+        return m_drop->open(!localFiles(*event->mimeData()).isEmpty(),
+                            m_inspector->allMethods(&MethodInfo::usesMask));
     m_start->setDropping(true);
     statusBar()->showMessage(tr("Let go to open it as an exemplar."));
 }
@@ -129,10 +133,34 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
     m_start->setDropping(false);
     statusBar()->clearMessage();
+    // The drag leaves the window when the targets come up under it, too.
+    QTimer::singleShot(kDragGrace, m_drop, &DropTargets::closeUnlessEntered);
+}
+
+void MainWindow::dropOn(DropTargets::Target target, const QMimeData& offered) {
+    const int current = m_store->current()->id;
+    const QStringList files = localFiles(offered);
+    if (target == DropTargets::Target::Companion) {
+        for (const QString& file : files)
+            m_store->addCompanion(current, file);
+        return;
+    }
+    if (target == DropTargets::Target::Mask)
+        return m_store->setMask(current, files.front());
+    if (target == DropTargets::Target::Exemplar)
+        connect(
+            m_store, &ExemplarStore::opened, this,
+            [this, current](int id) {
+                if (id != current)
+                    m_store->remove(current);
+            },
+            Qt::SingleShotConnection);
+    take(offered);
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
     m_start->setDropping(false);
+    m_drop->closeUnlessEntered();
     statusBar()->clearMessage();
     event->acceptProposedAction();
     take(*event->mimeData());

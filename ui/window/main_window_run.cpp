@@ -279,12 +279,14 @@ void MainWindow::showResult(const std::shared_ptr<const Result>& result, const R
 }
 
 void MainWindow::showResults() {
+    m_actions.editExemplar->setChecked(false);
     m_centre->setCurrentIndex(1);
 }
 
 void MainWindow::showResult() {
     m_live = 0;
-    showResults();
+    if (m_centre->currentWidget() != m_editor) // who edits is not taken away from it
+        showResults();
     takeShownExemplars(m_result->plan);
     m_results->showPictures(m_resultPictures);
     m_results->setBadge(m_resultQuick ? tr("Quick preview") : QString());

@@ -1,0 +1,3342 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>background</name>
+    <message>
+        <source>There is not enough memory for this; close an image or choose a smaller one.</source>
+        <translation>Dafür reicht der Speicher nicht; schließen Sie ein Bild oder wählen Sie ein kleineres.</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>A cut keeps every pixel as it is in the exemplar; a smoothed one blends across it.</source>
+        <translation>Ein Schnitt lässt jedes Pixel, wie es in der Vorlage ist; ein geglätteter blendet über ihn hinweg.</translation>
+    </message>
+    <message>
+        <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks' edges, as in the source.</source>
+        <translation>Ein Schnitt lässt jedes Pixel, wie es in der Vorlage ist; Überblenden mischt einen Streifen entlang der Blockkanten, wie in der Quelle.</translation>
+    </message>
+    <message>
+        <source>A sample</source>
+        <translation>Eine Stichprobe</translation>
+    </message>
+    <message>
+        <source>A variant of the exemplar itself, or of an initial image: every patch is replaced by a random blend of the exemplar patches most like it. The layout stays.</source>
+        <translation>Eine Variante der Vorlage selbst oder eines Startbilds: Jeder Patch wird durch eine zufällige Mischung der ähnlichsten Patches ersetzt. Die Anordnung bleibt.</translation>
+    </message>
+    <message>
+        <source>ACEScg</source>
+        <translation>ACEScg</translation>
+    </message>
+    <message>
+        <source>Across channels</source>
+        <translation>Über Kanäle hinweg</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>As given</source>
+        <translation>Wie angegeben</translation>
+    </message>
+    <message>
+        <source>As the exemplar's files</source>
+        <translation>Wie die Dateien der Vorlage</translation>
+    </message>
+    <message>
+        <source>Asymptotic spot noise</source>
+        <translation>Asymptotisches Spot-Rauschen</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autokorrelation</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Axes that are bent one by one; channels as they are may show false colours.</source>
+        <translation>Achsen, die einzeln gebogen werden; mit den Kanälen selbst können falsche Farben entstehen.</translation>
+    </message>
+    <message>
+        <source>Bands: orientations</source>
+        <translation>Bänder: Richtungen</translation>
+    </message>
+    <message>
+        <source>Bands: phases across scales</source>
+        <translation>Bänder: Phasen über Skalen</translation>
+    </message>
+    <message>
+        <source>Bends</source>
+        <translation>Biegungen</translation>
+    </message>
+    <message>
+        <source>Blended band</source>
+        <translation>Überblendeter Streifen</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Block size</source>
+        <translation>Blockgröße</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Channels that count</source>
+        <translation>Zählende Kanäle</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour axes</source>
+        <translation>Farbachsen</translation>
+    </message>
+    <message>
+        <source>Column of the exemplar at which the tile begins.</source>
+        <translation>Spalte der Vorlage, an der die Kachel beginnt.</translation>
+    </message>
+    <message>
+        <source>Column of the exemplar's lattice that lies at the output's left side: moves the pattern sideways.</source>
+        <translation>Spalte im Gitter der Vorlage, die am linken Rand der Ausgabe liegt: verschiebt das Muster seitwärts.</translation>
+    </message>
+    <message>
+        <source>Compared border</source>
+        <translation>Verglichener Rand</translation>
+    </message>
+    <message>
+        <source>Conditional Gaussian</source>
+        <translation>Bedingte Gauß-Patches</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but soft.</source>
+        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die geteilten Pixel. Keine Nähte und kein Zusammenfügen, aber weich.</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>Cosine</source>
+        <translation>Kosinus</translation>
+    </message>
+    <message>
+        <source>Data (never converted)</source>
+        <translation>Daten (nie umgerechnet)</translation>
+    </message>
+    <message>
+        <source>Deviation, </source>
+        <translation>Abweichung, </translation>
+    </message>
+    <message>
+        <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
+        <translation>Differenzen halten die Helligkeit zwischen Blöcken gleich; Korrelation passt Kanten besser an, wo die Helligkeit verschieden ist.</translation>
+    </message>
+    <message>
+        <source>Directions told apart at each scale: more keep lines at more angles, and take longer.</source>
+        <translation>Richtungen, die je Skala unterschieden werden: mehr erhalten Linien in mehr Winkeln und dauern länger.</translation>
+    </message>
+    <message>
+        <source>Drawing phases</source>
+        <translation>Phasen werden gezogen</translation>
+    </message>
+    <message>
+        <source>Edits of exemplars</source>
+        <translation>Bearbeitungen der Vorlagen</translation>
+    </message>
+    <message>
+        <source>Estimating the synthesis map</source>
+        <translation>Synthesekarte wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Even out the light</source>
+        <translation>Licht ausgleichen</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Exemplars</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Fading border</source>
+        <translation>Auslaufender Rand</translation>
+    </message>
+    <message>
+        <source>Filling gaps</source>
+        <translation>Lücken werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Filtering</source>
+        <translation>Filterung</translation>
+    </message>
+    <message>
+        <source>Finds the lattice of a regular texture and repeats the one tile that joins itself best: strictly regular, without the variety of near-regular synthesis.</source>
+        <translation>Findet das Gitter einer regelmäßigen Textur und wiederholt die eine Kachel, die am besten an sich selbst anschließt: streng regelmäßig, ohne die Vielfalt der fast regelmäßigen Synthese.</translation>
+    </message>
+    <message>
+        <source>Finds the lattice of bricks, tiles or weave and samples blocks at random along it, then fills the gaps with patches that fit: keeps the courses and varies what lies in them.</source>
+        <translation>Findet das Gitter von Ziegeln, Fliesen oder Gewebe, zieht zufällig Blöcke daraus und füllt die Lücken mit passenden Patches: erhält die Reihen und variiert, was darin liegt.</translation>
+    </message>
+    <message>
+        <source>First vector, down</source>
+        <translation>Erster Vektor, nach unten</translation>
+    </message>
+    <message>
+        <source>First vector, right</source>
+        <translation>Erster Vektor, nach rechts</translation>
+    </message>
+    <message>
+        <source>Fit by</source>
+        <translation>Anpassen nach</translation>
+    </message>
+    <message>
+        <source>Found by itself</source>
+        <translation>Selbst gefunden</translation>
+    </message>
+    <message>
+        <source>Gaps filled</source>
+        <translation>Gefüllte Lücken</translation>
+    </message>
+    <message>
+        <source>Gaussian patches</source>
+        <translation>Gauß-Patches</translation>
+    </message>
+    <message>
+        <source>Gives noise the exemplar's histogram in every band of a steerable pyramid. Quick and free of copies; suits grainy and stochastic textures, and loses structure.</source>
+        <translation>Gibt Rauschen in jedem Band einer steuerbaren Pyramide das Histogramm der Vorlage. Schnell und ohne Kopien; gut für körnige und stochastische Texturen, verliert Strukturen.</translation>
+    </message>
+    <message>
+        <source>Gives noise the exemplar's joint statistics in a complex steerable pyramid, round after round. Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts.</source>
+        <translation>Gibt Rauschen Runde für Runde die gemeinsame Statistik der Vorlage in einer komplexen steuerbaren Pyramide. Kopiert nie; gut für Kies, Gras, Rinde und andere dichte Texturen, verliert regelmäßige Anordnungen.</translation>
+    </message>
+    <message>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <source>Heeger–Bergen</source>
+        <translation>Heeger–Bergen</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>How a patch joins its neighbours: along the cut of least error, or blended over the overlap.</source>
+        <translation>Wie ein Patch an seine Nachbarn anschließt: entlang des Schnitts mit dem kleinsten Fehler oder über die Überlappung geblendet.</translation>
+    </message>
+    <message>
+        <source>How far down the texture repeats itself first.</source>
+        <translation>Wie weit nach unten sich die Textur zuerst wiederholt.</translation>
+    </message>
+    <message>
+        <source>How far down the texture repeats itself in the other direction.</source>
+        <translation>Wie weit nach unten sich die Textur in der anderen Richtung wiederholt.</translation>
+    </message>
+    <message>
+        <source>How far from the lattice a patch that fills a gap may lie: more joins better where the texture is irregular, less keeps the courses straight.</source>
+        <translation>Wie weit vom Gitter ein Patch liegen darf, der eine Lücke füllt: mehr schließt in unregelmäßigen Texturen besser an, weniger hält die Reihen gerade.</translation>
+    </message>
+    <message>
+        <source>How far shared pixels may vary, in per cent of the exemplar's standard deviation.</source>
+        <translation>Wie stark geteilte Pixel abweichen dürfen, in Prozent der Standardabweichung der Vorlage.</translation>
+    </message>
+    <message>
+        <source>How far the smoothed cut blends to either side.</source>
+        <translation>Wie weit der geglättete Schnitt nach beiden Seiten überblendet.</translation>
+    </message>
+    <message>
+        <source>How far to the right the texture repeats itself first.</source>
+        <translation>Wie weit nach rechts sich die Textur zuerst wiederholt.</translation>
+    </message>
+    <message>
+        <source>How far to the right the texture repeats itself in the other direction.</source>
+        <translation>Wie weit nach rechts sich die Textur in der anderen Richtung wiederholt.</translation>
+    </message>
+    <message>
+        <source>How many of the first channels are synthesised jointly, 0 for all; the others follow them point by point and have no say.</source>
+        <translation>Wie viele der ersten Kanäle gemeinsam erzeugt werden, 0 für alle; die übrigen folgen ihnen Punkt für Punkt und zählen nicht mit.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a patch may fit and still be drawn: larger varies more, smaller copies longer stretches.</source>
+        <translation>Wie viel schlechter als der beste ein Patch passen darf, um noch gezogen zu werden: größer variiert mehr, kleiner kopiert längere Stücke.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a patch may fit and still be drawn: larger varies more.</source>
+        <translation>Wie viel schlechter als der beste ein Patch passen darf, um noch gezogen zu werden: größer variiert mehr.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
+        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
+    </message>
+    <message>
+        <source>How often the exemplar is halved, plus one: more keep larger structures.</source>
+        <translation>Wie oft die Vorlage halbiert wird, plus eins: mehr erhalten größere Strukturen.</translation>
+    </message>
+    <message>
+        <source>How patches join at all scales but the coarsest, which averages: along the cut of least error, blended, or pasted.</source>
+        <translation>Wie Patches auf allen Skalen außer der gröbsten, die mittelt, aneinander anschließen: entlang des besten Schnitts, überblendet oder eingesetzt.</translation>
+    </message>
+    <message>
+        <source>How phases line up from one scale to the next: lit edges against shaded ones.</source>
+        <translation>Wie Phasen von einer Skala zur nächsten zueinander stehen: beleuchtete gegen beschattete Kanten.</translation>
+    </message>
+    <message>
+        <source>How pixels and blurred images repeat within the neighbourhood.</source>
+        <translation>Wie sich Pixel und weichgezeichnete Bilder innerhalb der Nachbarschaft wiederholen.</translation>
+    </message>
+    <message>
+        <source>How strong lines of one angle and size come in groups.</source>
+        <translation>Wie stark Linien eines Winkels und einer Größe in Gruppen auftreten.</translation>
+    </message>
+    <message>
+        <source>How the bands of one scale go together in sign, across angles and channels.</source>
+        <translation>Wie die Bänder einer Skala im Vorzeichen zusammengehen, über Winkel und Kanäle.</translation>
+    </message>
+    <message>
+        <source>Image quilting</source>
+        <translation>Bild-Quilting</translation>
+    </message>
+    <message>
+        <source>Imposing statistics</source>
+        <translation>Statistiken werden aufgeprägt</translation>
+    </message>
+    <message>
+        <source>Innovation</source>
+        <translation>Neuheit</translation>
+    </message>
+    <message>
+        <source>Innovation, estimated</source>
+        <translation>Neuheit, geschätzt</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Durchläufe</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <translation>Behält die Stärke jeder Frequenz der Vorlage und zieht ihre Phase zufällig. Im Nu und ohne jede Wiederholung; gut für feinkörnige Texturen wie Sand, Putz oder Stoff, verliert Kanten und Gegenstände.</translation>
+    </message>
+    <message>
+        <source>Kept (CLG)</source>
+        <translation>Beibehalten (CLG)</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Lattice, first vector down</source>
+        <translation>Gitter, erster Vektor nach unten</translation>
+    </message>
+    <message>
+        <source>Lattice, first vector right</source>
+        <translation>Gitter, erster Vektor nach rechts</translation>
+    </message>
+    <message>
+        <source>Lattice, second vector down</source>
+        <translation>Gitter, zweiter Vektor nach unten</translation>
+    </message>
+    <message>
+        <source>Lattice, second vector right</source>
+        <translation>Gitter, zweiter Vektor nach rechts</translation>
+    </message>
+    <message>
+        <source>Lays out large structures at a coarse scale and adds new detail at each finer one. Keeps the layout of macro-textures with small patches; softer than quilting.</source>
+        <translation>Legt große Strukturen auf grober Skala an und fügt auf jeder feineren neue Einzelheiten hinzu. Hält die Anordnung von Makrotexturen mit kleinen Patches; weicher als Quilting.</translation>
+    </message>
+    <message>
+        <source>Learns from the exemplar's periodic component, without which its borders count as horizontal and vertical lines.</source>
+        <translation>Lernt aus dem periodischen Anteil der Vorlage; ohne ihn zählen deren Ränder als waagrechte und senkrechte Linien.</translation>
+    </message>
+    <message>
+        <source>Learns from the exemplar's periodic component, without which its borders draw horizontal and vertical streaks.</source>
+        <translation>Lernt aus dem periodischen Anteil der Vorlage; ohne ihn ziehen deren Ränder waagrechte und senkrechte Streifen.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Like quilting, but every patch is new: a random blend of the exemplar patches that fit best. Innovates where quilting copies; a little softer.</source>
+        <translation>Wie Quilting, aber jeder Patch ist neu: eine zufällige Mischung der am besten passenden Patches. Erfindet, wo Quilting kopiert; etwas weicher.</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Linear Rec.709</source>
+        <translation>Lineares Rec.709</translation>
+    </message>
+    <message>
+        <source>Linear blending</source>
+        <translation>Lineares Überblenden</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian</source>
+        <translation>Lokal gaußsch</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian + Portilla–Simoncelli</source>
+        <translation>Lokal gaußsch + Portilla–Simoncelli</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian + Quilting</source>
+        <translation>Lokal gaußsch + Quilting</translation>
+    </message>
+    <message>
+        <source>Looking for the lattice</source>
+        <translation>Gitter wird gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for the tile</source>
+        <translation>Kachel wird gesucht</translation>
+    </message>
+    <message>
+        <source>Magnitudes: autocorrelation</source>
+        <translation>Beträge: Autokorrelation</translation>
+    </message>
+    <message>
+        <source>Magnitudes: orientations</source>
+        <translation>Beträge: Richtungen</translation>
+    </message>
+    <message>
+        <source>Magnitudes: scales</source>
+        <translation>Beträge: Skalen</translation>
+    </message>
+    <message>
+        <source>Marginals</source>
+        <translation>Randverteilungen</translation>
+    </message>
+    <message>
+        <source>Matching histograms</source>
+        <translation>Histogramme werden angeglichen</translation>
+    </message>
+    <message>
+        <source>Mean error along a cut</source>
+        <translation>Mittlerer Fehler entlang eines Schnitts</translation>
+    </message>
+    <message>
+        <source>Mean squared difference where tiles join</source>
+        <translation>Mittlere quadratische Differenz an den Kachelstößen</translation>
+    </message>
+    <message>
+        <source>Mean, variance, skewness, kurtosis and range of the pixels and of blurred images.</source>
+        <translation>Mittelwert, Varianz, Schiefe, Wölbung und Wertebereich der Pixel und weichgezeichneter Bilder.</translation>
+    </message>
+    <message>
+        <source>Measuring the exemplar</source>
+        <translation>Vorlage wird vermessen</translation>
+    </message>
+    <message>
+        <source>Measuring the result</source>
+        <translation>Ergebnis wird vermessen</translation>
+    </message>
+    <message>
+        <source>Metallic</source>
+        <translation>Metallisch</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Midway</source>
+        <translation>Midway</translation>
+    </message>
+    <message>
+        <source>Midway quilting</source>
+        <translation>Midway-Quilting</translation>
+    </message>
+    <message>
+        <source>Minimum-error cut</source>
+        <translation>Schnitt mit kleinstem Fehler</translation>
+    </message>
+    <message>
+        <source>Mismatch of the pixels' histogram</source>
+        <translation>Abweichung des Pixelhistogramms</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Schwung</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian</source>
+        <translation>Mehrskalig gaußsch</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian + Portilla–Simoncelli</source>
+        <translation>Mehrskalig gaußsch + Portilla–Simoncelli</translation>
+    </message>
+    <message>
+        <source>Near-regular texture</source>
+        <translation>Fast regelmäßige Textur</translation>
+    </message>
+    <message>
+        <source>Neighbourhood</source>
+        <translation>Nachbarschaft</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>New patches from the locally Gaussian model, then pieces of the exemplar quilted over them: keeps the model's variety and gets the exemplar's sharpness back.</source>
+        <translation>Neue Patches aus dem lokal gaußschen Modell, dann Stücke der Vorlage darübergefügt: behält die Vielfalt des Modells und holt die Schärfe der Vorlage zurück.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Normal, green down (DirectX)</source>
+        <translation>Normalen, Grün nach unten (DirectX)</translation>
+    </message>
+    <message>
+        <source>Normal, green up (OpenGL)</source>
+        <translation>Normalen, Grün nach oben (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Octaves that the pyramid takes apart: more keep larger features. Small images use fewer.</source>
+        <translation>Oktaven, in die die Pyramide zerlegt: mehr erhalten größere Merkmale. Kleine Bilder nutzen weniger.</translation>
+    </message>
+    <message>
+        <source>One slope over all</source>
+        <translation>Ein Verlauf über alles</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Orientations</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Origin, down</source>
+        <translation>Ursprung, nach unten</translation>
+    </message>
+    <message>
+        <source>Origin, right</source>
+        <translation>Ursprung, nach rechts</translation>
+    </message>
+    <message>
+        <source>Other data</source>
+        <translation>Andere Daten</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Overlap values</source>
+        <translation>Werte der Überlappung</translation>
+    </message>
+    <message>
+        <source>Patch drawn</source>
+        <translation>Gezogener Patch</translation>
+    </message>
+    <message>
+        <source>Patch size</source>
+        <translation>Patchgröße</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Patches</translation>
+    </message>
+    <message>
+        <source>Pixels shared with neighbours stay as they are, or vary a little before the rest is drawn.</source>
+        <translation>Mit Nachbarn geteilte Pixel bleiben, wie sie sind, oder schwanken ein wenig, bevor der Rest gezogen wird.</translation>
+    </message>
+    <message>
+        <source>Placing patches</source>
+        <translation>Patches werden gesetzt</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poisson</translation>
+    </message>
+    <message>
+        <source>Portilla–Simoncelli</source>
+        <translation>Portilla–Simoncelli</translation>
+    </message>
+    <message>
+        <source>Preparing the exemplar</source>
+        <translation>Vorlage wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Principal axes</source>
+        <translation>Hauptachsen</translation>
+    </message>
+    <message>
+        <source>Progressive</source>
+        <translation>Fortschreitend</translation>
+    </message>
+    <message>
+        <source>Propagation</source>
+        <translation>Ausbreitung</translation>
+    </message>
+    <message>
+        <source>Quilting that bends patches to meet instead of cutting them: structures such as stripes are drawn together along the overlap.</source>
+        <translation>Quilting, das Patches zueinander biegt, statt sie zu schneiden: Strukturen wie Streifen werden über die Überlappung zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>Random phase</source>
+        <translation>Zufallsphase</translation>
+    </message>
+    <message>
+        <source>Random phase noise</source>
+        <translation>Zufallsphasen-Rauschen</translation>
+    </message>
+    <message>
+        <source>Random phase noise keeps each frequency's strength exactly; spot noise lets it vary as in a Gaussian field.</source>
+        <translation>Zufallsphasen-Rauschen hält die Stärke jeder Frequenz genau; Spot-Rauschen lässt sie schwanken wie in einem Gauß-Feld.</translation>
+    </message>
+    <message>
+        <source>Regular tile</source>
+        <translation>Regelmäßige Kachel</translation>
+    </message>
+    <message>
+        <source>Regularisation</source>
+        <translation>Regularisierung</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Lockerung</translation>
+    </message>
+    <message>
+        <source>Relaxed (RCLG)</source>
+        <translation>Gelockert (RCLG)</translation>
+    </message>
+    <message>
+        <source>Repeating the tile</source>
+        <translation>Kachel wird wiederholt</translation>
+    </message>
+    <message>
+        <source>Replacing patches</source>
+        <translation>Patches werden ersetzt</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Rounds between pyramid and pixels: more bring both closer to the exemplar.</source>
+        <translation>Durchgänge zwischen Pyramide und Pixeln: mehr bringen beide der Vorlage näher.</translation>
+    </message>
+    <message>
+        <source>Rounds over all statistics: more bring them closer to the exemplar's.</source>
+        <translation>Durchgänge über alle Statistiken: mehr bringen sie denen der Vorlage näher.</translation>
+    </message>
+    <message>
+        <source>Row of the exemplar at which the tile begins.</source>
+        <translation>Zeile der Vorlage, an der die Kachel beginnt.</translation>
+    </message>
+    <message>
+        <source>Row of the exemplar's lattice that lies at the output's top: moves the pattern up or down.</source>
+        <translation>Zeile im Gitter der Vorlage, die am oberen Rand der Ausgabe liegt: verschiebt das Muster nach oben oder unten.</translation>
+    </message>
+    <message>
+        <source>Sampling blocks</source>
+        <translation>Blöcke werden gezogen</translation>
+    </message>
+    <message>
+        <source>Sampling patches</source>
+        <translation>Patches werden gezogen</translation>
+    </message>
+    <message>
+        <source>Sampling scale {} of {}</source>
+        <translation>Skala {} von {} wird gezogen</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>Skalen</translation>
+    </message>
+    <message>
+        <source>Scales used</source>
+        <translation>Benutzte Skalen</translation>
+    </message>
+    <message>
+        <source>Seam, left to right</source>
+        <translation>Naht, links/rechts</translation>
+    </message>
+    <message>
+        <source>Seam, top to bottom</source>
+        <translation>Naht, oben/unten</translation>
+    </message>
+    <message>
+        <source>Second vector, down</source>
+        <translation>Zweiter Vektor, nach unten</translation>
+    </message>
+    <message>
+        <source>Second vector, right</source>
+        <translation>Zweiter Vektor, nach rechts</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Sews square patches of the exemplar together along the cuts where they differ least. Fast and faithful to structure such as bricks or leaves; copies larger areas verbatim.</source>
+        <translation>Fügt quadratische Patches der Vorlage entlang der Schnitte zusammen, an denen sie sich am wenigsten unterscheiden. Schnell und treu bei Strukturen wie Ziegeln oder Blättern; kopiert größere Flächen wörtlich.</translation>
+    </message>
+    <message>
+        <source>Share of each round's change that is added once more: some brings the statistics closer in fewer rounds.</source>
+        <translation>Anteil der Änderung jedes Durchgangs, der noch einmal hinzukommt: etwas davon bringt die Statistiken in weniger Durchgängen näher.</translation>
+    </message>
+    <message>
+        <source>Share of each side over which the exemplar fades out where the output has another size: larger leaves fewer streaks, smaller keeps slow changes.</source>
+        <translation>Anteil jeder Seite, über den die Vorlage ausläuft, wo die Ausgabe eine andere Größe hat: größer lässt weniger Streifen, kleiner erhält langsame Änderungen.</translation>
+    </message>
+    <message>
+        <source>Share of the patch over which it fades into its neighbours.</source>
+        <translation>Anteil des Patches, über den er in seine Nachbarn übergeht.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that is given by its neighbours: larger fits better and takes longer.</source>
+        <translation>Anteil des Patches, den seine Nachbarn vorgeben: größer passt besser und dauert länger.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that overlaps its neighbours: larger bends more gently.</source>
+        <translation>Anteil des Patches, der seine Nachbarn überlappt: größer biegt sanfter.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that overlaps its neighbours: larger fits better and takes longer.</source>
+        <translation>Anteil des Patches, der seine Nachbarn überlappt: größer passt besser und dauert länger.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that overlaps its neighbours: larger joins better, but repeats itself sooner.</source>
+        <translation>Anteil des Patches, der seine Nachbarn überlappt: größer schließt besser an, wiederholt sich aber eher.</translation>
+    </message>
+    <message>
+        <source>Side of the patches at every scale: at the coarsest one they cover 2 to the power of scales − 1 times as much.</source>
+        <translation>Seite der Patches auf jeder Skala: Auf der gröbsten überdecken sie 2 hoch (Skalen − 1) mal so viel.</translation>
+    </message>
+    <message>
+        <source>Side of the patches that are replaced: larger changes larger parts at once.</source>
+        <translation>Seite der Patches, die ersetzt werden: größer ändert größere Teile auf einmal.</translation>
+    </message>
+    <message>
+        <source>Side of the patches: larger keeps larger structures whole, smaller finds more that are alike.</source>
+        <translation>Seite der Patches: größer hält größere Strukturen ganz, kleiner findet mehr ähnliche.</translation>
+    </message>
+    <message>
+        <source>Side of the square in which pixels and magnitudes are compared at each scale: larger keeps larger patterns, but copies chance ones.</source>
+        <translation>Seite des Quadrats, in dem Pixel und Beträge je Skala verglichen werden: größer erhält größere Muster, kopiert aber auch zufällige.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller varies more.</source>
+        <translation>Seite der Quadrate, die kopiert werden: größer hält größere Strukturen ganz, kleiner variiert mehr.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more.</source>
+        <translation>Seite der Quadrate, die kopiert werden; 0 wählt nach der Vorlage und ihrem Gitter. Größer hält größere Stücke, kleiner variiert mehr.</translation>
+    </message>
+    <message>
+        <source>Similar patches that a Gaussian is learnt from: more join more smoothly and blur more.</source>
+        <translation>Ähnliche Patches, aus denen eine Gauß-Verteilung gelernt wird: mehr schließen glatter an und verwischen mehr.</translation>
+    </message>
+    <message>
+        <source>Similar patches that each new one is blended from: more vary more and blur more.</source>
+        <translation>Ähnliche Patches, aus denen jeder neue gemischt wird: mehr variieren mehr und verwischen mehr.</translation>
+    </message>
+    <message>
+        <source>Similar patches that each new one is blended from: more vary more and blur more; 1 copies.</source>
+        <translation>Ähnliche Patches, aus denen jeder neue gemischt wird: mehr variieren mehr und verwischen mehr; 1 kopiert.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Smoothed cut</source>
+        <translation>Geglätteter Schnitt</translation>
+    </message>
+    <message>
+        <source>Soft changes</source>
+        <translation>Weiche Verläufe</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Squared differences</source>
+        <translation>Quadrierte Differenzen</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistiken</translation>
+    </message>
+    <message>
+        <source>Stitch</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Begradigen</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Take off border jumps</source>
+        <translation>Randsprünge entfernen</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the exemplar first, so that blocks from its light and dark parts match; pixels change a little.</source>
+        <translation>Nimmt zuerst langsame Helligkeitsänderungen aus der Vorlage, damit Blöcke aus hellen und dunklen Teilen zusammenpassen; Pixel ändern sich ein wenig.</translation>
+    </message>
+    <message>
+        <source>The large structures of the multiscale Gaussian model, sharpened by Portilla–Simoncelli.</source>
+        <translation>Die großen Strukturen des mehrskaligen Gauß-Modells, geschärft durch Portilla–Simoncelli.</translation>
+    </message>
+    <message>
+        <source>The layout of the locally Gaussian model with the grain of Portilla–Simoncelli: nothing is copied, and where the model went astray it is drawn back.</source>
+        <translation>Die Anordnung des lokal gaußschen Modells mit dem Korn von Portilla–Simoncelli: Nichts wird kopiert, und wo das Modell abirrte, wird es zurückgeholt.</translation>
+    </message>
+    <message>
+        <source>The most probable</source>
+        <translation>Der wahrscheinlichste</translation>
+    </message>
+    <message>
+        <source>The most probable patch joins most smoothly and loses detail; samples differ each time.</source>
+        <translation>Der wahrscheinlichste Patch schließt am glattesten an und verliert Einzelheiten; Stichproben sind jedes Mal anders.</translation>
+    </message>
+    <message>
+        <source>The one that joins itself best</source>
+        <translation>Die am besten an sich selbst anschließt</translation>
+    </message>
+    <message>
+        <source>The tile that is repeated: the one whose opposite sides are most alike, or the one at a given place.</source>
+        <translation>Die Kachel, die wiederholt wird: die mit den ähnlichsten gegenüberliegenden Seiten oder die an einer angegebenen Stelle.</translation>
+    </message>
+    <message>
+        <source>The two vectors by which the texture repeats itself: found in the exemplar, given, or none for a texture that does not repeat.</source>
+        <translation>Die zwei Vektoren, um die sich die Textur wiederholt: in der Vorlage gefunden, angegeben oder keine für eine Textur ohne Wiederholung.</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Dann</translation>
+    </message>
+    <message>
+        <source>Tile</source>
+        <translation>Kachel</translation>
+    </message>
+    <message>
+        <source>Tile's corner, down</source>
+        <translation>Ecke der Kachel, nach unten</translation>
+    </message>
+    <message>
+        <source>Tile's corner, right</source>
+        <translation>Ecke der Kachel, nach rechts</translation>
+    </message>
+    <message>
+        <source>Tile, first vector down</source>
+        <translation>Kachel, erster Vektor nach unten</translation>
+    </message>
+    <message>
+        <source>Tile, first vector right</source>
+        <translation>Kachel, erster Vektor nach rechts</translation>
+    </message>
+    <message>
+        <source>Tile, second vector down</source>
+        <translation>Kachel, zweiter Vektor nach unten</translation>
+    </message>
+    <message>
+        <source>Tile, second vector right</source>
+        <translation>Kachel, zweiter Vektor nach rechts</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Turns and shears the exemplar so that its courses run along the axes in whole pixels; pixels are interpolated.</source>
+        <translation>Dreht und schert die Vorlage, sodass ihre Reihen in ganzen Pixeln an den Achsen liegen; Pixel werden interpoliert.</translation>
+    </message>
+    <message>
+        <source>Unity (mask map)</source>
+        <translation>Unity (Mask Map)</translation>
+    </message>
+    <message>
+        <source>Unreal Engine</source>
+        <translation>Unreal Engine</translation>
+    </message>
+    <message>
+        <source>Weight of the second exemplar</source>
+        <translation>Gewicht der zweiten Vorlage</translation>
+    </message>
+    <message>
+        <source>Whether channels are synthesised jointly; without, each principal component is by itself.</source>
+        <translation>Ob Kanäle gemeinsam erzeugt werden; sonst steht jede Hauptkomponente für sich.</translation>
+    </message>
+    <message>
+        <source>Whether the bending fades out over the overlap, or lines pass into each other.</source>
+        <translation>Ob das Biegen über die Überlappung ausläuft oder Linien ineinander übergehen.</translation>
+    </message>
+    <message>
+        <source>Which angles come together: corners and crossings.</source>
+        <translation>Welche Winkel zusammen auftreten: Ecken und Kreuzungen.</translation>
+    </message>
+    <message>
+        <source>Which sizes come together: edges against thin lines.</source>
+        <translation>Welche Größen zusammen auftreten: Kanten gegen dünne Linien.</translation>
+    </message>
+    <message>
+        <source>White noise added to the model, in per cent of the exemplar's standard deviation: more lets patches fit their neighbours less.</source>
+        <translation>Weißes Rauschen, das dem Modell hinzugefügt wird, in Prozent der Standardabweichung der Vorlage: mehr lässt Patches weniger zu ihren Nachbarn passen.</translation>
+    </message>
+    <message>
+        <source>Width in which a patch is compared with, and joined to, its neighbours; 0 takes a share of the block.</source>
+        <translation>Breite, in der ein Patch mit seinen Nachbarn verglichen und verbunden wird; 0 nimmt einen Anteil des Blocks.</translation>
+    </message>
+    <message>
+        <source>Width of the band that is blended: wider hides differences of brightness between blocks, narrower is sharper.</source>
+        <translation>Breite des überblendeten Streifens: breiter verbirgt Helligkeitsunterschiede zwischen Blöcken, schmaler ist schärfer.</translation>
+    </message>
+    <message>
+        <source>Width of the borders in which opposite sides of a tile are compared: wider looks for tiles that join in larger structures.</source>
+        <translation>Breite der Ränder, in denen gegenüberliegende Seiten einer Kachel verglichen werden: breiter sucht Kacheln, die in größeren Strukturen anschließen.</translation>
+    </message>
+    <message>
+        <source>With two exemplars, how far the statistics go from the first to the second.</source>
+        <translation>Bei zwei Vorlagen: wie weit die Statistiken von der ersten zur zweiten gehen.</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Kachelbar</translation>
+    </message>
+    <message>
+        <source>glTF</source>
+        <translation>glTF</translation>
+    </message>
+    <message>
+        <source>packed companion maps</source>
+        <translation>gepackte Begleitkarten</translation>
+    </message>
+    <message>
+        <source>sRGB</source>
+        <translation>sRGB</translation>
+    </message>
+</context>
+<context>
+    <name>files</name>
+    <message>
+        <source>Pictures and recipes (%1 *.json);;All files (*)</source>
+        <translation>Bilder und Rezepte (%1 *.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>A workbench for exemplar-based texture synthesis.</source>
+        <translation>Eine Werkbank für Textursynthese nach Vorlagen.</translation>
+    </message>
+    <message>
+        <source>Exemplars, a recipe or a session to open.</source>
+        <translation>Vorlagen, ein Rezept oder eine Sitzung zum Öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui</name>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · Startwert %2 · %3</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>Startwert %1</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Exemplars</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Entstanden</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open exemplars or a recipe</source>
+        <translation>Vorlagen oder ein Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Paste a picture or a file as an exemplar</source>
+        <translation>Ein Bild oder eine Datei als Vorlage einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>Write the result and its maps to files</source>
+        <translation>Das Ergebnis und seine Karten in Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy result</source>
+        <translation>Ergebnis &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the result as a picture</source>
+        <translation>Das Ergebnis als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Set &amp;mask…</source>
+        <translation>&amp;Maske setzen …</translation>
+    </message>
+    <message>
+        <source>&amp;Clear mask</source>
+        <translation>Maske &amp;löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Entfe&amp;rnen</translation>
+    </message>
+    <message>
+        <source>Take the exemplar off the list; its file stays</source>
+        <translation>Die Vorlage von der Liste nehmen; ihre Datei bleibt</translation>
+    </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>&amp;Bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Crop, turn, rectify, even out the light, hide parts</source>
+        <translation>Zuschneiden, drehen, entzerren, Licht ausgleichen, Teile verbergen</translation>
+    </message>
+    <message>
+        <source>Add companion &amp;maps…</source>
+        <translation>Begleit&amp;karten hinzufügen …</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Ausführen</translation>
+    </message>
+    <message>
+        <source>Make the result; if a run is under way, right after it, but a quick preview gives way</source>
+        <translation>Das Ergebnis erzeugen; läuft schon etwas, gleich danach, doch eine Schnellvorschau macht Platz</translation>
+    </message>
+    <message>
+        <source>&amp;Add to queue</source>
+        <translation>In die &amp;Warteschlange</translation>
+    </message>
+    <message>
+        <source>Make the result with these settings after all runs that wait</source>
+        <translation>Das Ergebnis mit diesen Einstellungen nach allem Wartenden erzeugen</translation>
+    </message>
+    <message>
+        <source>&amp;Quick</source>
+        <translation>&amp;Schnell</translation>
+    </message>
+    <message>
+        <source>Make a small preview with the same settings</source>
+        <translation>Eine kleine Vorschau mit denselben Einstellungen erzeugen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Stop the run under way and keep what is there; those that wait go on</source>
+        <translation>Den laufenden Vorgang anhalten und behalten, was da ist; die wartenden gehen weiter</translation>
+    </message>
+    <message>
+        <source>&amp;New seed and run</source>
+        <translation>&amp;Neuer Startwert und ausführen</translation>
+    </message>
+    <message>
+        <source>Reset all &amp;parameters</source>
+        <translation>Alle &amp;Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Fit the picture in the view</source>
+        <translation>Das Bild in die Ansicht einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;100 %</source>
+        <translation>&amp;100 %</translation>
+    </message>
+    <message>
+        <source>One screen pixel for each of the picture's</source>
+        <translation>Ein Bildschirmpixel für jedes des Bildes</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Show the picture repeated on all sides</source>
+        <translation>Das Bild nach allen Seiten wiederholt zeigen</translation>
+    </message>
+    <message>
+        <source>R&amp;esult</source>
+        <translation>&amp;Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Synthesis map</source>
+        <translation>&amp;Synthesekarte</translation>
+    </message>
+    <message>
+        <source>&amp;Position map</source>
+        <translation>&amp;Positionskarte</translation>
+    </message>
+    <message>
+        <source>Reset &amp;layout</source>
+        <translation>A&amp;nordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;About Texloom</source>
+        <translation>&amp;Über Texloom</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompanionList</name>
+    <message>
+        <source>None. Drop bark_normal, bark_rough and the like with bark.</source>
+        <translation>Keine. Ziehen Sie bark_normal, bark_rough und Ähnliches mit bark herein.</translation>
+    </message>
+    <message>
+        <source>Companion maps</source>
+        <translation>Begleitkarten</translation>
+    </message>
+    <message>
+        <source>What the map holds</source>
+        <translation>Was die Karte enthält</translation>
+    </message>
+    <message>
+        <source>What the map holds. Normals turn with the exemplar.</source>
+        <translation>Was die Karte enthält. Normalen drehen sich mit der Vorlage.</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add companion maps</source>
+        <translation>Begleitkarten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add maps of the exemplar's size, such as normals or heights: they get the result's layout.</source>
+        <translation>Karten von der Größe der Vorlage hinzufügen, etwa Normalen oder Höhen: Sie bekommen die Anordnung des Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>Remove the map</source>
+        <translation>Die Karte entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareActions</name>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Compare pictures side by side</source>
+        <translation>Bilder nebeneinander vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Wischen</translation>
+    </message>
+    <message>
+        <source>Compare two pictures in one place, parted by a line</source>
+        <translation>Zwei Bilder an einer Stelle vergleichen, durch eine Linie geteilt</translation>
+    </message>
+    <message>
+        <source>&amp;Toggle</source>
+        <translation>&amp;Umschalten</translation>
+    </message>
+    <message>
+        <source>Compare two pictures in one place, one after the other</source>
+        <translation>Zwei Bilder an einer Stelle vergleichen, eines nach dem anderen</translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation>&amp;Differenz</translation>
+    </message>
+    <message>
+        <source>Show what two pictures differ in</source>
+        <translation>Zeigen, worin sich zwei Bilder unterscheiden</translation>
+    </message>
+    <message>
+        <source>E&amp;xemplar</source>
+        <translation>&amp;Vorlage</translation>
+    </message>
+    <message>
+        <source>Show the exemplar among the results</source>
+        <translation>Die Vorlage unter den Ergebnissen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Link views</source>
+        <translation>Ansichten &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>Zoom and move all pictures together; those moved apart before stay apart as they are</source>
+        <translation>Alle Bilder gemeinsam zoomen und bewegen; vorher verschobene bleiben so verschoben</translation>
+    </message>
+    <message>
+        <source>&amp;Contact sheet…</source>
+        <translation>K&amp;ontaktbogen …</translation>
+    </message>
+    <message>
+        <source>Write all pictures with their labels into one PNG file</source>
+        <translation>Alle Bilder mit ihren Beschriftungen in eine PNG-Datei schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareBar</name>
+    <message>
+        <source>First picture</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>Second picture</source>
+        <translation>Zweites Bild</translation>
+    </message>
+    <message>
+        <source>Kind of difference</source>
+        <translation>Art der Differenz</translation>
+    </message>
+    <message>
+        <source>Absolute</source>
+        <translation>Absolut</translation>
+    </message>
+    <message>
+        <source>Squared</source>
+        <translation>Quadriert</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Relativ</translation>
+    </message>
+    <message>
+        <source> EV</source>
+        <translation> EV</translation>
+    </message>
+    <message>
+        <source>Exposure in stops</source>
+        <translation>Belichtung in Blendenstufen</translation>
+    </message>
+    <message>
+        <source>Brightens or darkens all pictures on the screen; each stop doubles the light</source>
+        <translation>Hellt alle Bilder am Schirm auf oder dunkelt sie ab; jede Stufe verdoppelt das Licht</translation>
+    </message>
+    <message>
+        <source>Channel shown</source>
+        <translation>Gezeigter Kanal</translation>
+    </message>
+    <message>
+        <source>The channel shown of all pictures (Shift+C, R, G, B, A)</source>
+        <translation>Der gezeigte Kanal aller Bilder (Umschalt+C, R, G, B, A)</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareCell</name>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Bring the settings of this result into the form (Return); Run then makes it in full size</source>
+        <translation>Die Einstellungen dieses Ergebnisses ins Formular übernehmen (Eingabe); Ausführen erzeugt es dann in voller Größe</translation>
+    </message>
+    <message>
+        <source>Use the settings of %1</source>
+        <translation>Die Einstellungen von %1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareView</name>
+    <message>
+        <source>RMSE %1</source>
+        <translation>RMSE %1</translation>
+    </message>
+    <message>
+        <source>mean relative difference %1</source>
+        <translation>mittlere relative Differenz %1</translation>
+    </message>
+    <message>
+        <source>mean absolute difference %1</source>
+        <translation>mittlere absolute Differenz %1</translation>
+    </message>
+    <message>
+        <source>%1 over the %2 px that both have</source>
+        <translation>%1 über die %2 px, die beide haben</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Two pictures are needed; choose them above.</source>
+        <translation>Zwei Bilder werden gebraucht; wählen Sie sie oben.</translation>
+    </message>
+    <message>
+        <source>Choose results in the Results dock and press Compare, or Try all methods in the Synthesis menu.</source>
+        <translation>Wählen Sie Ergebnisse im Bereich „Ergebnisse“ und drücken Sie „Vergleichen“, oder probieren Sie im Menü „Synthese“ alle Verfahren.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::DifferenceDialog</name>
+    <message>
+        <source>Differences in settings</source>
+        <translation>Unterschiede der Einstellungen</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Both were made with the same settings, so that they are the same.</source>
+        <translation>Beide entstanden mit denselben Einstellungen und sind daher gleich.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Document</name>
+    <message>
+        <source>Sessions (*.texloom)</source>
+        <translation>Sitzungen (*.texloom)</translation>
+    </message>
+    <message>
+        <source>&amp;New session</source>
+        <translation>&amp;Neue Sitzung</translation>
+    </message>
+    <message>
+        <source>Open &amp;session…</source>
+        <translation>&amp;Sitzung öffnen …</translation>
+    </message>
+    <message>
+        <source>Recent sess&amp;ions</source>
+        <translation>&amp;Zuletzt benutzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>S&amp;ave session</source>
+        <translation>Sitzung s&amp;peichern</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>Sitzung speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save session &amp;with its images…</source>
+        <translation>Sitzung &amp;mit ihren Bildern speichern …</translation>
+    </message>
+    <message>
+        <source>No session saved yet</source>
+        <translation>Noch keine Sitzung gespeichert</translation>
+    </message>
+    <message>
+        <source>Open session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Opened, but without some files: %1</source>
+        <translation>Geöffnet, aber ohne einige Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Opened, but these files changed since the session was saved, so that results will differ: %1.</source>
+        <translation>Geöffnet, aber diese Dateien haben sich seit dem Speichern geändert, sodass Ergebnisse anders ausfallen: %1.</translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save session with its images</source>
+        <translation>Sitzung mit ihren Bildern speichern</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>The session was not saved. %1</source>
+        <translation>Die Sitzung wurde nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
+    </message>
+    <message>
+        <source>Recover a session</source>
+        <translation>Sitzung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
+        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::DropTargets</name>
+    <message>
+        <source>Places to drop</source>
+        <translation>Ablageorte</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>In place of the one you look at</source>
+        <translation>Anstelle der gezeigten</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>As a further exemplar</source>
+        <translation>Als weitere Vorlage</translation>
+    </message>
+    <message>
+        <source>Companion map</source>
+        <translation>Begleitkarte</translation>
+    </message>
+    <message>
+        <source>Gets the result's layout</source>
+        <translation>Bekommt die Anordnung des Ergebnisses</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Black is never copied</source>
+        <translation>Schwarzes wird nie kopiert</translation>
+    </message>
+    <message>
+        <source>The method does not use a mask</source>
+        <translation>Das Verfahren benutzt keine Maske</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarEditor</name>
+    <message>
+        <source>Cropped to %1 at %2, %3</source>
+        <translation>Zugeschnitten auf %1 bei %2, %3</translation>
+    </message>
+    <message>
+        <source>Turned by %1°</source>
+        <translation>Gedreht um %1°</translation>
+    </message>
+    <message>
+        <source>Mirrored left to right</source>
+        <translation>Links und rechts gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirrored top to bottom</source>
+        <translation>Oben und unten gespiegelt</translation>
+    </message>
+    <message>
+        <source>Rectified by four corners</source>
+        <translation>Nach vier Ecken entzerrt</translation>
+    </message>
+    <message>
+        <source>Light evened out by %1 %</source>
+        <translation>Licht zu %1 % ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Exemplar being edited</source>
+        <translation>Vorlage in Bearbeitung</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+    <message>
+        <source>&amp;Look</source>
+        <translation>Betr&amp;achten</translation>
+    </message>
+    <message>
+        <source>Zoom and pan</source>
+        <translation>Zoomen und verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>&amp;Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Keep a rectangle of the exemplar</source>
+        <translation>Ein Rechteck der Vorlage behalten</translation>
+    </message>
+    <message>
+        <source>Re&amp;ctify</source>
+        <translation>&amp;Entzerren</translation>
+    </message>
+    <message>
+        <source>Make a rectangle of a surface that was photographed at a slant</source>
+        <translation>Aus einer schräg fotografierten Fläche ein Rechteck machen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>Ver&amp;bergen</translation>
+    </message>
+    <message>
+        <source>Paint over what is never copied</source>
+        <translation>Übermalen, was nie kopiert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Unhide</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Paint over what may be copied again</source>
+        <translation>Übermalen, was wieder kopiert werden darf</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, dragging moves. Choose a tool above, or turn, mirror and even out the light below. Files stay as they are.</source>
+        <translation>Das Rad zoomt, Ziehen verschiebt. Wählen Sie oben ein Werkzeug, oder drehen, spiegeln und Licht ausgleichen Sie unten. Dateien bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Left edge of the crop</source>
+        <translation>Linker Rand des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Upper edge of the crop</source>
+        <translation>Oberer Rand des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Width of the crop</source>
+        <translation>Breite des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Height of the crop</source>
+        <translation>Höhe des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Left, top</source>
+        <translation>Links, oben</translation>
+    </message>
+    <message>
+        <source>Width, height</source>
+        <translation>Breite, Höhe</translation>
+    </message>
+    <message>
+        <source>Cr&amp;op</source>
+        <translation>Zu&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
+        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
+    </message>
+    <message>
+        <source>Top left</source>
+        <translation>Oben links</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>Oben rechts</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>Unten rechts</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>Unten links</translation>
+    </message>
+    <message>
+        <source>%1 corner, across</source>
+        <translation>Ecke %1, waagrecht</translation>
+    </message>
+    <message>
+        <source>%1 corner, down</source>
+        <translation>Ecke %1, senkrecht</translation>
+    </message>
+    <message>
+        <source>Recti&amp;fy</source>
+        <translation>En&amp;tzerren</translation>
+    </message>
+    <message>
+        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
+        <translation>Legen Sie die Ecken auf vier, die in Wirklichkeit ein Rechteck sind. N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
+    </message>
+    <message>
+        <source>Hatched = never copied. Shift and the arrow keys move the brush, the space bar dabs.</source>
+        <translation>Schraffiert = nie kopiert. Umschalt und Pfeiltasten bewegen den Pinsel, die Leertaste tupft.</translation>
+    </message>
+    <message>
+        <source>The method in use does not use a mask.</source>
+        <translation>Das gewählte Verfahren benutzt keine Maske.</translation>
+    </message>
+    <message>
+        <source>Clear &amp;mask</source>
+        <translation>&amp;Maske löschen</translation>
+    </message>
+    <message>
+        <source>Turn and mirror</source>
+        <translation>Drehen und spiegeln</translation>
+    </message>
+    <message>
+        <source>↺ 90°</source>
+        <translation>↺ 90°</translation>
+    </message>
+    <message>
+        <source>Turn left by 90°</source>
+        <translation>Um 90° nach links drehen</translation>
+    </message>
+    <message>
+        <source>↻ 90°</source>
+        <translation>↻ 90°</translation>
+    </message>
+    <message>
+        <source>Turn right by 90°</source>
+        <translation>Um 90° nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>↔</source>
+        <translation>↔</translation>
+    </message>
+    <message>
+        <source>Mirror left to right</source>
+        <translation>Links und rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>↕</source>
+        <translation>↕</translation>
+    </message>
+    <message>
+        <source>Mirror top to bottom</source>
+        <translation>Oben und unten spiegeln</translation>
+    </message>
+    <message>
+        <source>Even out the light</source>
+        <translation>Licht ausgleichen</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
+        <translation>Nimmt langsame Helligkeitsänderungen aus den Farben, sodass Teile von hellen und dunklen Stellen zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture's own shades.</source>
+        <translation>Breite des Fensters, das das Licht findet, als Anteil der kürzeren Seite: größer lässt mehr von den eigenen Tönen der Textur.</translation>
+    </message>
+    <message>
+        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
+        <translation>Wie oft sich das Licht über die Vorlage biegen darf: 1 ist ein einfaches Gefälle.</translation>
+    </message>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>&amp;Vorher zeigen</translation>
+    </message>
+    <message>
+        <source>Edits, in order</source>
+        <translation>Bearbeitungen, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>&amp;Take back</source>
+        <translation>Zu&amp;rücknehmen</translation>
+    </message>
+    <message>
+        <source>Takes the chosen edit out; those after it stay where they fit.</source>
+        <translation>Nimmt die gewählte Bearbeitung heraus; die danach bleiben, wo sie passen.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 px</source>
+        <translation>%1 · %2 px</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Take back an edit</source>
+        <translation>Bearbeitung zurücknehmen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarPanel</name>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>colour and alpha</source>
+        <translation>Farbe und Alpha</translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>%1 Kanäle</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 · %3 · %4</source>
+        <translation>%1 px · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>No exemplar yet.
+Drop a picture here.</source>
+        <translation>Noch keine Vorlage.
+Ziehen Sie ein Bild hierher.</translation>
+    </message>
+    <message>
+        <source>Open exemplars</source>
+        <translation>Vorlagen öffnen</translation>
+    </message>
+    <message>
+        <source>The colour space that the file's values are in. Data, such as heights, is never converted.</source>
+        <translation>Der Farbraum, in dem die Werte der Datei sind. Daten wie Höhen werden nie umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>A picture of the exemplar's size: where it is black, nothing is copied.</source>
+        <translation>Ein Bild von der Größe der Vorlage: Wo es schwarz ist, wird nichts kopiert.</translation>
+    </message>
+    <message>
+        <source>Choose a mask</source>
+        <translation>Maske wählen</translation>
+    </message>
+    <message>
+        <source>Remove the mask</source>
+        <translation>Die Maske entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Colour space</source>
+        <translation>&amp;Farbraum</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Maps</source>
+        <translation>Karten</translation>
+    </message>
+    <message>
+        <source>The method does not use a mask.</source>
+        <translation>Das Verfahren benutzt keine Maske.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarStore</name>
+    <message>
+        <source>Colour space</source>
+        <translation>Farbraum</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Clear mask</source>
+        <translation>Maske löschen</translation>
+    </message>
+    <message>
+        <source>Paint mask</source>
+        <translation>Maske malen</translation>
+    </message>
+    <message>
+        <source>Erase mask</source>
+        <translation>Maske radieren</translation>
+    </message>
+    <message>
+        <source>Add companion map</source>
+        <translation>Begleitkarte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove companion map</source>
+        <translation>Begleitkarte entfernen</translation>
+    </message>
+    <message>
+        <source>Kind of companion map</source>
+        <translation>Art der Begleitkarte</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExportDialog</name>
+    <message>
+        <source>S&amp;TMap for compositors (EXR)</source>
+        <translation>S&amp;TMap für Compositing (EXR)</translation>
+    </message>
+    <message>
+        <source>Exact &amp;positions (16-bit PNG)</source>
+        <translation>Genaue &amp;Positionen (16-Bit-PNG)</translation>
+    </message>
+    <message>
+        <source>&amp;Recipe beside the picture (JSON)</source>
+        <translation>&amp;Rezept neben dem Bild (JSON)</translation>
+    </message>
+    <message>
+        <source>Companion &amp;maps</source>
+        <translation>Begleit&amp;karten</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>What the files are called, which maps share one, and where green points in normal maps.</source>
+        <translation>Wie die Dateien heißen, welche Karten sich eine teilen und wohin Grün in Normalenkarten zeigt.</translation>
+    </message>
+    <message>
+        <source>The name of the files. $name is the exemplar's, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
+        <translation>Der Name der Dateien. $name ist der der Vorlage, $map die Art der Karte; es gibt auch $method, $seed, $w, $h, $size und $place.</translation>
+    </message>
+    <message>
+        <source>As the preset says</source>
+        <translation>Wie die Vorgabe sagt</translation>
+    </message>
+    <message>
+        <source>OpenGL, green up</source>
+        <translation>OpenGL, Grün nach oben</translation>
+    </message>
+    <message>
+        <source>DirectX, green down</source>
+        <translation>DirectX, Grün nach unten</translation>
+    </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>TIFF</source>
+        <translation>TIFF</translation>
+    </message>
+    <message>
+        <source>OpenEXR</source>
+        <translation>OpenEXR</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG</translation>
+    </message>
+    <message>
+        <source>Radiance HDR</source>
+        <translation>Radiance HDR</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic: sRGB, or linear for depths that hold it.</source>
+        <translation>Automatisch: sRGB oder linear bei Tiefen, die es fassen.</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels, so there is no map of where they came from.</source>
+        <translation>Dieses Verfahren erzeugt neue Pixel, also gibt es keine Karte ihrer Herkunft.</translation>
+    </message>
+    <message>
+        <source>All settings, to make the same result again.</source>
+        <translation>Alle Einstellungen, um dasselbe Ergebnis wieder zu erzeugen.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Vorgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>Forma&amp;t</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>T&amp;iefe</translation>
+    </message>
+    <message>
+        <source>&amp;Colour space</source>
+        <translation>&amp;Farbraum</translation>
+    </message>
+    <message>
+        <source>Norm&amp;als</source>
+        <translation>Norma&amp;len</translation>
+    </message>
+    <message>
+        <source>Position map</source>
+        <translation>Positionskarte</translation>
+    </message>
+    <message>
+        <source>Also</source>
+        <translation>Außerdem</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Files that will be written</source>
+        <translation>Dateien, die geschrieben werden</translation>
+    </message>
+    <message>
+        <source>&amp;Write files</source>
+        <translation>Dateien s&amp;chreiben</translation>
+    </message>
+    <message>
+        <source>The files need a name.</source>
+        <translation>Die Dateien brauchen einen Namen.</translation>
+    </message>
+    <message>
+        <source>The name cannot hold a slash; choose the folder above.</source>
+        <translation>Der Name kann keinen Schrägstrich enthalten; wählen Sie den Ordner oben.</translation>
+    </message>
+    <message>
+        <source>Choose the folder to write to.</source>
+        <translation>Wählen Sie den Ordner, in den geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>The folder %1 is not there.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>replaces the file there</source>
+        <translation>ersetzt die Datei dort</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exportieren nach</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::GridRun</name>
+    <message>
+        <source>Under way…</source>
+        <translation>Läuft …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>Wartet …</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ImageViewer</name>
+    <message>
+        <source>%1 pixels at %2. %3</source>
+        <translation>%1 Pixel bei %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Inspector</name>
+    <message>
+        <source>fexsvhidtc</source>
+        <translation>dbvsahgtfk</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::JobPanel</name>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>%1 (preview)</source>
+        <translation>%1 (Vorschau)</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Make the chosen run sooner</source>
+        <translation>Den gewählten Vorgang früher ausführen</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Make the chosen run later</source>
+        <translation>Den gewählten Vorgang später ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Take the chosen run off the queue</source>
+        <translation>Den gewählten Vorgang aus der Warteschlange nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Begin no run that waits; the one under way goes on, and Run still works</source>
+        <translation>Keinen wartenden Vorgang beginnen; der laufende geht weiter, und „Ausführen“ wirkt noch</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Leeren</translation>
+    </message>
+    <message>
+        <source>Take everything off the queue that waits or failed</source>
+        <translation>Alles Wartende und Fehlgeschlagene aus der Warteschlange nehmen</translation>
+    </message>
+    <message>
+        <source>Runs that wait or are under way</source>
+        <translation>Vorgänge, die warten oder laufen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Vorgang</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Nothing waits. “Add to queue” puts a run here, to be made after those before it.</source>
+        <translation>Nichts wartet. „In die Warteschlange“ stellt einen Vorgang hierher, der nach denen davor an der Reihe ist.</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>&amp;Höchstens</translation>
+    </message>
+    <message>
+        <source>Most threads that runs may use</source>
+        <translation>Höchstzahl der Threads für Vorgänge</translation>
+    </message>
+    <message>
+        <source>all threads</source>
+        <translation>alle Threads</translation>
+    </message>
+    <message>
+        <source> threads</source>
+        <translation> Threads</translation>
+    </message>
+    <message>
+        <source>How many of the processor's threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
+        <translation>Wie viele Threads des Prozessors Vorgänge von jetzt an benutzen dürfen. Weniger lassen den Rechner für anderes frei; die Ergebnisse sind dieselben.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LimitsDialog</name>
+    <message>
+        <source>The latest results stay in memory up to this; others are read from the disk when they are shown.</source>
+        <translation>Die neuesten Ergebnisse bleiben bis zu dieser Menge im Speicher; andere werden beim Zeigen vom Datenträger gelesen.</translation>
+    </message>
+    <message>
+        <source>Beyond this the oldest results are removed; those pinned stay.</source>
+        <translation>Darüber hinaus werden die ältesten Ergebnisse entfernt; angeheftete bleiben.</translation>
+    </message>
+    <message>
+        <source>Limits for results</source>
+        <translation>Grenzen für Ergebnisse</translation>
+    </message>
+    <message>
+        <source>In &amp;memory</source>
+        <translation>Im &amp;Speicher</translation>
+    </message>
+    <message>
+        <source>On the &amp;disk</source>
+        <translation>Auf dem &amp;Datenträger</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Aufbewahrt in</translation>
+    </message>
+    <message>
+        <source> GiB</source>
+        <translation> GiB</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>What is run, and what goes wrong, is noted here.</source>
+        <translation>Was ausgeführt wird und was schiefgeht, steht hier.</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Alles kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the whole log, for a report</source>
+        <translation>Das ganze Protokoll kopieren, für eine Meldung</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Take all lines off the log</source>
+        <translation>Alle Zeilen aus dem Protokoll nehmen</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MainWindow</name>
+    <message>
+        <source>Texloom</source>
+        <translation>Texloom</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Exemplars</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zuletzt &amp;geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Samples</source>
+        <translation>&amp;Beispiele</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>E&amp;xemplar</source>
+        <translation>&amp;Vorlage</translation>
+    </message>
+    <message>
+        <source>&amp;Synthesis</source>
+        <translation>&amp;Synthese</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Erscheinungsbild</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>%1 holds the settings of a result.</source>
+        <translation>%1 enthält die Einstellungen eines Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>Open exemplars</source>
+        <translation>Vorlagen öffnen</translation>
+    </message>
+    <message>
+        <source>Nothing opened yet</source>
+        <translation>Noch nichts geöffnet</translation>
+    </message>
+    <message>
+        <source>Only files on this computer can be opened; save the picture first, then drop its file.</source>
+        <translation>Nur Dateien auf diesem Rechner können geöffnet werden; speichern Sie das Bild zuerst und ziehen Sie dann die Datei herein.</translation>
+    </message>
+    <message>
+        <source>There is no picture in what was pasted; copy a picture or a picture file first.</source>
+        <translation>Im Eingefügten ist kein Bild; kopieren Sie zuerst ein Bild oder eine Bilddatei.</translation>
+    </message>
+    <message>
+        <source>Let go to open it as an exemplar.</source>
+        <translation>Loslassen, um es als Vorlage zu öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 was made here and holds its settings.</source>
+        <translation>%1 ist hier entstanden und enthält seine Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Restore settings</source>
+        <translation>Einstellungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Settings restored, but these files changed since, so the result will differ: %1.</source>
+        <translation>Einstellungen wiederhergestellt, aber diese Dateien haben sich seither geändert, sodass das Ergebnis anders ausfällt: %1.</translation>
+    </message>
+    <message>
+        <source>Writing to %1…</source>
+        <translation>Schreibe nach %1 …</translation>
+    </message>
+    <message>
+        <source>Wrote 1 file to %1.</source>
+        <translation>1 Datei nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Wrote %1 files to %2.</source>
+        <translation>%1 Dateien nach %2 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>The result is on the clipboard.</source>
+        <translation>Das Ergebnis ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>About Texloom</source>
+        <translation>Über Texloom</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;A workbench for exemplar-based texture synthesis.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;Eine Werkbank für Textursynthese nach Vorlagen.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Das Bild wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Open an exemplar first.</source>
+        <translation>Öffnen Sie zuerst eine Vorlage.</translation>
+    </message>
+    <message>
+        <source>Quick preview under way: %1</source>
+        <translation>Schnellvorschau läuft: %1</translation>
+    </message>
+    <message>
+        <source>Under way: %1</source>
+        <translation>Läuft: %1</translation>
+    </message>
+    <message>
+        <source>Quick preview</source>
+        <translation>Schnellvorschau</translation>
+    </message>
+    <message>
+        <source>Preview 1:%1</source>
+        <translation>Vorschau 1:%1</translation>
+    </message>
+    <message>
+        <source>Finished: %1.</source>
+        <translation>Fertig: %1.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3 · %4</source>
+        <translation>%1 · Startwert %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Quick preview: %1</source>
+        <translation>Schnellvorschau: %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Angehalten bei %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1. The picture is as far as it got.</source>
+        <translation>%1. Das Bild ist so weit, wie es kam.</translation>
+    </message>
+    <message>
+        <source>Back to the last result</source>
+        <translation>Zurück zum letzten Ergebnis</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2 x %3, y %4</source>
+        <translation>%1 → %2 x %3, y %4</translation>
+    </message>
+    <message>
+        <source>working space · float</source>
+        <translation>Arbeitsraum · Gleitkomma</translation>
+    </message>
+    <message>
+        <source>%1 x %2, y %3</source>
+        <translation>%1 x %2, y %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1[*] – Texloom</source>
+        <translation>%1[*] – Texloom</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MessageBar</name>
+    <message>
+        <source>Close message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MethodForm</name>
+    <message>
+        <source>Only used while “%1” is %2.</source>
+        <translation>Nur benutzt, solange „%1“ %2 ist.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MissingFilesDialog</name>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Suchen …</translation>
+    </message>
+    <message>
+        <source>Missing files</source>
+        <translation>Fehlende Dateien</translation>
+    </message>
+    <message>
+        <source>Says where the chosen file is now; others that lie beside it are found with it.</source>
+        <translation>Sagt, wo die gewählte Datei jetzt ist; andere, die daneben liegen, werden mitgefunden.</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Wo ist %1?</translation>
+    </message>
+    <message>
+        <source>%1 (%1);;All files (*)</source>
+        <translation>%1 (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All files were found.</source>
+        <translation>Alle Dateien wurden gefunden.</translation>
+    </message>
+    <message>
+        <source>These files of the session are not where they were. Say where they are, or go on without them; everything else is kept.</source>
+        <translation>Diese Dateien der Sitzung sind nicht mehr, wo sie waren. Sagen Sie, wo sie sind, oder fahren Sie ohne sie fort; alles andere bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on without them</source>
+        <translation>&amp;Ohne sie fortfahren</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::OutputGroup</name>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>across (X)</source>
+        <translation>waagrecht (X)</translation>
+    </message>
+    <message>
+        <source>down (Y)</source>
+        <translation>senkrecht (Y)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Threads&lt;/b&gt; How many of the processor's cores a run uses. The result is the same with any number. Automatic: one for each core.</source>
+        <translation>&lt;b&gt;Threads&lt;/b&gt; Wie viele Kerne des Prozessors ein Vorgang benutzt. Das Ergebnis ist bei jeder Zahl dasselbe. Automatisch: einer je Kern.</translation>
+    </message>
+    <message>
+        <source>S&amp;ize</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Kachelbar</translation>
+    </message>
+    <message>
+        <source>See&amp;d</source>
+        <translation>Startwe&amp;rt</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>&amp;Threads</source>
+        <translation>&amp;Threads</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Size&lt;/b&gt; Width and height of the result in pixels, 1 to %1 each.</source>
+        <translation>&lt;b&gt;Größe&lt;/b&gt; Breite und Höhe des Ergebnisses in Pixeln, je 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>×%1</source>
+        <translation>×%1</translation>
+    </message>
+    <message>
+        <source>%1 times the exemplar's size</source>
+        <translation>%1-mal die Größe der Vorlage</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;×%1&lt;/b&gt; Makes the result %1 times as wide and as high as the exemplar.</source>
+        <translation>&lt;b&gt;×%1&lt;/b&gt; Macht das Ergebnis %1-mal so breit und so hoch wie die Vorlage.</translation>
+    </message>
+    <message>
+        <source>of the exemplar</source>
+        <translation>der Vorlage</translation>
+    </message>
+    <message>
+        <source>Wraps across</source>
+        <translation>Waagrecht kachelbar</translation>
+    </message>
+    <message>
+        <source>Wraps down</source>
+        <translation>Senkrecht kachelbar</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Seed&lt;/b&gt; Where the random choices begin. The same seed and settings give the same pixels.</source>
+        <translation>&lt;b&gt;Startwert&lt;/b&gt; Wo die Zufallswahl beginnt. Derselbe Startwert und dieselben Einstellungen geben dieselben Pixel.</translation>
+    </message>
+    <message>
+        <source>Draw a new seed</source>
+        <translation>Neuen Startwert ziehen</translation>
+    </message>
+    <message>
+        <source>Keep the seed</source>
+        <translation>Startwert behalten</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Keep the seed&lt;/b&gt; On: every run uses this seed. Off: every run draws a new one.</source>
+        <translation>&lt;b&gt;Startwert behalten&lt;/b&gt; Ein: jeder Vorgang benutzt diesen Startwert. Aus: jeder zieht einen neuen.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose an image to start from</source>
+        <translation>Startbild wählen</translation>
+    </message>
+    <message>
+        <source>Start without an image</source>
+        <translation>Ohne Startbild beginnen</translation>
+    </message>
+    <message>
+        <source>left and right edges</source>
+        <translation>linker und rechter Rand</translation>
+    </message>
+    <message>
+        <source>upper and lower edges</source>
+        <translation>oberer und unterer Rand</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wraps&lt;/b&gt; The result's %1 join without a seam when it is repeated.</source>
+        <translation>&lt;b&gt;Kachelbar&lt;/b&gt; Beim Wiederholen des Ergebnisses (%1) entsteht keine Naht.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wraps&lt;/b&gt; %1 cannot make a result that wraps.</source>
+        <translation>&lt;b&gt;Kachelbar&lt;/b&gt; %1 kann kein kachelbares Ergebnis erzeugen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result's size that the method begins with.</source>
+        <translation>&lt;b&gt;Beginnen mit&lt;/b&gt; Ein Bild von der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Start from&lt;/b&gt; %1 cannot start from an image.</source>
+        <translation>&lt;b&gt;Beginnen mit&lt;/b&gt; %1 kann nicht mit einem Bild beginnen.</translation>
+    </message>
+    <message>
+        <source>Start from an image</source>
+        <translation>Mit einem Bild beginnen</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ParamRow</name>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Reset “%1” to its default</source>
+        <translation>„%1“ auf den Standard zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Default: %1.</source>
+        <translation>Standard: %1.</translation>
+    </message>
+    <message>
+        <source>Default: %1 % of the exemplar's shorter side.</source>
+        <translation>Standard: %1 % der kürzeren Seite der Vorlage.</translation>
+    </message>
+    <message>
+        <source>Default: %1 % of the exemplar's shorter side, here %2.</source>
+        <translation>Standard: %1 % der kürzeren Seite der Vorlage, hier %2.</translation>
+    </message>
+    <message>
+        <source> (%1 in the paper)</source>
+        <translation> (%1 im Artikel)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; %2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source> %1.</source>
+        <translation> %1.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::PresetMenu</name>
+    <message>
+        <source>Pre&amp;sets</source>
+        <translation>&amp;Vorgaben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep settings as a preset…</source>
+        <translation>Einstellungen als Vorgabe &amp;behalten …</translation>
+    </message>
+    <message>
+        <source>&amp;Import presets…</source>
+        <translation>Vorgaben &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Export settings as a preset…</source>
+        <translation>Einstellungen als Vorgabe e&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Entfe&amp;rnen</translation>
+    </message>
+    <message>
+        <source>The preset needs a name with a letter or a figure in it.</source>
+        <translation>Die Vorgabe braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already; choose another name or remove it first.</source>
+        <translation>Eine Vorgabe %1 gibt es schon; wählen Sie einen anderen Namen oder entfernen Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Kept the preset %1.</source>
+        <translation>Vorgabe %1 behalten.</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already; rename the file or remove the preset first.</source>
+        <translation>Eine Vorgabe %1 gibt es schon; benennen Sie die Datei um oder entfernen Sie die Vorgabe zuerst.</translation>
+    </message>
+    <message>
+        <source>Imported the preset %1.</source>
+        <translation>Vorgabe %1 importiert.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The preset %1 could not be removed.</source>
+        <translation>Die Vorgabe %1 konnte nicht entfernt werden.</translation>
+    </message>
+    <message>
+        <source>Keep settings as a preset</source>
+        <translation>Einstellungen als Vorgabe behalten</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Name der Vorgabe</translation>
+    </message>
+    <message>
+        <source>Import presets</source>
+        <translation>Vorgaben importieren</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Vorgaben (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings as a preset</source>
+        <translation>Einstellungen als Vorgabe exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultActions</name>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Show the chosen result</source>
+        <translation>Das gewählte Ergebnis zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Restore settings</source>
+        <translation>Einstellungen &amp;wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Bring the settings of the chosen result back into the form</source>
+        <translation>Die Einstellungen des gewählten Ergebnisses ins Formular zurückholen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Look at the chosen results side by side, or at one beside its exemplar</source>
+        <translation>Die gewählten Ergebnisse nebeneinander betrachten, oder eines neben seiner Vorlage</translation>
+    </message>
+    <message>
+        <source>&amp;Differences…</source>
+        <translation>&amp;Unterschiede …</translation>
+    </message>
+    <message>
+        <source>List the settings in which two chosen results differ</source>
+        <translation>Die Einstellungen auflisten, in denen sich zwei gewählte Ergebnisse unterscheiden</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>An&amp;heften</translation>
+    </message>
+    <message>
+        <source>Keep the chosen results: those pinned are never removed by themselves</source>
+        <translation>Die gewählten Ergebnisse behalten: Angeheftete werden nie von selbst entfernt</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>Give the chosen result a name of your own</source>
+        <translation>Dem gewählten Ergebnis einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen results</source>
+        <translation>Die gewählten Ergebnisse löschen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultHistory</name>
+    <message>
+        <source>%1, %2, pinned</source>
+        <translation>%1, %2, angeheftet</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A result stays in memory only and is lost when the window closes: %1</source>
+        <translation>Ein Ergebnis bleibt nur im Speicher und geht beim Schließen des Fensters verloren: %1</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Dieses Ergebnis wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>The oldest results that are not pinned were removed, %1 in number, to keep the rest within %2.</source>
+        <translation>Die ältesten nicht angehefteten Ergebnisse wurden entfernt, %1 an der Zahl, damit der Rest in %2 passt.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultPanel</name>
+    <message>
+        <source>Search results</source>
+        <translation>Ergebnisse durchsuchen</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted.</source>
+        <translation>„%1“ wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>%1 results were deleted.</source>
+        <translation>%1 Ergebnisse wurden gelöscht.</translation>
+    </message>
+    <message>
+        <source>No result has “%1” in its name, method, exemplar, seed or notes.</source>
+        <translation>Kein Ergebnis hat „%1“ in Name, Verfahren, Vorlage, Startwert oder Notizen.</translation>
+    </message>
+    <message>
+        <source>Every run is kept here with its settings. There is none yet: press Run.</source>
+        <translation>Jeder Vorgang wird hier mit seinen Einstellungen aufbewahrt. Noch ist keiner da: Drücken Sie „Ausführen“.</translation>
+    </message>
+    <message>
+        <source>%1 in memory, %2 on disk</source>
+        <translation>%1 im Speicher, %2 auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Up to %1 of results stay in memory and up to %2 on the disk; “Limits…” in the Results menu changes that.</source>
+        <translation>Bis zu %1 an Ergebnissen bleiben im Speicher und bis zu %2 auf dem Datenträger; „Grenzen …“ im Menü „Ergebnisse“ ändert das.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultView</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Synthesis map</source>
+        <translation>Synthesekarte</translation>
+    </message>
+    <message>
+        <source>Position map</source>
+        <translation>Positionskarte</translation>
+    </message>
+    <message>
+        <source>Every pixel in the colour that the position map gives its source: even areas are copied as they are.</source>
+        <translation>Jedes Pixel in der Farbe, die die Positionskarte seiner Quelle gibt: Ebenmäßige Flächen sind so kopiert, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The legend of the synthesis map: a colour for every pixel of the exemplar.</source>
+        <translation>Die Legende der Synthesekarte: eine Farbe für jedes Pixel der Vorlage.</translation>
+    </message>
+    <message>
+        <source>No result yet. Press Run.</source>
+        <translation>Noch kein Ergebnis. Drücken Sie „Ausführen“.</translation>
+    </message>
+    <message>
+        <source>Open an exemplar to see its position map.</source>
+        <translation>Öffnen Sie eine Vorlage, um ihre Positionskarte zu sehen.</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels and copies none,
+so there is no map of where they came from.</source>
+        <translation>Dieses Verfahren erzeugt neue Pixel und kopiert keine,
+also gibt es keine Karte ihrer Herkunft.</translation>
+    </message>
+    <message>
+        <source>No result yet. The map shows where each of its pixels came from.</source>
+        <translation>Noch kein Ergebnis. Die Karte zeigt, woher jedes seiner Pixel kommt.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunController</name>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · Startwert %2 · %3</translation>
+    </message>
+    <message>
+        <source>Preparing the pictures</source>
+        <translation>Bilder werden vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunPanel</name>
+    <message>
+        <source>Progress of the run</source>
+        <translation>Fortschritt des Vorgangs</translation>
+    </message>
+    <message>
+        <source>Needs %1 of memory</source>
+        <translation>Braucht %1 Speicher</translation>
+    </message>
+    <message>
+        <source>under 1 s</source>
+        <translation>unter 1 s</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>Takes %1 · %2 of memory</source>
+        <translation>Dauert %1 · %2 Speicher</translation>
+    </message>
+    <message>
+        <source>Cannot run: %1</source>
+        <translation>Geht nicht: %1</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 wartend</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, noch %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>What they do</source>
+        <translation>Was sie tun</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>In a picture: zoom at the cursor</source>
+        <translation>Im Bild: am Zeiger zoomen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>In a picture: move it</source>
+        <translation>Im Bild: es verschieben</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation>Umschalt+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>In a picture: move from pixel to pixel and show where each came from</source>
+        <translation>Im Bild: von Pixel zu Pixel gehen und zeigen, woher jedes kommt</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>On a parameter's label: reset it</source>
+        <translation>Auf der Beschriftung eines Parameters: ihn zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::StartPage</name>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Exemplars to try</source>
+        <translation>Vorlagen zum Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Drop a picture of a material here</source>
+        <translation>Ziehen Sie das Bild eines Materials hierher</translation>
+    </message>
+    <message>
+        <source>Texloom makes more of it: any size, no visible repeats. A first preview starts by itself.</source>
+        <translation>Texloom macht mehr daraus: jede Größe, ohne sichtbare Wiederholung. Eine erste Vorschau beginnt von selbst.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::StepChain</name>
+    <message>
+        <source>Method that follows</source>
+        <translation>Folgendes Verfahren</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Dann</translation>
+    </message>
+    <message>
+        <source>A method that starts from the image made so far and works on it, in the same run and with the same seed.</source>
+        <translation>Ein Verfahren, das mit dem bisherigen Bild beginnt und daran weiterarbeitet, im selben Vorgang und mit demselben Startwert.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SweepDialog</name>
+    <message>
+        <source>Values across</source>
+        <translation>Werte waagrecht</translation>
+    </message>
+    <message>
+        <source>Values down</source>
+        <translation>Werte senkrecht</translation>
+    </message>
+    <message>
+        <source>Another seed for &amp;each run</source>
+        <translation>Für jeden Vorgang &amp;ein anderer Startwert</translation>
+    </message>
+    <message>
+        <source>At a &amp;preview's size</source>
+        <translation>In &amp;Vorschaugröße</translation>
+    </message>
+    <message>
+        <source>Parameter sweep</source>
+        <translation>Parameterreihe</translation>
+    </message>
+    <message>
+        <source>The &amp;same seed for all</source>
+        <translation>Der&amp;selbe Startwert für alle</translation>
+    </message>
+    <message>
+        <source>Makes a run for every combination of the values and shows them side by side. Write values as a list (8, 16, 32) or as from:to:count (8:64:5).</source>
+        <translation>Macht für jede Kombination der Werte einen Vorgang und zeigt sie nebeneinander. Schreiben Sie Werte als Liste (8, 16, 32) oder als von:bis:Anzahl (8:64:5).</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Across</source>
+        <translation>&amp;Waagrecht</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>&amp;Senkrecht</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Whole numbers</source>
+        <translation>Ganze Zahlen</translation>
+    </message>
+    <message>
+        <source>1 run</source>
+        <translation>1 Vorgang</translation>
+    </message>
+    <message>
+        <source>%1 runs</source>
+        <translation>%1 Vorgänge</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::UndoHistory</name>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Kachelbar</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wiede&amp;rholen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Workbench</name>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>&amp;Results</source>
+        <translation>&amp;Ergebnisse</translation>
+    </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Grenzen …</translation>
+    </message>
+    <message>
+        <source>Started: %1</source>
+        <translation>Begonnen: %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1: %2</source>
+        <translation>Angehalten bei %1: %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Fehlgeschlagen: %1: %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Finished in %1: %2</source>
+        <translation>Fertig in %1: %2</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Several results and exemplars beside one another.</source>
+        <translation>Mehrere Ergebnisse und Vorlagen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Try &amp;all methods</source>
+        <translation>Alle Verfahren aus&amp;probieren</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method, the quickest first, and compare them</source>
+        <translation>Mit jedem Verfahren eine Vorschau erzeugen, die schnellsten zuerst, und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>Parameter s&amp;weep…</source>
+        <translation>&amp;Parameterreihe …</translation>
+    </message>
+    <message>
+        <source>Make a run for every combination of some values and compare them</source>
+        <translation>Für jede Kombination einiger Werte einen Vorgang machen und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Dieses Ergebnis wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 · exemplar · %2</source>
+        <translation>%1 · Vorlage · %2</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · Startwert %2 · %3</translation>
+    </message>
+    <message>
+        <source>Write a contact sheet</source>
+        <translation>Kontaktbogen schreiben</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>text</name>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+</TS>

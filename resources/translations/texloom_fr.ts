@@ -1,0 +1,3342 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>background</name>
+    <message>
+        <source>There is not enough memory for this; close an image or choose a smaller one.</source>
+        <translation>La mémoire ne suffit pas ; fermez une image ou choisissez-en une plus petite.</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>A cut keeps every pixel as it is in the exemplar; a smoothed one blends across it.</source>
+        <translation>Une coupe garde chaque pixel tel qu’il est dans l’échantillon ; une coupe adoucie fond les deux bords.</translation>
+    </message>
+    <message>
+        <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks' edges, as in the source.</source>
+        <translation>Une coupe garde chaque pixel tel qu’il est dans l’échantillon ; le fondu mélange une bande le long des blocs, comme dans la source.</translation>
+    </message>
+    <message>
+        <source>A sample</source>
+        <translation>Un tirage</translation>
+    </message>
+    <message>
+        <source>A variant of the exemplar itself, or of an initial image: every patch is replaced by a random blend of the exemplar patches most like it. The layout stays.</source>
+        <translation>Une variante de l’échantillon lui-même ou d’une image de départ : chaque patch est remplacé par un mélange aléatoire des patchs les plus semblables. La disposition reste.</translation>
+    </message>
+    <message>
+        <source>ACEScg</source>
+        <translation>ACEScg</translation>
+    </message>
+    <message>
+        <source>Across channels</source>
+        <translation>Entre canaux</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Occlusion ambiante</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>As given</source>
+        <translation>Tel qu’indiqué</translation>
+    </message>
+    <message>
+        <source>As the exemplar's files</source>
+        <translation>Comme les fichiers de l’échantillon</translation>
+    </message>
+    <message>
+        <source>Asymptotic spot noise</source>
+        <translation>Bruit spot noise asymptotique</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autocorrélation</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Axes that are bent one by one; channels as they are may show false colours.</source>
+        <translation>Axes déformés un à un ; avec les canaux tels quels, de fausses couleurs peuvent apparaître.</translation>
+    </message>
+    <message>
+        <source>Bands: orientations</source>
+        <translation>Bandes : orientations</translation>
+    </message>
+    <message>
+        <source>Bands: phases across scales</source>
+        <translation>Bandes : phases entre échelles</translation>
+    </message>
+    <message>
+        <source>Bends</source>
+        <translation>Courbures</translation>
+    </message>
+    <message>
+        <source>Blended band</source>
+        <translation>Bande fondue</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Block size</source>
+        <translation>Taille des blocs</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Bord</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Canaux</translation>
+    </message>
+    <message>
+        <source>Channels that count</source>
+        <translation>Canaux pris en compte</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Colour axes</source>
+        <translation>Axes de couleur</translation>
+    </message>
+    <message>
+        <source>Column of the exemplar at which the tile begins.</source>
+        <translation>Colonne de l’échantillon où commence la tuile.</translation>
+    </message>
+    <message>
+        <source>Column of the exemplar's lattice that lies at the output's left side: moves the pattern sideways.</source>
+        <translation>Colonne du réseau de l’échantillon placée au bord gauche de la sortie : décale le motif latéralement.</translation>
+    </message>
+    <message>
+        <source>Compared border</source>
+        <translation>Bord comparé</translation>
+    </message>
+    <message>
+        <source>Conditional Gaussian</source>
+        <translation>Gaussien conditionnel</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but soft.</source>
+        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels partagés. Ni couture ni raccord, mais doux.</translation>
+    </message>
+    <message>
+        <source>Correlation</source>
+        <translation>Corrélation</translation>
+    </message>
+    <message>
+        <source>Cosine</source>
+        <translation>Cosinus</translation>
+    </message>
+    <message>
+        <source>Data (never converted)</source>
+        <translation>Données (jamais converties)</translation>
+    </message>
+    <message>
+        <source>Deviation, </source>
+        <translation>Écart, </translation>
+    </message>
+    <message>
+        <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
+        <translation>Les différences gardent une luminosité égale entre blocs ; la corrélation ajuste mieux les contours où elle varie.</translation>
+    </message>
+    <message>
+        <source>Directions told apart at each scale: more keep lines at more angles, and take longer.</source>
+        <translation>Directions distinguées à chaque échelle : davantage conserve plus d’angles et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Drawing phases</source>
+        <translation>Tirage des phases</translation>
+    </message>
+    <message>
+        <source>Edits of exemplars</source>
+        <translation>Retouches des échantillons</translation>
+    </message>
+    <message>
+        <source>Estimating the synthesis map</source>
+        <translation>Estimation de la carte de synthèse</translation>
+    </message>
+    <message>
+        <source>Even out the light</source>
+        <translation>Égaliser la lumière</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Échantillon</translation>
+    </message>
+    <message>
+        <source>Exemplars</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Fading border</source>
+        <translation>Bord estompé</translation>
+    </message>
+    <message>
+        <source>Filling gaps</source>
+        <translation>Remplissage des vides</translation>
+    </message>
+    <message>
+        <source>Filtering</source>
+        <translation>Filtrage</translation>
+    </message>
+    <message>
+        <source>Finds the lattice of a regular texture and repeats the one tile that joins itself best: strictly regular, without the variety of near-regular synthesis.</source>
+        <translation>Trouve le réseau d’une texture régulière et répète la tuile qui se raccorde le mieux à elle-même : strictement régulier, sans la variété de la synthèse quasi régulière.</translation>
+    </message>
+    <message>
+        <source>Finds the lattice of bricks, tiles or weave and samples blocks at random along it, then fills the gaps with patches that fit: keeps the courses and varies what lies in them.</source>
+        <translation>Trouve le réseau de briques, de carreaux ou d’un tissage, y tire des blocs au hasard et comble les vides par des patchs adaptés : garde les rangées et varie leur contenu.</translation>
+    </message>
+    <message>
+        <source>First vector, down</source>
+        <translation>Premier vecteur, vers le bas</translation>
+    </message>
+    <message>
+        <source>First vector, right</source>
+        <translation>Premier vecteur, vers la droite</translation>
+    </message>
+    <message>
+        <source>Fit by</source>
+        <translation>Ajuster selon</translation>
+    </message>
+    <message>
+        <source>Found by itself</source>
+        <translation>Trouvé automatiquement</translation>
+    </message>
+    <message>
+        <source>Gaps filled</source>
+        <translation>Vides comblés</translation>
+    </message>
+    <message>
+        <source>Gaussian patches</source>
+        <translation>Patchs gaussiens</translation>
+    </message>
+    <message>
+        <source>Gives noise the exemplar's histogram in every band of a steerable pyramid. Quick and free of copies; suits grainy and stochastic textures, and loses structure.</source>
+        <translation>Donne à un bruit l’histogramme de l’échantillon dans chaque bande d’une pyramide orientable. Rapide et sans copie ; convient aux textures granuleuses et stochastiques, perd les structures.</translation>
+    </message>
+    <message>
+        <source>Gives noise the exemplar's joint statistics in a complex steerable pyramid, round after round. Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts.</source>
+        <translation>Donne à un bruit, tour après tour, les statistiques conjointes de l’échantillon dans une pyramide orientable complexe. Ne copie jamais ; convient au gravier, à l’herbe, à l’écorce et autres textures denses, perd les dispositions régulières.</translation>
+    </message>
+    <message>
+        <source>Godot</source>
+        <translation>Godot</translation>
+    </message>
+    <message>
+        <source>Heeger–Bergen</source>
+        <translation>Heeger–Bergen</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>How a patch joins its neighbours: along the cut of least error, or blended over the overlap.</source>
+        <translation>Comment un patch rejoint ses voisins : le long de la coupe d’erreur minimale, ou fondu sur le recouvrement.</translation>
+    </message>
+    <message>
+        <source>How far down the texture repeats itself first.</source>
+        <translation>À quelle distance vers le bas la texture se répète d’abord.</translation>
+    </message>
+    <message>
+        <source>How far down the texture repeats itself in the other direction.</source>
+        <translation>À quelle distance vers le bas la texture se répète dans l’autre direction.</translation>
+    </message>
+    <message>
+        <source>How far from the lattice a patch that fills a gap may lie: more joins better where the texture is irregular, less keeps the courses straight.</source>
+        <translation>Écart permis au réseau pour un patch qui comble un vide : plus raccorde mieux une texture irrégulière, moins garde les rangées droites.</translation>
+    </message>
+    <message>
+        <source>How far shared pixels may vary, in per cent of the exemplar's standard deviation.</source>
+        <translation>Variation permise des pixels partagés, en pour cent de l’écart type de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>How far the smoothed cut blends to either side.</source>
+        <translation>Étendue du fondu de part et d’autre de la coupe adoucie.</translation>
+    </message>
+    <message>
+        <source>How far to the right the texture repeats itself first.</source>
+        <translation>À quelle distance vers la droite la texture se répète d’abord.</translation>
+    </message>
+    <message>
+        <source>How far to the right the texture repeats itself in the other direction.</source>
+        <translation>À quelle distance vers la droite la texture se répète dans l’autre direction.</translation>
+    </message>
+    <message>
+        <source>How many of the first channels are synthesised jointly, 0 for all; the others follow them point by point and have no say.</source>
+        <translation>Combien des premiers canaux sont synthétisés ensemble, 0 pour tous ; les autres les suivent point par point sans compter.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a patch may fit and still be drawn: larger varies more, smaller copies longer stretches.</source>
+        <translation>De combien un patch peut convenir moins bien que le meilleur et être tiré quand même : plus varie davantage, moins copie de plus longs passages.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a patch may fit and still be drawn: larger varies more.</source>
+        <translation>De combien un patch peut convenir moins bien que le meilleur et être tiré quand même : plus varie davantage.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
+        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
+    </message>
+    <message>
+        <source>How often the exemplar is halved, plus one: more keep larger structures.</source>
+        <translation>Nombre de réductions de moitié de l’échantillon, plus une : davantage garde de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>How patches join at all scales but the coarsest, which averages: along the cut of least error, blended, or pasted.</source>
+        <translation>Comment les patchs se joignent à toutes les échelles sauf la plus grossière, qui fait la moyenne : le long de la coupe d’erreur minimale, fondus ou collés.</translation>
+    </message>
+    <message>
+        <source>How phases line up from one scale to the next: lit edges against shaded ones.</source>
+        <translation>Alignement des phases d’une échelle à l’autre : contours éclairés contre contours ombrés.</translation>
+    </message>
+    <message>
+        <source>How pixels and blurred images repeat within the neighbourhood.</source>
+        <translation>Comment pixels et images floutées se répètent dans le voisinage.</translation>
+    </message>
+    <message>
+        <source>How strong lines of one angle and size come in groups.</source>
+        <translation>À quel point les lignes d’un angle et d’une taille se groupent.</translation>
+    </message>
+    <message>
+        <source>How the bands of one scale go together in sign, across angles and channels.</source>
+        <translation>Accord des signes entre bandes d’une échelle, selon angles et canaux.</translation>
+    </message>
+    <message>
+        <source>Image quilting</source>
+        <translation>Quilting d’images</translation>
+    </message>
+    <message>
+        <source>Imposing statistics</source>
+        <translation>Imposition des statistiques</translation>
+    </message>
+    <message>
+        <source>Innovation</source>
+        <translation>Innovation</translation>
+    </message>
+    <message>
+        <source>Innovation, estimated</source>
+        <translation>Innovation, estimée</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Itérations</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Jonction</translation>
+    </message>
+    <message>
+        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <translation>Garde la force de chaque fréquence de l’échantillon et tire sa phase au hasard. Instantané et sans répétition ; convient aux textures fines comme le sable, l’enduit ou le tissu, perd contours et objets.</translation>
+    </message>
+    <message>
+        <source>Kept (CLG)</source>
+        <translation>Conservés (CLG)</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>Réseau</translation>
+    </message>
+    <message>
+        <source>Lattice, first vector down</source>
+        <translation>Réseau, premier vecteur vers le bas</translation>
+    </message>
+    <message>
+        <source>Lattice, first vector right</source>
+        <translation>Réseau, premier vecteur vers la droite</translation>
+    </message>
+    <message>
+        <source>Lattice, second vector down</source>
+        <translation>Réseau, second vecteur vers le bas</translation>
+    </message>
+    <message>
+        <source>Lattice, second vector right</source>
+        <translation>Réseau, second vecteur vers la droite</translation>
+    </message>
+    <message>
+        <source>Lays out large structures at a coarse scale and adds new detail at each finer one. Keeps the layout of macro-textures with small patches; softer than quilting.</source>
+        <translation>Dispose les grandes structures à une échelle grossière et ajoute des détails neufs à chaque échelle plus fine. Garde la disposition des macro-textures avec de petits patchs ; plus doux que le quilting.</translation>
+    </message>
+    <message>
+        <source>Learns from the exemplar's periodic component, without which its borders count as horizontal and vertical lines.</source>
+        <translation>Apprend de la composante périodique de l’échantillon ; sans elle, ses bords comptent comme des lignes horizontales et verticales.</translation>
+    </message>
+    <message>
+        <source>Learns from the exemplar's periodic component, without which its borders draw horizontal and vertical streaks.</source>
+        <translation>Apprend de la composante périodique de l’échantillon ; sans elle, ses bords tracent des traînées horizontales et verticales.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lumière</translation>
+    </message>
+    <message>
+        <source>Like quilting, but every patch is new: a random blend of the exemplar patches that fit best. Innovates where quilting copies; a little softer.</source>
+        <translation>Comme le quilting, mais chaque patch est neuf : un mélange aléatoire des patchs qui conviennent le mieux. Innove là où le quilting copie ; un peu plus doux.</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linéaire</translation>
+    </message>
+    <message>
+        <source>Linear Rec.709</source>
+        <translation>Rec.709 linéaire</translation>
+    </message>
+    <message>
+        <source>Linear blending</source>
+        <translation>Fondu linéaire</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian</source>
+        <translation>Localement gaussien</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian + Portilla–Simoncelli</source>
+        <translation>Localement gaussien + Portilla–Simoncelli</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian + Quilting</source>
+        <translation>Localement gaussien + quilting</translation>
+    </message>
+    <message>
+        <source>Looking for the lattice</source>
+        <translation>Recherche du réseau</translation>
+    </message>
+    <message>
+        <source>Looking for the tile</source>
+        <translation>Recherche de la tuile</translation>
+    </message>
+    <message>
+        <source>Magnitudes: autocorrelation</source>
+        <translation>Modules : autocorrélation</translation>
+    </message>
+    <message>
+        <source>Magnitudes: orientations</source>
+        <translation>Modules : orientations</translation>
+    </message>
+    <message>
+        <source>Magnitudes: scales</source>
+        <translation>Modules : échelles</translation>
+    </message>
+    <message>
+        <source>Marginals</source>
+        <translation>Marginales</translation>
+    </message>
+    <message>
+        <source>Matching histograms</source>
+        <translation>Ajustement des histogrammes</translation>
+    </message>
+    <message>
+        <source>Mean error along a cut</source>
+        <translation>Erreur moyenne le long d’une coupe</translation>
+    </message>
+    <message>
+        <source>Mean squared difference where tiles join</source>
+        <translation>Écart quadratique moyen aux jonctions des tuiles</translation>
+    </message>
+    <message>
+        <source>Mean, variance, skewness, kurtosis and range of the pixels and of blurred images.</source>
+        <translation>Moyenne, variance, asymétrie, aplatissement et étendue des pixels et d’images floutées.</translation>
+    </message>
+    <message>
+        <source>Measuring the exemplar</source>
+        <translation>Mesure de l’échantillon</translation>
+    </message>
+    <message>
+        <source>Measuring the result</source>
+        <translation>Mesure du résultat</translation>
+    </message>
+    <message>
+        <source>Metallic</source>
+        <translation>Métallique</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Midway</source>
+        <translation>Midway</translation>
+    </message>
+    <message>
+        <source>Midway quilting</source>
+        <translation>Quilting midway</translation>
+    </message>
+    <message>
+        <source>Minimum-error cut</source>
+        <translation>Coupe d’erreur minimale</translation>
+    </message>
+    <message>
+        <source>Mismatch of the pixels' histogram</source>
+        <translation>Écart de l’histogramme des pixels</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Momentum</source>
+        <translation>Élan</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian</source>
+        <translation>Gaussien multi-échelle</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian + Portilla–Simoncelli</source>
+        <translation>Gaussien multi-échelle + Portilla–Simoncelli</translation>
+    </message>
+    <message>
+        <source>Near-regular texture</source>
+        <translation>Texture quasi régulière</translation>
+    </message>
+    <message>
+        <source>Neighbourhood</source>
+        <translation>Voisinage</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Voisins</translation>
+    </message>
+    <message>
+        <source>New patches from the locally Gaussian model, then pieces of the exemplar quilted over them: keeps the model's variety and gets the exemplar's sharpness back.</source>
+        <translation>Des patchs neufs du modèle localement gaussien, puis des morceaux de l’échantillon cousus par-dessus : garde la variété du modèle et retrouve la netteté de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>Normal, green down (DirectX)</source>
+        <translation>Normales, vert vers le bas (DirectX)</translation>
+    </message>
+    <message>
+        <source>Normal, green up (OpenGL)</source>
+        <translation>Normales, vert vers le haut (OpenGL)</translation>
+    </message>
+    <message>
+        <source>Octaves that the pyramid takes apart: more keep larger features. Small images use fewer.</source>
+        <translation>Octaves séparées par la pyramide : davantage garde de plus grands motifs. Les petites images en utilisent moins.</translation>
+    </message>
+    <message>
+        <source>One slope over all</source>
+        <translation>Une pente sur l’ensemble</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacité</translation>
+    </message>
+    <message>
+        <source>Orientations</source>
+        <translation>Orientations</translation>
+    </message>
+    <message>
+        <source>Origin, down</source>
+        <translation>Origine, vers le bas</translation>
+    </message>
+    <message>
+        <source>Origin, right</source>
+        <translation>Origine, vers la droite</translation>
+    </message>
+    <message>
+        <source>Other data</source>
+        <translation>Autres données</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Recouvrement</translation>
+    </message>
+    <message>
+        <source>Overlap values</source>
+        <translation>Valeurs du recouvrement</translation>
+    </message>
+    <message>
+        <source>Patch drawn</source>
+        <translation>Patch tiré</translation>
+    </message>
+    <message>
+        <source>Patch size</source>
+        <translation>Taille du patch</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Patchs</translation>
+    </message>
+    <message>
+        <source>Pixels shared with neighbours stay as they are, or vary a little before the rest is drawn.</source>
+        <translation>Les pixels partagés avec les voisins restent tels quels, ou varient un peu avant le tirage du reste.</translation>
+    </message>
+    <message>
+        <source>Placing patches</source>
+        <translation>Placement des patchs</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poisson</translation>
+    </message>
+    <message>
+        <source>Portilla–Simoncelli</source>
+        <translation>Portilla–Simoncelli</translation>
+    </message>
+    <message>
+        <source>Preparing the exemplar</source>
+        <translation>Préparation de l’échantillon</translation>
+    </message>
+    <message>
+        <source>Principal axes</source>
+        <translation>Axes principaux</translation>
+    </message>
+    <message>
+        <source>Progressive</source>
+        <translation>Progressif</translation>
+    </message>
+    <message>
+        <source>Propagation</source>
+        <translation>Propagation</translation>
+    </message>
+    <message>
+        <source>Quilting that bends patches to meet instead of cutting them: structures such as stripes are drawn together along the overlap.</source>
+        <translation>Un quilting qui courbe les patchs l’un vers l’autre au lieu de les couper : les structures comme les rayures se rejoignent sur le recouvrement.</translation>
+    </message>
+    <message>
+        <source>Random phase</source>
+        <translation>Phase aléatoire</translation>
+    </message>
+    <message>
+        <source>Random phase noise</source>
+        <translation>Bruit à phase aléatoire</translation>
+    </message>
+    <message>
+        <source>Random phase noise keeps each frequency's strength exactly; spot noise lets it vary as in a Gaussian field.</source>
+        <translation>Le bruit à phase aléatoire garde exactement la force de chaque fréquence ; le spot noise la laisse varier comme dans un champ gaussien.</translation>
+    </message>
+    <message>
+        <source>Regular tile</source>
+        <translation>Tuile régulière</translation>
+    </message>
+    <message>
+        <source>Regularisation</source>
+        <translation>Régularisation</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <translation>Relâchement</translation>
+    </message>
+    <message>
+        <source>Relaxed (RCLG)</source>
+        <translation>Relâchés (RCLG)</translation>
+    </message>
+    <message>
+        <source>Repeating the tile</source>
+        <translation>Répétition de la tuile</translation>
+    </message>
+    <message>
+        <source>Replacing patches</source>
+        <translation>Remplacement des patchs</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rugosité</translation>
+    </message>
+    <message>
+        <source>Rounds between pyramid and pixels: more bring both closer to the exemplar.</source>
+        <translation>Allers-retours entre pyramide et pixels : davantage rapproche les deux de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Rounds over all statistics: more bring them closer to the exemplar's.</source>
+        <translation>Passes sur toutes les statistiques : davantage les rapproche de celles de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Row of the exemplar at which the tile begins.</source>
+        <translation>Ligne de l’échantillon où commence la tuile.</translation>
+    </message>
+    <message>
+        <source>Row of the exemplar's lattice that lies at the output's top: moves the pattern up or down.</source>
+        <translation>Ligne du réseau de l’échantillon placée en haut de la sortie : décale le motif vers le haut ou le bas.</translation>
+    </message>
+    <message>
+        <source>Sampling blocks</source>
+        <translation>Tirage des blocs</translation>
+    </message>
+    <message>
+        <source>Sampling patches</source>
+        <translation>Tirage des patchs</translation>
+    </message>
+    <message>
+        <source>Sampling scale {} of {}</source>
+        <translation>Tirage de l’échelle {} sur {}</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>Échelles</translation>
+    </message>
+    <message>
+        <source>Scales used</source>
+        <translation>Échelles utilisées</translation>
+    </message>
+    <message>
+        <source>Seam, left to right</source>
+        <translation>Couture, gauche/droite</translation>
+    </message>
+    <message>
+        <source>Seam, top to bottom</source>
+        <translation>Couture, haut/bas</translation>
+    </message>
+    <message>
+        <source>Second vector, down</source>
+        <translation>Second vecteur, vers le bas</translation>
+    </message>
+    <message>
+        <source>Second vector, right</source>
+        <translation>Second vecteur, vers la droite</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Sews square patches of the exemplar together along the cuts where they differ least. Fast and faithful to structure such as bricks or leaves; copies larger areas verbatim.</source>
+        <translation>Coud des patchs carrés de l’échantillon le long des coupes où ils diffèrent le moins. Rapide et fidèle aux structures comme les briques ou les feuilles ; copie de grandes zones telles quelles.</translation>
+    </message>
+    <message>
+        <source>Share of each round's change that is added once more: some brings the statistics closer in fewer rounds.</source>
+        <translation>Part de la modification de chaque passe ajoutée une fois de plus : un peu rapproche les statistiques en moins de passes.</translation>
+    </message>
+    <message>
+        <source>Share of each side over which the exemplar fades out where the output has another size: larger leaves fewer streaks, smaller keeps slow changes.</source>
+        <translation>Part de chaque côté où l’échantillon s’estompe quand la sortie a une autre taille : plus laisse moins de traînées, moins garde les variations lentes.</translation>
+    </message>
+    <message>
+        <source>Share of the patch over which it fades into its neighbours.</source>
+        <translation>Part du patch où il se fond dans ses voisins.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that is given by its neighbours: larger fits better and takes longer.</source>
+        <translation>Part du patch donnée par ses voisins : plus convient mieux et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that overlaps its neighbours: larger bends more gently.</source>
+        <translation>Part du patch qui recouvre ses voisins : plus courbe plus doucement.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that overlaps its neighbours: larger fits better and takes longer.</source>
+        <translation>Part du patch qui recouvre ses voisins : plus convient mieux et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Share of the patch that overlaps its neighbours: larger joins better, but repeats itself sooner.</source>
+        <translation>Part du patch qui recouvre ses voisins : plus raccorde mieux, mais se répète plus tôt.</translation>
+    </message>
+    <message>
+        <source>Side of the patches at every scale: at the coarsest one they cover 2 to the power of scales − 1 times as much.</source>
+        <translation>Côté des patchs à chaque échelle : à la plus grossière, ils couvrent 2 puissance (échelles − 1) fois plus.</translation>
+    </message>
+    <message>
+        <source>Side of the patches that are replaced: larger changes larger parts at once.</source>
+        <translation>Côté des patchs remplacés : plus change de plus grandes parties à la fois.</translation>
+    </message>
+    <message>
+        <source>Side of the patches: larger keeps larger structures whole, smaller finds more that are alike.</source>
+        <translation>Côté des patchs : plus garde entières de plus grandes structures, moins en trouve davantage de semblables.</translation>
+    </message>
+    <message>
+        <source>Side of the square in which pixels and magnitudes are compared at each scale: larger keeps larger patterns, but copies chance ones.</source>
+        <translation>Côté du carré où pixels et modules sont comparés à chaque échelle : plus garde de plus grands motifs, mais copie ceux du hasard.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller varies more.</source>
+        <translation>Côté des carrés copiés : plus garde entières de plus grandes structures, moins varie davantage.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more.</source>
+        <translation>Côté des carrés copiés ; 0 choisit selon l’échantillon et son réseau. Plus garde de plus longs passages, moins varie davantage.</translation>
+    </message>
+    <message>
+        <source>Similar patches that a Gaussian is learnt from: more join more smoothly and blur more.</source>
+        <translation>Patchs semblables dont une gaussienne est apprise : davantage se joint mieux et floute plus.</translation>
+    </message>
+    <message>
+        <source>Similar patches that each new one is blended from: more vary more and blur more.</source>
+        <translation>Patchs semblables dont chaque nouveau est mélangé : davantage varie et floute plus.</translation>
+    </message>
+    <message>
+        <source>Similar patches that each new one is blended from: more vary more and blur more; 1 copies.</source>
+        <translation>Patchs semblables dont chaque nouveau est mélangé : davantage varie et floute plus ; 1 copie.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Smoothed cut</source>
+        <translation>Coupe adoucie</translation>
+    </message>
+    <message>
+        <source>Soft changes</source>
+        <translation>Variations douces</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Douceur</translation>
+    </message>
+    <message>
+        <source>Squared differences</source>
+        <translation>Différences au carré</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Partir de</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Démarrage</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistiques</translation>
+    </message>
+    <message>
+        <source>Stitch</source>
+        <translation>Couture</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Redresser</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Take off border jumps</source>
+        <translation>Ôter les sauts aux bords</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the exemplar first, so that blocks from its light and dark parts match; pixels change a little.</source>
+        <translation>Ôte d’abord les lentes variations de luminosité de l’échantillon, pour que les blocs de ses parties claires et sombres s’accordent ; les pixels changent un peu.</translation>
+    </message>
+    <message>
+        <source>The large structures of the multiscale Gaussian model, sharpened by Portilla–Simoncelli.</source>
+        <translation>Les grandes structures du modèle gaussien multi-échelle, affinées par Portilla–Simoncelli.</translation>
+    </message>
+    <message>
+        <source>The layout of the locally Gaussian model with the grain of Portilla–Simoncelli: nothing is copied, and where the model went astray it is drawn back.</source>
+        <translation>La disposition du modèle localement gaussien avec le grain de Portilla–Simoncelli : rien n’est copié, et là où le modèle s’égare il est ramené.</translation>
+    </message>
+    <message>
+        <source>The most probable</source>
+        <translation>Le plus probable</translation>
+    </message>
+    <message>
+        <source>The most probable patch joins most smoothly and loses detail; samples differ each time.</source>
+        <translation>Le patch le plus probable se joint le mieux et perd des détails ; les tirages diffèrent à chaque fois.</translation>
+    </message>
+    <message>
+        <source>The one that joins itself best</source>
+        <translation>Celle qui se raccorde le mieux</translation>
+    </message>
+    <message>
+        <source>The tile that is repeated: the one whose opposite sides are most alike, or the one at a given place.</source>
+        <translation>La tuile répétée : celle dont les côtés opposés se ressemblent le plus, ou celle d’un endroit donné.</translation>
+    </message>
+    <message>
+        <source>The two vectors by which the texture repeats itself: found in the exemplar, given, or none for a texture that does not repeat.</source>
+        <translation>Les deux vecteurs selon lesquels la texture se répète : trouvés dans l’échantillon, donnés, ou aucun pour une texture qui ne se répète pas.</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Puis</translation>
+    </message>
+    <message>
+        <source>Tile</source>
+        <translation>Tuile</translation>
+    </message>
+    <message>
+        <source>Tile's corner, down</source>
+        <translation>Coin de la tuile, vers le bas</translation>
+    </message>
+    <message>
+        <source>Tile's corner, right</source>
+        <translation>Coin de la tuile, vers la droite</translation>
+    </message>
+    <message>
+        <source>Tile, first vector down</source>
+        <translation>Tuile, premier vecteur vers le bas</translation>
+    </message>
+    <message>
+        <source>Tile, first vector right</source>
+        <translation>Tuile, premier vecteur vers la droite</translation>
+    </message>
+    <message>
+        <source>Tile, second vector down</source>
+        <translation>Tuile, second vecteur vers le bas</translation>
+    </message>
+    <message>
+        <source>Tile, second vector right</source>
+        <translation>Tuile, second vecteur vers la droite</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Turns and shears the exemplar so that its courses run along the axes in whole pixels; pixels are interpolated.</source>
+        <translation>Tourne et cisaille l’échantillon pour que ses rangées suivent les axes en pixels entiers ; les pixels sont interpolés.</translation>
+    </message>
+    <message>
+        <source>Unity (mask map)</source>
+        <translation>Unity (mask map)</translation>
+    </message>
+    <message>
+        <source>Unreal Engine</source>
+        <translation>Unreal Engine</translation>
+    </message>
+    <message>
+        <source>Weight of the second exemplar</source>
+        <translation>Poids du second échantillon</translation>
+    </message>
+    <message>
+        <source>Whether channels are synthesised jointly; without, each principal component is by itself.</source>
+        <translation>Si les canaux sont synthétisés ensemble ; sinon chaque composante principale est seule.</translation>
+    </message>
+    <message>
+        <source>Whether the bending fades out over the overlap, or lines pass into each other.</source>
+        <translation>Si la courbure s’estompe sur le recouvrement, ou si les lignes passent l’une dans l’autre.</translation>
+    </message>
+    <message>
+        <source>Which angles come together: corners and crossings.</source>
+        <translation>Quels angles vont ensemble : coins et croisements.</translation>
+    </message>
+    <message>
+        <source>Which sizes come together: edges against thin lines.</source>
+        <translation>Quelles tailles vont ensemble : contours contre lignes fines.</translation>
+    </message>
+    <message>
+        <source>White noise added to the model, in per cent of the exemplar's standard deviation: more lets patches fit their neighbours less.</source>
+        <translation>Bruit blanc ajouté au modèle, en pour cent de l’écart type de l’échantillon : plus laisse les patchs moins s’accorder à leurs voisins.</translation>
+    </message>
+    <message>
+        <source>Width in which a patch is compared with, and joined to, its neighbours; 0 takes a share of the block.</source>
+        <translation>Largeur où un patch est comparé et joint à ses voisins ; 0 prend une part du bloc.</translation>
+    </message>
+    <message>
+        <source>Width of the band that is blended: wider hides differences of brightness between blocks, narrower is sharper.</source>
+        <translation>Largeur de la bande fondue : plus large cache les écarts de luminosité entre blocs, plus étroite est plus nette.</translation>
+    </message>
+    <message>
+        <source>Width of the borders in which opposite sides of a tile are compared: wider looks for tiles that join in larger structures.</source>
+        <translation>Largeur des bords où les côtés opposés d’une tuile sont comparés : plus large cherche des tuiles qui se raccordent dans de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>With two exemplars, how far the statistics go from the first to the second.</source>
+        <translation>Avec deux échantillons, jusqu’où les statistiques vont du premier au second.</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Raccord</translation>
+    </message>
+    <message>
+        <source>glTF</source>
+        <translation>glTF</translation>
+    </message>
+    <message>
+        <source>packed companion maps</source>
+        <translation>cartes associées groupées</translation>
+    </message>
+    <message>
+        <source>sRGB</source>
+        <translation>sRGB</translation>
+    </message>
+</context>
+<context>
+    <name>files</name>
+    <message>
+        <source>Pictures and recipes (%1 *.json);;All files (*)</source>
+        <translation>Images et recettes (%1 *.json);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>A workbench for exemplar-based texture synthesis.</source>
+        <translation>Un atelier de synthèse de textures par l’exemple.</translation>
+    </message>
+    <message>
+        <source>Exemplars, a recipe or a session to open.</source>
+        <translation>Échantillons, recette ou session à ouvrir.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui</name>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · graine %2 · %3</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>graine %1</translation>
+    </message>
+    <message>
+        <source>preview</source>
+        <translation>aperçu</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Exemplars</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Créé</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open exemplars or a recipe</source>
+        <translation>Ouvrir des échantillons ou une recette</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Coller</translation>
+    </message>
+    <message>
+        <source>Paste a picture or a file as an exemplar</source>
+        <translation>Coller une image ou un fichier comme échantillon</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>Write the result and its maps to files</source>
+        <translation>Écrire le résultat et ses cartes dans des fichiers</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Copy result</source>
+        <translation>&amp;Copier le résultat</translation>
+    </message>
+    <message>
+        <source>Copy the result as a picture</source>
+        <translation>Copier le résultat comme image</translation>
+    </message>
+    <message>
+        <source>Set &amp;mask…</source>
+        <translation>Définir un &amp;masque…</translation>
+    </message>
+    <message>
+        <source>&amp;Clear mask</source>
+        <translation>&amp;Effacer le masque</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Take the exemplar off the list; its file stays</source>
+        <translation>Retirer l’échantillon de la liste ; son fichier reste</translation>
+    </message>
+    <message>
+        <source>E&amp;dit…</source>
+        <translation>Re&amp;toucher…</translation>
+    </message>
+    <message>
+        <source>Crop, turn, rectify, even out the light, hide parts</source>
+        <translation>Recadrer, tourner, redresser, égaliser la lumière, masquer des parties</translation>
+    </message>
+    <message>
+        <source>Add companion &amp;maps…</source>
+        <translation>Ajouter des &amp;cartes associées…</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lancer</translation>
+    </message>
+    <message>
+        <source>Make the result; if a run is under way, right after it, but a quick preview gives way</source>
+        <translation>Produire le résultat ; si un calcul est en cours, juste après, mais un aperçu rapide cède la place</translation>
+    </message>
+    <message>
+        <source>&amp;Add to queue</source>
+        <translation>&amp;Ajouter à la file</translation>
+    </message>
+    <message>
+        <source>Make the result with these settings after all runs that wait</source>
+        <translation>Produire le résultat avec ces réglages après tout ce qui attend</translation>
+    </message>
+    <message>
+        <source>&amp;Quick</source>
+        <translation>&amp;Rapide</translation>
+    </message>
+    <message>
+        <source>Make a small preview with the same settings</source>
+        <translation>Produire un petit aperçu avec les mêmes réglages</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop the run under way and keep what is there; those that wait go on</source>
+        <translation>Arrêter le calcul en cours et garder ce qui est là ; ceux qui attendent continuent</translation>
+    </message>
+    <message>
+        <source>&amp;New seed and run</source>
+        <translation>&amp;Nouvelle graine et lancer</translation>
+    </message>
+    <message>
+        <source>Reset all &amp;parameters</source>
+        <translation>Réinitialiser tous les &amp;paramètres</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;juster</translation>
+    </message>
+    <message>
+        <source>Fit the picture in the view</source>
+        <translation>Ajuster l’image à la vue</translation>
+    </message>
+    <message>
+        <source>&amp;100 %</source>
+        <translation>&amp;100 %</translation>
+    </message>
+    <message>
+        <source>One screen pixel for each of the picture's</source>
+        <translation>Un pixel d’écran par pixel de l’image</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat</source>
+        <translation>&amp;Répéter</translation>
+    </message>
+    <message>
+        <source>Show the picture repeated on all sides</source>
+        <translation>Montrer l’image répétée de tous côtés</translation>
+    </message>
+    <message>
+        <source>R&amp;esult</source>
+        <translation>R&amp;ésultat</translation>
+    </message>
+    <message>
+        <source>&amp;Synthesis map</source>
+        <translation>Carte de &amp;synthèse</translation>
+    </message>
+    <message>
+        <source>&amp;Position map</source>
+        <translation>Carte de &amp;positions</translation>
+    </message>
+    <message>
+        <source>Reset &amp;layout</source>
+        <translation>Rétablir la &amp;disposition</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>Plein &amp;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>&amp;About Texloom</source>
+        <translation>À &amp;propos de Texloom</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompanionList</name>
+    <message>
+        <source>None. Drop bark_normal, bark_rough and the like with bark.</source>
+        <translation>Aucune. Déposez bark_normal, bark_rough et autres avec bark.</translation>
+    </message>
+    <message>
+        <source>Companion maps</source>
+        <translation>Cartes associées</translation>
+    </message>
+    <message>
+        <source>What the map holds</source>
+        <translation>Ce que contient la carte</translation>
+    </message>
+    <message>
+        <source>What the map holds. Normals turn with the exemplar.</source>
+        <translation>Ce que contient la carte. Les normales tournent avec l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Ajouter…</translation>
+    </message>
+    <message>
+        <source>Add companion maps</source>
+        <translation>Ajouter des cartes associées</translation>
+    </message>
+    <message>
+        <source>Add maps of the exemplar's size, such as normals or heights: they get the result's layout.</source>
+        <translation>Ajouter des cartes de la taille de l’échantillon, normales ou hauteurs par exemple : elles prennent la disposition du résultat.</translation>
+    </message>
+    <message>
+        <source>Remove the map</source>
+        <translation>Retirer la carte</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareActions</name>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Grille</translation>
+    </message>
+    <message>
+        <source>Compare pictures side by side</source>
+        <translation>Comparer des images côte à côte</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Volet</translation>
+    </message>
+    <message>
+        <source>Compare two pictures in one place, parted by a line</source>
+        <translation>Comparer deux images au même endroit, séparées par une ligne</translation>
+    </message>
+    <message>
+        <source>&amp;Toggle</source>
+        <translation>&amp;Alterner</translation>
+    </message>
+    <message>
+        <source>Compare two pictures in one place, one after the other</source>
+        <translation>Comparer deux images au même endroit, l’une après l’autre</translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation>&amp;Différence</translation>
+    </message>
+    <message>
+        <source>Show what two pictures differ in</source>
+        <translation>Montrer en quoi deux images diffèrent</translation>
+    </message>
+    <message>
+        <source>E&amp;xemplar</source>
+        <translation>É&amp;chantillon</translation>
+    </message>
+    <message>
+        <source>Show the exemplar among the results</source>
+        <translation>Montrer l’échantillon parmi les résultats</translation>
+    </message>
+    <message>
+        <source>&amp;Link views</source>
+        <translation>&amp;Lier les vues</translation>
+    </message>
+    <message>
+        <source>Zoom and move all pictures together; those moved apart before stay apart as they are</source>
+        <translation>Zoomer et déplacer toutes les images ensemble ; celles décalées avant gardent leur décalage</translation>
+    </message>
+    <message>
+        <source>&amp;Contact sheet…</source>
+        <translation>&amp;Planche-contact…</translation>
+    </message>
+    <message>
+        <source>Write all pictures with their labels into one PNG file</source>
+        <translation>Écrire toutes les images et leurs légendes dans un fichier PNG</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareBar</name>
+    <message>
+        <source>First picture</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Second picture</source>
+        <translation>Seconde image</translation>
+    </message>
+    <message>
+        <source>Kind of difference</source>
+        <translation>Type de différence</translation>
+    </message>
+    <message>
+        <source>Absolute</source>
+        <translation>Absolue</translation>
+    </message>
+    <message>
+        <source>Squared</source>
+        <translation>Au carré</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Relative</translation>
+    </message>
+    <message>
+        <source> EV</source>
+        <translation> EV</translation>
+    </message>
+    <message>
+        <source>Exposure in stops</source>
+        <translation>Exposition en diaphragmes</translation>
+    </message>
+    <message>
+        <source>Brightens or darkens all pictures on the screen; each stop doubles the light</source>
+        <translation>Éclaircit ou assombrit toutes les images à l’écran ; chaque diaphragme double la lumière</translation>
+    </message>
+    <message>
+        <source>Channel shown</source>
+        <translation>Canal montré</translation>
+    </message>
+    <message>
+        <source>The channel shown of all pictures (Shift+C, R, G, B, A)</source>
+        <translation>Le canal montré de toutes les images (Maj+C, R, G, B, A)</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareCell</name>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>Bring the settings of this result into the form (Return); Run then makes it in full size</source>
+        <translation>Reprendre les réglages de ce résultat dans le formulaire (Entrée) ; Lancer le produit ensuite en pleine taille</translation>
+    </message>
+    <message>
+        <source>Use the settings of %1</source>
+        <translation>Utiliser les réglages de %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CompareView</name>
+    <message>
+        <source>RMSE %1</source>
+        <translation>RMSE %1</translation>
+    </message>
+    <message>
+        <source>mean relative difference %1</source>
+        <translation>différence relative moyenne %1</translation>
+    </message>
+    <message>
+        <source>mean absolute difference %1</source>
+        <translation>différence absolue moyenne %1</translation>
+    </message>
+    <message>
+        <source>%1 over the %2 px that both have</source>
+        <translation>%1 sur les %2 px que les deux ont</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Two pictures are needed; choose them above.</source>
+        <translation>Il faut deux images ; choisissez-les ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Choose results in the Results dock and press Compare, or Try all methods in the Synthesis menu.</source>
+        <translation>Choisissez des résultats dans le volet Résultats et cliquez sur Comparer, ou essayez toutes les méthodes dans le menu Synthèse.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::DifferenceDialog</name>
+    <message>
+        <source>Differences in settings</source>
+        <translation>Différences de réglages</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Both were made with the same settings, so that they are the same.</source>
+        <translation>Les deux ont été produits avec les mêmes réglages et sont donc identiques.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Document</name>
+    <message>
+        <source>Sessions (*.texloom)</source>
+        <translation>Sessions (*.texloom)</translation>
+    </message>
+    <message>
+        <source>&amp;New session</source>
+        <translation>&amp;Nouvelle session</translation>
+    </message>
+    <message>
+        <source>Open &amp;session…</source>
+        <translation>Ouvrir une &amp;session…</translation>
+    </message>
+    <message>
+        <source>Recent sess&amp;ions</source>
+        <translation>Sessions &amp;récentes</translation>
+    </message>
+    <message>
+        <source>S&amp;ave session</source>
+        <translation>Enre&amp;gistrer la session</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>Enregistrer la session &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save session &amp;with its images…</source>
+        <translation>Enregistrer la session a&amp;vec ses images…</translation>
+    </message>
+    <message>
+        <source>No session saved yet</source>
+        <translation>Aucune session enregistrée</translation>
+    </message>
+    <message>
+        <source>Open session</source>
+        <translation>Ouvrir une session</translation>
+    </message>
+    <message>
+        <source>Opened, but without some files: %1</source>
+        <translation>Ouverte, mais sans certains fichiers : %1</translation>
+    </message>
+    <message>
+        <source>Opened, but these files changed since the session was saved, so that results will differ: %1.</source>
+        <translation>Ouverte, mais ces fichiers ont changé depuis l’enregistrement, et les résultats différeront : %1.</translation>
+    </message>
+    <message>
+        <source>Save session</source>
+        <translation>Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Save session with its images</source>
+        <translation>Enregistrer la session avec ses images</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 enregistrée.</translation>
+    </message>
+    <message>
+        <source>The session was not saved. %1</source>
+        <translation>La session n’a pas été enregistrée. %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
+    </message>
+    <message>
+        <source>Recover a session</source>
+        <translation>Récupérer une session</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
+        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Récupérer</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>&amp;Jeter</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>Plus &amp;tard</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::DropTargets</name>
+    <message>
+        <source>Places to drop</source>
+        <translation>Zones de dépôt</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Échantillon</translation>
+    </message>
+    <message>
+        <source>In place of the one you look at</source>
+        <translation>À la place de celui affiché</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>As a further exemplar</source>
+        <translation>Comme échantillon de plus</translation>
+    </message>
+    <message>
+        <source>Companion map</source>
+        <translation>Carte associée</translation>
+    </message>
+    <message>
+        <source>Gets the result's layout</source>
+        <translation>Prend la disposition du résultat</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Masque</translation>
+    </message>
+    <message>
+        <source>Black is never copied</source>
+        <translation>Le noir n’est jamais copié</translation>
+    </message>
+    <message>
+        <source>The method does not use a mask</source>
+        <translation>La méthode n’utilise pas de masque</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarEditor</name>
+    <message>
+        <source>Cropped to %1 at %2, %3</source>
+        <translation>Recadré à %1 en %2, %3</translation>
+    </message>
+    <message>
+        <source>Turned by %1°</source>
+        <translation>Tourné de %1°</translation>
+    </message>
+    <message>
+        <source>Mirrored left to right</source>
+        <translation>Retourné gauche-droite</translation>
+    </message>
+    <message>
+        <source>Mirrored top to bottom</source>
+        <translation>Retourné haut-bas</translation>
+    </message>
+    <message>
+        <source>Rectified by four corners</source>
+        <translation>Redressé par quatre coins</translation>
+    </message>
+    <message>
+        <source>Light evened out by %1 %</source>
+        <translation>Lumière égalisée à %1 %</translation>
+    </message>
+    <message>
+        <source>Exemplar being edited</source>
+        <translation>Échantillon en retouche</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Terminé</translation>
+    </message>
+    <message>
+        <source>&amp;Look</source>
+        <translation>&amp;Voir</translation>
+    </message>
+    <message>
+        <source>Zoom and pan</source>
+        <translation>Zoomer et déplacer</translation>
+    </message>
+    <message>
+        <source>&amp;Crop</source>
+        <translation>&amp;Recadrer</translation>
+    </message>
+    <message>
+        <source>Keep a rectangle of the exemplar</source>
+        <translation>Garder un rectangle de l’échantillon</translation>
+    </message>
+    <message>
+        <source>Re&amp;ctify</source>
+        <translation>Re&amp;dresser</translation>
+    </message>
+    <message>
+        <source>Make a rectangle of a surface that was photographed at a slant</source>
+        <translation>Faire un rectangle d’une surface photographiée de biais</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>Mas&amp;quer</translation>
+    </message>
+    <message>
+        <source>Paint over what is never copied</source>
+        <translation>Peindre ce qui n’est jamais copié</translation>
+    </message>
+    <message>
+        <source>&amp;Unhide</source>
+        <translation>Dé&amp;masquer</translation>
+    </message>
+    <message>
+        <source>Paint over what may be copied again</source>
+        <translation>Peindre ce qui peut de nouveau être copié</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, dragging moves. Choose a tool above, or turn, mirror and even out the light below. Files stay as they are.</source>
+        <translation>La molette zoome, glisser déplace. Choisissez un outil ci-dessus, ou tournez, retournez et égalisez la lumière ci-dessous. Les fichiers restent tels quels.</translation>
+    </message>
+    <message>
+        <source>Left edge of the crop</source>
+        <translation>Bord gauche du cadre</translation>
+    </message>
+    <message>
+        <source>Upper edge of the crop</source>
+        <translation>Bord supérieur du cadre</translation>
+    </message>
+    <message>
+        <source>Width of the crop</source>
+        <translation>Largeur du cadre</translation>
+    </message>
+    <message>
+        <source>Height of the crop</source>
+        <translation>Hauteur du cadre</translation>
+    </message>
+    <message>
+        <source>Left, top</source>
+        <translation>Gauche, haut</translation>
+    </message>
+    <message>
+        <source>Width, height</source>
+        <translation>Largeur, hauteur</translation>
+    </message>
+    <message>
+        <source>Cr&amp;op</source>
+        <translation>Re&amp;cadrer</translation>
+    </message>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
+        <translation>Glissez les coins ; N prend le suivant, les flèches le déplacent.</translation>
+    </message>
+    <message>
+        <source>Top left</source>
+        <translation>En haut à gauche</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>En haut à droite</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>En bas à droite</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>En bas à gauche</translation>
+    </message>
+    <message>
+        <source>%1 corner, across</source>
+        <translation>Coin %1, horizontalement</translation>
+    </message>
+    <message>
+        <source>%1 corner, down</source>
+        <translation>Coin %1, verticalement</translation>
+    </message>
+    <message>
+        <source>Recti&amp;fy</source>
+        <translation>Red&amp;resser</translation>
+    </message>
+    <message>
+        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
+        <translation>Placez les coins sur quatre qui forment un rectangle en réalité. N prend le suivant, les flèches le déplacent.</translation>
+    </message>
+    <message>
+        <source>Hatched = never copied. Shift and the arrow keys move the brush, the space bar dabs.</source>
+        <translation>Hachuré = jamais copié. Maj et les flèches déplacent le pinceau, la barre d’espace tamponne.</translation>
+    </message>
+    <message>
+        <source>The method in use does not use a mask.</source>
+        <translation>La méthode choisie n’utilise pas de masque.</translation>
+    </message>
+    <message>
+        <source>Clear &amp;mask</source>
+        <translation>Effacer le &amp;masque</translation>
+    </message>
+    <message>
+        <source>Turn and mirror</source>
+        <translation>Tourner et retourner</translation>
+    </message>
+    <message>
+        <source>↺ 90°</source>
+        <translation>↺ 90°</translation>
+    </message>
+    <message>
+        <source>Turn left by 90°</source>
+        <translation>Tourner de 90° à gauche</translation>
+    </message>
+    <message>
+        <source>↻ 90°</source>
+        <translation>↻ 90°</translation>
+    </message>
+    <message>
+        <source>Turn right by 90°</source>
+        <translation>Tourner de 90° à droite</translation>
+    </message>
+    <message>
+        <source>↔</source>
+        <translation>↔</translation>
+    </message>
+    <message>
+        <source>Mirror left to right</source>
+        <translation>Retourner gauche-droite</translation>
+    </message>
+    <message>
+        <source>↕</source>
+        <translation>↕</translation>
+    </message>
+    <message>
+        <source>Mirror top to bottom</source>
+        <translation>Retourner haut-bas</translation>
+    </message>
+    <message>
+        <source>Even out the light</source>
+        <translation>Égaliser la lumière</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
+        <translation>Ôte les lentes variations de luminosité des couleurs, pour que les parties claires et sombres s’accordent.</translation>
+    </message>
+    <message>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture's own shades.</source>
+        <translation>Largeur de la fenêtre qui trouve la lumière, en parts du petit côté : plus laisse davantage des nuances propres à la texture.</translation>
+    </message>
+    <message>
+        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
+        <translation>Combien de fois la lumière peut se courber sur l’échantillon : 1 est une simple pente.</translation>
+    </message>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>Montrer a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Edits, in order</source>
+        <translation>Retouches, dans l’ordre</translation>
+    </message>
+    <message>
+        <source>&amp;Take back</source>
+        <translation>&amp;Annuler la retouche</translation>
+    </message>
+    <message>
+        <source>Takes the chosen edit out; those after it stay where they fit.</source>
+        <translation>Retire la retouche choisie ; celles d’après restent là où elles conviennent.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 px</source>
+        <translation>%1 · %2 px</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Take back an edit</source>
+        <translation>Annuler une retouche</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarPanel</name>
+    <message>
+        <source>grey</source>
+        <translation>gris</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>couleur</translation>
+    </message>
+    <message>
+        <source>colour and alpha</source>
+        <translation>couleur et alpha</translation>
+    </message>
+    <message>
+        <source>%1 channels</source>
+        <translation>%1 canaux</translation>
+    </message>
+    <message>
+        <source>%1 px · %2 · %3 · %4</source>
+        <translation>%1 px · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Échantillon</translation>
+    </message>
+    <message>
+        <source>No exemplar yet.
+Drop a picture here.</source>
+        <translation>Pas encore d’échantillon.
+Déposez une image ici.</translation>
+    </message>
+    <message>
+        <source>Open exemplars</source>
+        <translation>Ouvrir des échantillons</translation>
+    </message>
+    <message>
+        <source>The colour space that the file's values are in. Data, such as heights, is never converted.</source>
+        <translation>L’espace de couleur des valeurs du fichier. Les données, comme les hauteurs, ne sont jamais converties.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>A picture of the exemplar's size: where it is black, nothing is copied.</source>
+        <translation>Une image de la taille de l’échantillon : là où elle est noire, rien n’est copié.</translation>
+    </message>
+    <message>
+        <source>Choose a mask</source>
+        <translation>Choisir un masque</translation>
+    </message>
+    <message>
+        <source>Remove the mask</source>
+        <translation>Retirer le masque</translation>
+    </message>
+    <message>
+        <source>&amp;Colour space</source>
+        <translation>&amp;Espace de couleur</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Masque</translation>
+    </message>
+    <message>
+        <source>Maps</source>
+        <translation>Cartes</translation>
+    </message>
+    <message>
+        <source>The method does not use a mask.</source>
+        <translation>La méthode n’utilise pas de masque.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarStore</name>
+    <message>
+        <source>Colour space</source>
+        <translation>Espace de couleur</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Masque</translation>
+    </message>
+    <message>
+        <source>Clear mask</source>
+        <translation>Effacer le masque</translation>
+    </message>
+    <message>
+        <source>Paint mask</source>
+        <translation>Peindre le masque</translation>
+    </message>
+    <message>
+        <source>Erase mask</source>
+        <translation>Gommer le masque</translation>
+    </message>
+    <message>
+        <source>Add companion map</source>
+        <translation>Ajouter une carte associée</translation>
+    </message>
+    <message>
+        <source>Remove companion map</source>
+        <translation>Retirer une carte associée</translation>
+    </message>
+    <message>
+        <source>Kind of companion map</source>
+        <translation>Type de carte associée</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExportDialog</name>
+    <message>
+        <source>S&amp;TMap for compositors (EXR)</source>
+        <translation>S&amp;TMap pour le compositing (EXR)</translation>
+    </message>
+    <message>
+        <source>Exact &amp;positions (16-bit PNG)</source>
+        <translation>&amp;Positions exactes (PNG 16 bits)</translation>
+    </message>
+    <message>
+        <source>&amp;Recipe beside the picture (JSON)</source>
+        <translation>&amp;Recette à côté de l’image (JSON)</translation>
+    </message>
+    <message>
+        <source>Companion &amp;maps</source>
+        <translation>&amp;Cartes associées</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>What the files are called, which maps share one, and where green points in normal maps.</source>
+        <translation>Comment se nomment les fichiers, quelles cartes en partagent un, et où pointe le vert des normales.</translation>
+    </message>
+    <message>
+        <source>The name of the files. $name is the exemplar's, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
+        <translation>Le nom des fichiers. $name est celui de l’échantillon, $map le type de carte ; il y a aussi $method, $seed, $w, $h, $size et $place.</translation>
+    </message>
+    <message>
+        <source>As the preset says</source>
+        <translation>Selon le préréglage</translation>
+    </message>
+    <message>
+        <source>OpenGL, green up</source>
+        <translation>OpenGL, vert vers le haut</translation>
+    </message>
+    <message>
+        <source>DirectX, green down</source>
+        <translation>DirectX, vert vers le bas</translation>
+    </message>
+    <message>
+        <source>PNG</source>
+        <translation>PNG</translation>
+    </message>
+    <message>
+        <source>TIFF</source>
+        <translation>TIFF</translation>
+    </message>
+    <message>
+        <source>OpenEXR</source>
+        <translation>OpenEXR</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG</translation>
+    </message>
+    <message>
+        <source>Radiance HDR</source>
+        <translation>Radiance HDR</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Automatic: sRGB, or linear for depths that hold it.</source>
+        <translation>Automatique : sRGB, ou linéaire pour les profondeurs qui le permettent.</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels, so there is no map of where they came from.</source>
+        <translation>Cette méthode crée des pixels neufs, il n’y a donc pas de carte de leur provenance.</translation>
+    </message>
+    <message>
+        <source>All settings, to make the same result again.</source>
+        <translation>Tous les réglages, pour refaire le même résultat.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Préréglage</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nom</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormat</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>Profonde&amp;ur</translation>
+    </message>
+    <message>
+        <source>&amp;Colour space</source>
+        <translation>&amp;Espace de couleur</translation>
+    </message>
+    <message>
+        <source>Norm&amp;als</source>
+        <translation>Norm&amp;ales</translation>
+    </message>
+    <message>
+        <source>Position map</source>
+        <translation>Carte de positions</translation>
+    </message>
+    <message>
+        <source>Also</source>
+        <translation>Aussi</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Contient</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Sur le disque</translation>
+    </message>
+    <message>
+        <source>Files that will be written</source>
+        <translation>Fichiers qui seront écrits</translation>
+    </message>
+    <message>
+        <source>&amp;Write files</source>
+        <translation>É&amp;crire les fichiers</translation>
+    </message>
+    <message>
+        <source>The files need a name.</source>
+        <translation>Il faut un nom aux fichiers.</translation>
+    </message>
+    <message>
+        <source>The name cannot hold a slash; choose the folder above.</source>
+        <translation>Le nom ne peut contenir de barre oblique ; choisissez le dossier ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Choose the folder to write to.</source>
+        <translation>Choisissez le dossier de destination.</translation>
+    </message>
+    <message>
+        <source>The folder %1 is not there.</source>
+        <translation>Le dossier %1 n’existe pas.</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>replaces the file there</source>
+        <translation>remplace le fichier existant</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nouveau</translation>
+    </message>
+    <message>
+        <source>Export to</source>
+        <translation>Exporter vers</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::GridRun</name>
+    <message>
+        <source>Under way…</source>
+        <translation>En cours…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Arrêté.</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>En attente…</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ImageViewer</name>
+    <message>
+        <source>%1 pixels at %2. %3</source>
+        <translation>%1 pixels à %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Inspector</name>
+    <message>
+        <source>fexsvhidtc</source>
+        <translation>fecsvadtgr</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::JobPanel</name>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, reste %2</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1</source>
+        <translation>Échec : %1</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>en attente</translation>
+    </message>
+    <message>
+        <source>%1 (preview)</source>
+        <translation>%1 (aperçu)</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>&amp;Monter</translation>
+    </message>
+    <message>
+        <source>Make the chosen run sooner</source>
+        <translation>Faire plus tôt le calcul choisi</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>&amp;Descendre</translation>
+    </message>
+    <message>
+        <source>Make the chosen run later</source>
+        <translation>Faire plus tard le calcul choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Take the chosen run off the queue</source>
+        <translation>Retirer de la file le calcul choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Begin no run that waits; the one under way goes on, and Run still works</source>
+        <translation>Ne commencer aucun calcul en attente ; celui en cours continue, et Lancer marche toujours</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Vider</translation>
+    </message>
+    <message>
+        <source>Take everything off the queue that waits or failed</source>
+        <translation>Retirer de la file tout ce qui attend ou a échoué</translation>
+    </message>
+    <message>
+        <source>Runs that wait or are under way</source>
+        <translation>Calculs en attente ou en cours</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Calcul</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progression</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Nothing waits. “Add to queue” puts a run here, to be made after those before it.</source>
+        <translation>Rien n’attend. « Ajouter à la file » met ici un calcul, fait après ceux qui le précèdent.</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>Au &amp;plus</translation>
+    </message>
+    <message>
+        <source>Most threads that runs may use</source>
+        <translation>Nombre maximal de threads des calculs</translation>
+    </message>
+    <message>
+        <source>all threads</source>
+        <translation>tous les threads</translation>
+    </message>
+    <message>
+        <source> threads</source>
+        <translation> threads</translation>
+    </message>
+    <message>
+        <source>How many of the processor's threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
+        <translation>Combien de threads du processeur les calculs peuvent utiliser désormais. Moins laisse l’ordinateur libre pour autre chose ; les résultats sont les mêmes.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LimitsDialog</name>
+    <message>
+        <source>The latest results stay in memory up to this; others are read from the disk when they are shown.</source>
+        <translation>Les derniers résultats restent en mémoire jusqu’à cette limite ; les autres sont lus du disque quand on les montre.</translation>
+    </message>
+    <message>
+        <source>Beyond this the oldest results are removed; those pinned stay.</source>
+        <translation>Au-delà, les plus anciens résultats sont retirés ; ceux épinglés restent.</translation>
+    </message>
+    <message>
+        <source>Limits for results</source>
+        <translation>Limites des résultats</translation>
+    </message>
+    <message>
+        <source>In &amp;memory</source>
+        <translation>En &amp;mémoire</translation>
+    </message>
+    <message>
+        <source>On the &amp;disk</source>
+        <translation>Sur le &amp;disque</translation>
+    </message>
+    <message>
+        <source>Kept in</source>
+        <translation>Gardés dans</translation>
+    </message>
+    <message>
+        <source> GiB</source>
+        <translation> Gio</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>What is run, and what goes wrong, is noted here.</source>
+        <translation>Ce qui est calculé, et ce qui échoue, est noté ici.</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Tout copier</translation>
+    </message>
+    <message>
+        <source>Copy the whole log, for a report</source>
+        <translation>Copier tout le journal, pour un rapport</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Vider</translation>
+    </message>
+    <message>
+        <source>Take all lines off the log</source>
+        <translation>Retirer toutes les lignes du journal</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MainWindow</name>
+    <message>
+        <source>Texloom</source>
+        <translation>Texloom</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Exemplars</source>
+        <translation>Échantillons</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ouverts &amp;récemment</translation>
+    </message>
+    <message>
+        <source>&amp;Samples</source>
+        <translation>&amp;Exemples</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>E&amp;xemplar</source>
+        <translation>É&amp;chantillon</translation>
+    </message>
+    <message>
+        <source>&amp;Synthesis</source>
+        <translation>&amp;Synthèse</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Affic&amp;hage</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Apparence</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Comme le &amp;bureau</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>Da&amp;rk</source>
+        <translation>&amp;Sombre</translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation>Barre d’outils</translation>
+    </message>
+    <message>
+        <source>%1 holds the settings of a result.</source>
+        <translation>%1 contient les réglages d’un résultat.</translation>
+    </message>
+    <message>
+        <source>Open exemplars</source>
+        <translation>Ouvrir des échantillons</translation>
+    </message>
+    <message>
+        <source>Nothing opened yet</source>
+        <translation>Rien d’ouvert encore</translation>
+    </message>
+    <message>
+        <source>Only files on this computer can be opened; save the picture first, then drop its file.</source>
+        <translation>Seuls les fichiers de cet ordinateur peuvent être ouverts ; enregistrez d’abord l’image, puis déposez son fichier.</translation>
+    </message>
+    <message>
+        <source>There is no picture in what was pasted; copy a picture or a picture file first.</source>
+        <translation>Il n’y a pas d’image dans ce qui a été collé ; copiez d’abord une image ou un fichier image.</translation>
+    </message>
+    <message>
+        <source>Let go to open it as an exemplar.</source>
+        <translation>Lâchez pour l’ouvrir comme échantillon.</translation>
+    </message>
+    <message>
+        <source>%1 was made here and holds its settings.</source>
+        <translation>%1 a été produit ici et contient ses réglages.</translation>
+    </message>
+    <message>
+        <source>Restore settings</source>
+        <translation>Rétablir les réglages</translation>
+    </message>
+    <message>
+        <source>Settings restored, but these files changed since, so the result will differ: %1.</source>
+        <translation>Réglages rétablis, mais ces fichiers ont changé depuis, le résultat différera donc : %1.</translation>
+    </message>
+    <message>
+        <source>Writing to %1…</source>
+        <translation>Écriture dans %1…</translation>
+    </message>
+    <message>
+        <source>Wrote 1 file to %1.</source>
+        <translation>1 fichier écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Wrote %1 files to %2.</source>
+        <translation>%1 fichiers écrits dans %2.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>The result is on the clipboard.</source>
+        <translation>Le résultat est dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>About Texloom</source>
+        <translation>À propos de Texloom</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;A workbench for exemplar-based texture synthesis.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;Un atelier de synthèse de textures par l’exemple.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Lecture de l’image…</translation>
+    </message>
+    <message>
+        <source>Open an exemplar first.</source>
+        <translation>Ouvrez d’abord un échantillon.</translation>
+    </message>
+    <message>
+        <source>Quick preview under way: %1</source>
+        <translation>Aperçu rapide en cours : %1</translation>
+    </message>
+    <message>
+        <source>Under way: %1</source>
+        <translation>En cours : %1</translation>
+    </message>
+    <message>
+        <source>Quick preview</source>
+        <translation>Aperçu rapide</translation>
+    </message>
+    <message>
+        <source>Preview 1:%1</source>
+        <translation>Aperçu 1:%1</translation>
+    </message>
+    <message>
+        <source>Finished: %1.</source>
+        <translation>Terminé : %1.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3 · %4</source>
+        <translation>%1 · graine %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>Quick preview: %1</source>
+        <translation>Aperçu rapide : %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Arrêté à %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1. The picture is as far as it got.</source>
+        <translation>%1. L’image en est restée là.</translation>
+    </message>
+    <message>
+        <source>Back to the last result</source>
+        <translation>Revenir au dernier résultat</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2 x %3, y %4</source>
+        <translation>%1 → %2 x %3, y %4</translation>
+    </message>
+    <message>
+        <source>working space · float</source>
+        <translation>espace de travail · flottant</translation>
+    </message>
+    <message>
+        <source>%1 x %2, y %3</source>
+        <translation>%1 x %2, y %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1[*] – Texloom</source>
+        <translation>%1[*] – Texloom</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MessageBar</name>
+    <message>
+        <source>Close message</source>
+        <translation>Fermer le message</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MethodForm</name>
+    <message>
+        <source>Only used while “%1” is %2.</source>
+        <translation>Utilisé seulement si « %1 » est %2.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MissingFilesDialog</name>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Chercher…</translation>
+    </message>
+    <message>
+        <source>Missing files</source>
+        <translation>Fichiers manquants</translation>
+    </message>
+    <message>
+        <source>Says where the chosen file is now; others that lie beside it are found with it.</source>
+        <translation>Indique où est maintenant le fichier choisi ; les autres qui sont à côté sont trouvés avec lui.</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Où est %1 ?</translation>
+    </message>
+    <message>
+        <source>%1 (%1);;All files (*)</source>
+        <translation>%1 (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>All files were found.</source>
+        <translation>Tous les fichiers ont été trouvés.</translation>
+    </message>
+    <message>
+        <source>These files of the session are not where they were. Say where they are, or go on without them; everything else is kept.</source>
+        <translation>Ces fichiers de la session ne sont plus où ils étaient. Indiquez où ils sont, ou continuez sans eux ; tout le reste est gardé.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Go on without them</source>
+        <translation>Continuer &amp;sans eux</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::OutputGroup</name>
+    <message>
+        <source>Output</source>
+        <translation>Sortie</translation>
+    </message>
+    <message>
+        <source>across (X)</source>
+        <translation>en travers (X)</translation>
+    </message>
+    <message>
+        <source>down (Y)</source>
+        <translation>en hauteur (Y)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Threads&lt;/b&gt; How many of the processor's cores a run uses. The result is the same with any number. Automatic: one for each core.</source>
+        <translation>&lt;b&gt;Threads&lt;/b&gt; Combien de cœurs du processeur un calcul utilise. Le résultat est le même quel que soit le nombre. Automatique : un par cœur.</translation>
+    </message>
+    <message>
+        <source>S&amp;ize</source>
+        <translation>Ta&amp;ille</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Raccord</translation>
+    </message>
+    <message>
+        <source>See&amp;d</source>
+        <translation>&amp;Graine</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Partir de</translation>
+    </message>
+    <message>
+        <source>&amp;Threads</source>
+        <translation>&amp;Threads</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Size&lt;/b&gt; Width and height of the result in pixels, 1 to %1 each.</source>
+        <translation>&lt;b&gt;Taille&lt;/b&gt; Largeur et hauteur du résultat en pixels, de 1 à %1 chacune.</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>×%1</source>
+        <translation>×%1</translation>
+    </message>
+    <message>
+        <source>%1 times the exemplar's size</source>
+        <translation>%1 fois la taille de l’échantillon</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;×%1&lt;/b&gt; Makes the result %1 times as wide and as high as the exemplar.</source>
+        <translation>&lt;b&gt;×%1&lt;/b&gt; Rend le résultat %1 fois aussi large et haut que l’échantillon.</translation>
+    </message>
+    <message>
+        <source>of the exemplar</source>
+        <translation>de l’échantillon</translation>
+    </message>
+    <message>
+        <source>Wraps across</source>
+        <translation>Raccord en travers</translation>
+    </message>
+    <message>
+        <source>Wraps down</source>
+        <translation>Raccord en hauteur</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Seed&lt;/b&gt; Where the random choices begin. The same seed and settings give the same pixels.</source>
+        <translation>&lt;b&gt;Graine&lt;/b&gt; Où commencent les choix aléatoires. Mêmes graine et réglages, mêmes pixels.</translation>
+    </message>
+    <message>
+        <source>Draw a new seed</source>
+        <translation>Tirer une nouvelle graine</translation>
+    </message>
+    <message>
+        <source>Keep the seed</source>
+        <translation>Garder la graine</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Keep the seed&lt;/b&gt; On: every run uses this seed. Off: every run draws a new one.</source>
+        <translation>&lt;b&gt;Garder la graine&lt;/b&gt; Activé : chaque calcul utilise cette graine. Désactivé : chacun en tire une nouvelle.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose an image to start from</source>
+        <translation>Choisir une image de départ</translation>
+    </message>
+    <message>
+        <source>Start without an image</source>
+        <translation>Partir sans image</translation>
+    </message>
+    <message>
+        <source>left and right edges</source>
+        <translation>bords gauche et droit</translation>
+    </message>
+    <message>
+        <source>upper and lower edges</source>
+        <translation>bords haut et bas</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wraps&lt;/b&gt; The result's %1 join without a seam when it is repeated.</source>
+        <translation>&lt;b&gt;Raccord&lt;/b&gt; Les %1 du résultat se joignent sans couture quand on le répète.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Wraps&lt;/b&gt; %1 cannot make a result that wraps.</source>
+        <translation>&lt;b&gt;Raccord&lt;/b&gt; %1 ne peut pas produire de résultat qui se raccorde.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result's size that the method begins with.</source>
+        <translation>&lt;b&gt;Partir de&lt;/b&gt; Une image de la taille du résultat par laquelle la méthode commence.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Start from&lt;/b&gt; %1 cannot start from an image.</source>
+        <translation>&lt;b&gt;Partir de&lt;/b&gt; %1 ne peut pas partir d’une image.</translation>
+    </message>
+    <message>
+        <source>Start from an image</source>
+        <translation>Partir d’une image</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ParamRow</name>
+    <message>
+        <source>on</source>
+        <translation>activé</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>Reset “%1” to its default</source>
+        <translation>Rétablir la valeur par défaut de « %1 »</translation>
+    </message>
+    <message>
+        <source>Default: %1.</source>
+        <translation>Par défaut : %1.</translation>
+    </message>
+    <message>
+        <source>Default: %1 % of the exemplar's shorter side.</source>
+        <translation>Par défaut : %1 % du petit côté de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Default: %1 % of the exemplar's shorter side, here %2.</source>
+        <translation>Par défaut : %1 % du petit côté de l’échantillon, ici %2.</translation>
+    </message>
+    <message>
+        <source> (%1 in the paper)</source>
+        <translation> (%1 dans l’article)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; %2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; %2</translation>
+    </message>
+    <message>
+        <source> %1.</source>
+        <translation> %1.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::PresetMenu</name>
+    <message>
+        <source>Pre&amp;sets</source>
+        <translation>Pré&amp;réglages</translation>
+    </message>
+    <message>
+        <source>&amp;Keep settings as a preset…</source>
+        <translation>&amp;Garder les réglages comme préréglage…</translation>
+    </message>
+    <message>
+        <source>&amp;Import presets…</source>
+        <translation>&amp;Importer des préréglages…</translation>
+    </message>
+    <message>
+        <source>&amp;Export settings as a preset…</source>
+        <translation>&amp;Exporter les réglages comme préréglage…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>The preset needs a name with a letter or a figure in it.</source>
+        <translation>Le préréglage doit avoir un nom avec une lettre ou un chiffre.</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already; choose another name or remove it first.</source>
+        <translation>Il y a déjà un préréglage %1 ; choisissez un autre nom ou retirez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Kept the preset %1.</source>
+        <translation>Préréglage %1 gardé.</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already; rename the file or remove the preset first.</source>
+        <translation>Il y a déjà un préréglage %1 ; renommez le fichier ou retirez d’abord le préréglage.</translation>
+    </message>
+    <message>
+        <source>Imported the preset %1.</source>
+        <translation>Préréglage %1 importé.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>The preset %1 could not be removed.</source>
+        <translation>Le préréglage %1 n’a pas pu être retiré.</translation>
+    </message>
+    <message>
+        <source>Keep settings as a preset</source>
+        <translation>Garder les réglages comme préréglage</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Nom du préréglage</translation>
+    </message>
+    <message>
+        <source>Import presets</source>
+        <translation>Importer des préréglages</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Préréglages (*.json)</translation>
+    </message>
+    <message>
+        <source>Export settings as a preset</source>
+        <translation>Exporter les réglages comme préréglage</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultActions</name>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Montrer</translation>
+    </message>
+    <message>
+        <source>Show the chosen result</source>
+        <translation>Montrer le résultat choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Restore settings</source>
+        <translation>&amp;Rétablir les réglages</translation>
+    </message>
+    <message>
+        <source>Bring the settings of the chosen result back into the form</source>
+        <translation>Remettre les réglages du résultat choisi dans le formulaire</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>Look at the chosen results side by side, or at one beside its exemplar</source>
+        <translation>Voir les résultats choisis côte à côte, ou un seul à côté de son échantillon</translation>
+    </message>
+    <message>
+        <source>&amp;Differences…</source>
+        <translation>&amp;Différences…</translation>
+    </message>
+    <message>
+        <source>List the settings in which two chosen results differ</source>
+        <translation>Lister les réglages par lesquels deux résultats choisis diffèrent</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>É&amp;pingler</translation>
+    </message>
+    <message>
+        <source>Keep the chosen results: those pinned are never removed by themselves</source>
+        <translation>Garder les résultats choisis : ceux épinglés ne sont jamais retirés d’office</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>Give the chosen result a name of your own</source>
+        <translation>Donner un nom à vous au résultat choisi</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Delete the chosen results</source>
+        <translation>Supprimer les résultats choisis</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultHistory</name>
+    <message>
+        <source>%1, %2, pinned</source>
+        <translation>%1, %2, épinglé</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A result stays in memory only and is lost when the window closes: %1</source>
+        <translation>Un résultat reste seulement en mémoire et sera perdu à la fermeture de la fenêtre : %1</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Ce résultat a été retiré.</translation>
+    </message>
+    <message>
+        <source>The oldest results that are not pinned were removed, %1 in number, to keep the rest within %2.</source>
+        <translation>Les plus anciens résultats non épinglés ont été retirés, au nombre de %1, pour que le reste tienne dans %2.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultPanel</name>
+    <message>
+        <source>Search results</source>
+        <translation>Chercher dans les résultats</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>“%1” was deleted.</source>
+        <translation>« %1 » a été supprimé.</translation>
+    </message>
+    <message>
+        <source>%1 results were deleted.</source>
+        <translation>%1 résultats ont été supprimés.</translation>
+    </message>
+    <message>
+        <source>No result has “%1” in its name, method, exemplar, seed or notes.</source>
+        <translation>Aucun résultat n’a « %1 » dans son nom, sa méthode, son échantillon, sa graine ou ses notes.</translation>
+    </message>
+    <message>
+        <source>Every run is kept here with its settings. There is none yet: press Run.</source>
+        <translation>Chaque calcul est gardé ici avec ses réglages. Il n’y en a pas encore : cliquez sur Lancer.</translation>
+    </message>
+    <message>
+        <source>%1 in memory, %2 on disk</source>
+        <translation>%1 en mémoire, %2 sur le disque</translation>
+    </message>
+    <message>
+        <source>Up to %1 of results stay in memory and up to %2 on the disk; “Limits…” in the Results menu changes that.</source>
+        <translation>Jusqu’à %1 de résultats restent en mémoire et jusqu’à %2 sur le disque ; « Limites… » dans le menu Résultats le change.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultView</name>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Synthesis map</source>
+        <translation>Carte de synthèse</translation>
+    </message>
+    <message>
+        <source>Position map</source>
+        <translation>Carte de positions</translation>
+    </message>
+    <message>
+        <source>Every pixel in the colour that the position map gives its source: even areas are copied as they are.</source>
+        <translation>Chaque pixel dans la couleur que la carte de positions donne à sa source : les zones unies sont copiées telles quelles.</translation>
+    </message>
+    <message>
+        <source>The legend of the synthesis map: a colour for every pixel of the exemplar.</source>
+        <translation>La légende de la carte de synthèse : une couleur pour chaque pixel de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>No result yet. Press Run.</source>
+        <translation>Pas encore de résultat. Cliquez sur Lancer.</translation>
+    </message>
+    <message>
+        <source>Open an exemplar to see its position map.</source>
+        <translation>Ouvrez un échantillon pour voir sa carte de positions.</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels and copies none,
+so there is no map of where they came from.</source>
+        <translation>Cette méthode crée des pixels et n’en copie aucun,
+il n’y a donc pas de carte de leur provenance.</translation>
+    </message>
+    <message>
+        <source>No result yet. The map shows where each of its pixels came from.</source>
+        <translation>Pas encore de résultat. La carte montre d’où vient chacun de ses pixels.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunController</name>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · graine %2 · %3</translation>
+    </message>
+    <message>
+        <source>Preparing the pictures</source>
+        <translation>Préparation des images</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunPanel</name>
+    <message>
+        <source>Progress of the run</source>
+        <translation>Progression du calcul</translation>
+    </message>
+    <message>
+        <source>Needs %1 of memory</source>
+        <translation>Demande %1 de mémoire</translation>
+    </message>
+    <message>
+        <source>under 1 s</source>
+        <translation>moins d’1 s</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>Takes %1 · %2 of memory</source>
+        <translation>Durée %1 · %2 de mémoire</translation>
+    </message>
+    <message>
+        <source>Cannot run: %1</source>
+        <translation>Impossible : %1</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 en attente</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 left</source>
+        <translation>%1, reste %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ShortcutsDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>What they do</source>
+        <translation>Ce qu’elles font</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Molette</translation>
+    </message>
+    <message>
+        <source>In a picture: zoom at the cursor</source>
+        <translation>Dans une image : zoomer au curseur</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Glisser</translation>
+    </message>
+    <message>
+        <source>In a picture: move it</source>
+        <translation>Dans une image : la déplacer</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation>Maj+flèches</translation>
+    </message>
+    <message>
+        <source>In a picture: move from pixel to pixel and show where each came from</source>
+        <translation>Dans une image : aller de pixel en pixel et montrer d’où vient chacun</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Double-clic</translation>
+    </message>
+    <message>
+        <source>On a parameter's label: reset it</source>
+        <translation>Sur le nom d’un paramètre : le réinitialiser</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::StartPage</name>
+    <message>
+        <source>Opened last</source>
+        <translation>Ouverts en dernier</translation>
+    </message>
+    <message>
+        <source>Exemplars to try</source>
+        <translation>Échantillons à essayer</translation>
+    </message>
+    <message>
+        <source>Drop a picture of a material here</source>
+        <translation>Déposez ici l’image d’un matériau</translation>
+    </message>
+    <message>
+        <source>Texloom makes more of it: any size, no visible repeats. A first preview starts by itself.</source>
+        <translation>Texloom en fait davantage : toute taille, sans répétition visible. Un premier aperçu démarre tout seul.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::StepChain</name>
+    <message>
+        <source>Method that follows</source>
+        <translation>Méthode qui suit</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Then</source>
+        <translation>Puis</translation>
+    </message>
+    <message>
+        <source>A method that starts from the image made so far and works on it, in the same run and with the same seed.</source>
+        <translation>Une méthode qui part de l’image obtenue et la travaille, dans le même calcul et avec la même graine.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SweepDialog</name>
+    <message>
+        <source>Values across</source>
+        <translation>Valeurs en travers</translation>
+    </message>
+    <message>
+        <source>Values down</source>
+        <translation>Valeurs en hauteur</translation>
+    </message>
+    <message>
+        <source>Another seed for &amp;each run</source>
+        <translation>Une autre graine pour &amp;chaque calcul</translation>
+    </message>
+    <message>
+        <source>At a &amp;preview's size</source>
+        <translation>À la taille d’un &amp;aperçu</translation>
+    </message>
+    <message>
+        <source>Parameter sweep</source>
+        <translation>Balayage de paramètres</translation>
+    </message>
+    <message>
+        <source>The &amp;same seed for all</source>
+        <translation>La &amp;même graine pour tous</translation>
+    </message>
+    <message>
+        <source>Makes a run for every combination of the values and shows them side by side. Write values as a list (8, 16, 32) or as from:to:count (8:64:5).</source>
+        <translation>Fait un calcul pour chaque combinaison des valeurs et les montre côte à côte. Écrivez une liste (8, 16, 32) ou de:à:nombre (8:64:5).</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>&amp;Across</source>
+        <translation>En tra&amp;vers</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>En &amp;hauteur</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Whole numbers</source>
+        <translation>Nombres entiers</translation>
+    </message>
+    <message>
+        <source>1 run</source>
+        <translation>1 calcul</translation>
+    </message>
+    <message>
+        <source>%1 runs</source>
+        <translation>%1 calculs</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::UndoHistory</name>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Raccord</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Partir de</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Workbench</name>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Calculs</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>&amp;Results</source>
+        <translation>&amp;Résultats</translation>
+    </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Limites…</translation>
+    </message>
+    <message>
+        <source>Started: %1</source>
+        <translation>Commencé : %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1: %2</source>
+        <translation>Arrêté à %1 : %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Échec : %1 : %2</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Finished in %1: %2</source>
+        <translation>Terminé en %1 : %2</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Remarque : %1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Several results and exemplars beside one another.</source>
+        <translation>Plusieurs résultats et échantillons côte à côte.</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>Try &amp;all methods</source>
+        <translation>Essayer &amp;toutes les méthodes</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method, the quickest first, and compare them</source>
+        <translation>Faire un aperçu avec chaque méthode, les plus rapides d’abord, et les comparer</translation>
+    </message>
+    <message>
+        <source>Parameter s&amp;weep…</source>
+        <translation>&amp;Balayage de paramètres…</translation>
+    </message>
+    <message>
+        <source>Make a run for every combination of some values and compare them</source>
+        <translation>Faire un calcul pour chaque combinaison de quelques valeurs et les comparer</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Ce résultat a été retiré.</translation>
+    </message>
+    <message>
+        <source>%1 · exemplar · %2</source>
+        <translation>%1 · échantillon · %2</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · graine %2 · %3</translation>
+    </message>
+    <message>
+        <source>Write a contact sheet</source>
+        <translation>Écrire une planche-contact</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Images PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+</context>
+<context>
+    <name>text</name>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,157 @@
+#include "ui/session/preset_menu.h"
+
+#include "core/io/image_file.h"
+#include "ui/jobs/background.h"
+#include "ui/window/text.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QStandardPaths>
+
+#include <utility>
+
+namespace texloom::ui {
+
+namespace {
+
+/// "Old bark, fine" -> "old-bark-fine".
+QString idFrom(const QString& name) {
+    QString id;
+    for (const QChar letter : name.toLower())
+        if (letter.isLetterOrNumber())
+            id += letter;
+        else if (!id.isEmpty() && !id.endsWith(QLatin1Char('-')))
+            id += QLatin1Char('-');
+    while (id.endsWith(QLatin1Char('-')))
+        id.chop(1);
+    return id;
+}
+
+Preset presetNamed(const QString& name, std::vector<RecipeStep> steps) {
+    return {idFrom(name).toStdString(), name.trimmed().toStdString(), {}, std::move(steps)};
+}
+
+QString fileOf(const QString& id) {
+    return PresetMenu::folder() + QLatin1Char('/') + id + QStringLiteral(".json");
+}
+
+} // namespace
+
+PresetMenu::PresetMenu(std::function<std::vector<RecipeStep>()> steps, QWidget* parent)
+    : QMenu(tr("Pre&sets"), parent), m_steps(std::move(steps)) {
+    setObjectName(QStringLiteral("presetMenu"));
+    setToolTipsVisible(true);
+    connect(this, &QMenu::aboutToShow, this, &PresetMenu::fill);
+    fill();
+}
+
+QString PresetMenu::folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/presets");
+}
+
+void PresetMenu::addPreset(QMenu* menu, const Preset& preset, bool shipped) {
+    const auto text = [shipped](const std::string& words) {
+        return shipped ? translated(words) : QString::fromStdString(words);
+    };
+    QAction* const action =
+        menu->addAction(text(preset.title).replace(QLatin1Char('&'), QStringLiteral("&&")));
+    action->setObjectName(QString::fromStdString((shipped ? "preset-" : "own-preset-") + preset.id));
+    action->setToolTip(text(preset.summary));
+    connect(action, &QAction::triggered, this, [this, preset] { Q_EMIT chosen(preset); });
+}
+
+void PresetMenu::fill() {
+    clear();
+    for (const Preset& preset : presets())
+        addPreset(this, preset, true);
+    addSeparator();
+    const std::vector<Preset> own = presetsIn(
+        toPath(folder()), [this](const std::string& why) { Q_EMIT failed(QString::fromStdString(why)); });
+    for (const Preset& preset : own)
+        addPreset(this, preset, false);
+    addSeparator();
+    QAction* const keeping = addAction(tr("&Keep settings as a preset…"), this, &PresetMenu::askForName);
+    keeping->setObjectName(QStringLiteral("keepPreset"));
+    addAction(tr("&Import presets…"), this, &PresetMenu::askForImport);
+    addAction(tr("&Export settings as a preset…"), this, &PresetMenu::askForExport);
+    QMenu* const removing = addMenu(tr("&Remove"));
+    removing->setEnabled(!own.empty());
+    for (const Preset& preset : own)
+        removing->addAction(QString::fromStdString(preset.title), this,
+                            [this, id = QString::fromStdString(preset.id)] { remove(id); });
+}
+
+void PresetMenu::keep(const QString& name) {
+    const Preset preset = presetNamed(name, m_steps());
+    const QString id = QString::fromStdString(preset.id);
+    if (id.isEmpty())
+        return Q_EMIT failed(tr("The preset needs a name with a letter or a figure in it."));
+    if (QFile::exists(fileOf(id)))
+        return Q_EMIT failed(
+            tr("There is a preset %1 already; choose another name or remove it first.").arg(name));
+    exportTo(fileOf(id), name);
+}
+
+void PresetMenu::exportTo(const QString& path, const QString& name) {
+    try {
+        QDir().mkpath(QFileInfo(path).path());
+        writeText(toPath(path), presetNamed(name, m_steps()).toJson());
+        fill();
+        Q_EMIT told(tr("Kept the preset %1.").arg(name));
+    } catch (const std::exception& error) {
+        Q_EMIT failed(sentence(error));
+    }
+}
+
+void PresetMenu::importFrom(const QString& path) {
+    const QFileInfo file(path);
+    try {
+        const Preset preset = Preset::fromJson(file.completeBaseName().toStdString(), readText(toPath(path)));
+        const QString target = fileOf(idFrom(file.completeBaseName()));
+        if (QFile::exists(target))
+            return Q_EMIT failed(
+                tr("There is a preset %1 already; rename the file or remove the preset first.")
+                    .arg(file.completeBaseName()));
+        QDir().mkpath(folder());
+        writeText(toPath(target), preset.toJson());
+        fill();
+        Q_EMIT told(tr("Imported the preset %1.").arg(QString::fromStdString(preset.title)));
+    } catch (const std::exception& error) {
+        Q_EMIT failed(tr("%1: %2").arg(file.fileName(), sentence(error)));
+    }
+}
+
+void PresetMenu::remove(const QString& id) {
+    if (!QFile::remove(fileOf(id)))
+        Q_EMIT failed(tr("The preset %1 could not be removed.").arg(id));
+    fill();
+}
+
+void PresetMenu::askForName() {
+    auto* dialog = new QInputDialog(parentWidget());
+    dialog->setObjectName(QStringLiteral("presetName"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Keep settings as a preset"));
+    dialog->setLabelText(tr("Name of the preset"));
+    connect(dialog, &QInputDialog::textValueSelected, this, &PresetMenu::keep);
+    dialog->open();
+}
+
+void PresetMenu::askForImport() {
+    for (const QString& path :
+         QFileDialog::getOpenFileNames(parentWidget(), tr("Import presets"), {}, tr("Presets (*.json)")))
+        importFrom(path);
+}
+
+void PresetMenu::askForExport() {
+    const QString path = QFileDialog::getSaveFileName(parentWidget(), tr("Export settings as a preset"), {},
+                                                      tr("Presets (*.json)"));
+    if (!path.isEmpty())
+        exportTo(path.endsWith(QStringLiteral(".json")) ? path : path + QStringLiteral(".json"),
+                 QFileInfo(path).completeBaseName());
+}
+
+} // namespace texloom::ui
