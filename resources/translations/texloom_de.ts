@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>FiguresPanel</name>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+</context>
+<context>
     <name>background</name>
     <message>
         <source>There is not enough memory for this; close an image or choose a smaller one.</source>
@@ -974,6 +997,26 @@
         <source>sRGB</source>
         <translation>sRGB</translation>
     </message>
+    <message>
+        <source>Comparing colours</source>
+        <translation>Farben werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing patches</source>
+        <translation>Patches werden verglichen</translation>
+    </message>
+    <message>
+        <source>Comparing with itself</source>
+        <translation>Vergleich mit sich selbst</translation>
+    </message>
+    <message>
+        <source>Estimating the map</source>
+        <translation>Karte wird geschätzt</translation>
+    </message>
+    <message>
+        <source>Laying out the band</source>
+        <translation>Streifen wird ausgelegt</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1197,6 +1240,205 @@
     <message>
         <source>&amp;About Texloom</source>
         <translation>&amp;Über Texloom</translation>
+    </message>
+    <message>
+        <source>&amp;Copied pieces</source>
+        <translation>&amp;Kopierte Stücke</translation>
+    </message>
+    <message>
+        <source>&amp;Lattice</source>
+        <translation>&amp;Gitter</translation>
+    </message>
+    <message>
+        <source>Find or set the vectors by which the exemplar repeats itself</source>
+        <translation>Die Vektoren finden oder setzen, um die sich die Vorlage wiederholt</translation>
+    </message>
+    <message>
+        <source>&amp;Blend two images…</source>
+        <translation>Zwei Bilder über&amp;blenden …</translation>
+    </message>
+    <message>
+        <source>Join two images along a curve</source>
+        <translation>Zwei Bilder entlang einer Kurve verbinden</translation>
+    </message>
+    <message>
+        <source>Patch &amp;variance…</source>
+        <translation>Patch&amp;varianz …</translation>
+    </message>
+    <message>
+        <source>How much patches vary that are alike, by their size and number</source>
+        <translation>Wie stark ähnliche Patches schwanken, nach Größe und Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::BlendWindow</name>
+    <message>
+        <source>Minimum-error cut</source>
+        <translation>Schnitt mit kleinstem Fehler</translation>
+    </message>
+    <message>
+        <source>Poisson editing</source>
+        <translation>Poisson-Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Midway, linear</source>
+        <translation>Midway, linear</translation>
+    </message>
+    <message>
+        <source>Midway, progressive</source>
+        <translation>Midway, fortschreitend</translation>
+    </message>
+    <message>
+        <source>Show the cur&amp;ve and its band</source>
+        <translation>K&amp;urve und Streifen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Open as e&amp;xemplar</source>
+        <translation>Als &amp;Vorlage öffnen</translation>
+    </message>
+    <message>
+        <source>Blend two images</source>
+        <translation>Zwei Bilder überblenden</translation>
+    </message>
+    <message>
+        <source>&amp;First</source>
+        <translation>&amp;Erstes</translation>
+    </message>
+    <message>
+        <source>S&amp;econd</source>
+        <translation>&amp;Zweites</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Circular</source>
+        <translation>Kreisförmig</translation>
+    </message>
+    <message>
+        <source>The first image lies above, left of or outside the curve; circles go around the bottom right corner.</source>
+        <translation>Das erste Bild liegt über, links von oder außerhalb der Kurve; Kreise laufen um die untere rechte Ecke.</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Position</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>How far from the curve, on either side, pixels may change.</source>
+        <translation>Wie weit von der Kurve sich Pixel beiderseits ändern dürfen.</translation>
+    </message>
+    <message>
+        <source>&amp;Band</source>
+        <translation>&amp;Streifen</translation>
+    </message>
+    <message>
+        <source>As they are (RGB)</source>
+        <translation>Wie sie sind (RGB)</translation>
+    </message>
+    <message>
+        <source>Cosine axes (DCT)</source>
+        <translation>Kosinusachsen (DCT)</translation>
+    </message>
+    <message>
+        <source>Principal axes (PCA)</source>
+        <translation>Hauptachsen (PCA)</translation>
+    </message>
+    <message>
+        <source>The colour axes that midway blending treats one by one.</source>
+        <translation>Die Farbachsen, die Midway-Überblenden einzeln behandelt.</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a file as the first image</source>
+        <translation>Eine Datei als erstes Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Open a file as the second image</source>
+        <translation>Eine Datei als zweites Bild öffnen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Position of the curve</source>
+        <translation>Lage der Kurve</translation>
+    </message>
+    <message>
+        <source>Choose two images of one size.</source>
+        <translation>Wählen Sie zwei Bilder gleicher Größe.</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Stopped. The pictures are those of earlier settings; any change begins anew.</source>
+        <translation>Angehalten. Die Bilder gehören zu früheren Einstellungen; jede Änderung beginnt neu.</translation>
+    </message>
+    <message>
+        <source>Open an image</source>
+        <translation>Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Open two images of one size to blend.</source>
+        <translation>Öffnen Sie zwei Bilder gleicher Größe zum Überblenden.</translation>
+    </message>
+    <message>
+        <source>Tick at least one way to show.</source>
+        <translation>Haken Sie mindestens eine Art zum Zeigen an.</translation>
+    </message>
+    <message>
+        <source>Blending…</source>
+        <translation>Wird überblendet …</translation>
+    </message>
+    <message>
+        <source>%1 and %2.png</source>
+        <translation>%1 und %2.png</translation>
+    </message>
+    <message>
+        <source>Save the blend</source>
+        <translation>Überblendung speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.tif *.exr *.hdr)</source>
+        <translation>Bilder (*.png *.jpg *.tif *.exr *.hdr)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -1874,6 +2116,10 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>None</source>
         <translation>Keine</translation>
     </message>
+    <message>
+        <source>Position map</source>
+        <translation>Positionskarte</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarStore</name>
@@ -2090,6 +2336,93 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::FiguresPanel</name>
+    <message>
+        <source>exemplar</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>%1: %2 % in other bins</source>
+        <translation>%1: %2 % in anderen Klassen</translation>
+    </message>
+    <message>
+        <source>share, %</source>
+        <translation>Anteil, %</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Make a result to see its figures.</source>
+        <translation>Erzeugen Sie ein Ergebnis, um seine Kennzahlen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Stopped. Make another result, or close and open this dock to begin anew.</source>
+        <translation>Angehalten. Erzeugen Sie ein anderes Ergebnis, oder schließen und öffnen Sie diesen Bereich, um neu zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Looking at the result…</source>
+        <translation>Ergebnis wird betrachtet …</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Colours: %1</source>
+        <translation>Farben: %1</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Patches: first component</source>
+        <translation>Patches: erste Komponente</translation>
+    </message>
+    <message>
+        <source>Patches: second component</source>
+        <translation>Patches: zweite Komponente</translation>
+    </message>
+    <message>
+        <source>place along the principal axis</source>
+        <translation>Lage auf der Hauptachse</translation>
+    </message>
+    <message>
+        <source>Autocorrelation: exemplar</source>
+        <translation>Autokorrelation: Vorlage</translation>
+    </message>
+    <message>
+        <source>Autocorrelation: result</source>
+        <translation>Autokorrelation: Ergebnis</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::GridRun</name>
     <message>
         <source>Under way…</source>
@@ -2223,6 +2556,141 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>How many of the processor's threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
         <translation>Wie viele Threads des Prozessors Vorgänge von jetzt an benutzen dürfen. Weniger lassen den Rechner für anderes frei; die Ergebnisse sind dieselben.</translation>
+    </message>
+    <message>
+        <source>Double click or Return on the run under way shows it as it goes</source>
+        <translation>Doppelklick oder Eingabe auf dem laufenden Vorgang zeigt ihn, wie er wächst</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LatticeTool</name>
+    <message>
+        <source>Exemplar with its lattice</source>
+        <translation>Vorlage mit ihrem Gitter</translation>
+    </message>
+    <message>
+        <source>Open an exemplar to find its lattice.</source>
+        <translation>Öffnen Sie eine Vorlage, um ihr Gitter zu finden.</translation>
+    </message>
+    <message>
+        <source>Correlation of the exemplar with itself</source>
+        <translation>Korrelation der Vorlage mit sich selbst</translation>
+    </message>
+    <message>
+        <source>How alike the exemplar is to itself when it is moved: bright where it repeats. The lattice's points belong on the bright spots.</source>
+        <translation>Wie ähnlich die verschobene Vorlage sich selbst ist: hell, wo sie sich wiederholt. Die Gitterpunkte gehören auf die hellen Flecken.</translation>
+    </message>
+    <message>
+        <source>The correlation of the exemplar with itself shows here.</source>
+        <translation>Hier erscheint die Korrelation der Vorlage mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>Lattices to choose from</source>
+        <translation>Gitter zur Auswahl</translation>
+    </message>
+    <message>
+        <source>First vector</source>
+        <translation>Erster Vektor</translation>
+    </message>
+    <message>
+        <source>Second vector</source>
+        <translation>Zweiter Vektor</translation>
+    </message>
+    <message>
+        <source>Goodness</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>right, px</source>
+        <translation>nach rechts, px</translation>
+    </message>
+    <message>
+        <source>down, px</source>
+        <translation>nach unten, px</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, nach rechts</translation>
+    </message>
+    <message>
+        <source>%1, down</source>
+        <translation>%1, nach unten</translation>
+    </message>
+    <message>
+        <source>Where a tile begins. The methods choose by themselves until it is moved.</source>
+        <translation>Wo eine Kachel beginnt. Die Verfahren wählen selbst, bis er bewegt wird.</translation>
+    </message>
+    <message>
+        <source>Detect</source>
+        <translation>Erkennen</translation>
+    </message>
+    <message>
+        <source>Look for the lattice in the exemplar again</source>
+        <translation>Das Gitter in der Vorlage noch einmal suchen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Move the vectors so that all their multiples come nearest to the bright spots</source>
+        <translation>Die Vektoren so bewegen, dass alle ihre Vielfachen den hellen Flecken am nächsten kommen</translation>
+    </message>
+    <message>
+        <source>Looking for the lattice…</source>
+        <translation>Gitter wird gesucht …</translation>
+    </message>
+    <message>
+        <source>Mean correlation %1 over %2 multiples of the vectors</source>
+        <translation>Mittlere Korrelation %1 über %2 Vielfache der Vektoren</translation>
+    </message>
+    <message>
+        <source>Use in %1</source>
+        <translation>In %1 benutzen</translation>
+    </message>
+    <message>
+        <source>%1 follows no lattice.</source>
+        <translation>%1 folgt keinem Gitter.</translation>
+    </message>
+    <message>
+        <source>%1 is set to use no lattice.</source>
+        <translation>%1 ist ohne Gitter eingestellt.</translation>
+    </message>
+    <message>
+        <source>%1 looks for the lattice by itself.</source>
+        <translation>%1 sucht das Gitter selbst.</translation>
+    </message>
+    <message>
+        <source>✓ %1 uses this lattice.</source>
+        <translation>✓ %1 benutzt dieses Gitter.</translation>
+    </message>
+    <message>
+        <source>%1 uses another lattice: %2 and %3 px.</source>
+        <translation>%1 benutzt ein anderes Gitter: %2 und %3 px.</translation>
+    </message>
+    <message>
+        <source>Open an exemplar first.</source>
+        <translation>Öffnen Sie zuerst eine Vorlage.</translation>
+    </message>
+    <message>
+        <source>Press Detect to look for the lattice, or give its vectors.</source>
+        <translation>Drücken Sie „Erkennen“, um das Gitter zu suchen, oder geben Sie seine Vektoren an.</translation>
+    </message>
+    <message>
+        <source>%1 repeats itself by this lattice (confidence %2).</source>
+        <translation>%1 wiederholt sich nach diesem Gitter (Sicherheit %2).</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors; if not, methods without a lattice suit it, such as image quilting.</source>
+        <translation>Nichts in %1 wiederholt sich. Ein Vektor muss etwa zweimal in die Vorlage passen, um gefunden zu werden. Sehen Sie eine Wiederholung, geben Sie die Vektoren an; wenn nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
+    </message>
+    <message>
+        <source>No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what you see; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
+        <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines oder ziehen Sie die Vektoren auf das, was Sie sehen; wiederholt es sich nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2975,53 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>%1[*] – Texloom</source>
         <translation>%1[*] – Texloom</translation>
     </message>
+    <message>
+        <source>Lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>The vectors by which the exemplar repeats itself: found, corrected, and given to the method.</source>
+        <translation>Die Vektoren, um die sich die Vorlage wiederholt: gefunden, berichtigt und dem Verfahren gegeben.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>once in the result</source>
+        <translation>einmal im Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 times in the result</source>
+        <translation>%1-mal im Ergebnis</translation>
+    </message>
+    <message>
+        <source>Result: %1</source>
+        <translation>Ergebnis: %1</translation>
+    </message>
+    <message>
+        <source>Open an exemplar first: its patches are compared with each other.</source>
+        <translation>Öffnen Sie zuerst eine Vorlage: Ihre Patches werden miteinander verglichen.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MapPage</name>
+    <message>
+        <source>Estimate the map</source>
+        <translation>Karte schätzen</translation>
+    </message>
+    <message>
+        <source>Look for the place in the exemplar that each pixel of the result is most like</source>
+        <translation>Die Stelle der Vorlage suchen, der jedes Pixel des Ergebnisses am ähnlichsten ist</translation>
+    </message>
+    <message>
+        <source>Estimating the map…</source>
+        <translation>Karte wird geschätzt …</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MessageBar</name>
@@ -2715,6 +3230,18 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Nothing</source>
         <translation>Nichts</translation>
     </message>
+    <message>
+        <source>Make</source>
+        <translation>Erzeugen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Only a part&lt;/b&gt; Makes a rectangle of the output, which equals that part of the whole.</source>
+        <translation>&lt;b&gt;Nur ein Teil&lt;/b&gt; Erzeugt ein Rechteck der Ausgabe, das diesem Teil des Ganzen gleicht.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Only a part&lt;/b&gt; %1 can only make the whole.</source>
+        <translation>&lt;b&gt;Nur ein Teil&lt;/b&gt; %1 kann nur das Ganze erzeugen.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ParamRow</name>
@@ -2753,6 +3280,60 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source> %1.</source>
         <translation> %1.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::PartEditor</name>
+    <message>
+        <source>only a part</source>
+        <translation>nur ein Teil</translation>
+    </message>
+    <message>
+        <source>Part's left</source>
+        <translation>Links des Teils</translation>
+    </message>
+    <message>
+        <source>Part's top</source>
+        <translation>Oben des Teils</translation>
+    </message>
+    <message>
+        <source>Part's width</source>
+        <translation>Breite des Teils</translation>
+    </message>
+    <message>
+        <source>Part's height</source>
+        <translation>Höhe des Teils</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>bei</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1, in pixels of the whole</source>
+        <translation>%1, in Pixeln des Ganzen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Plot</name>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Show the numbers in a table in place of the plot</source>
+        <translation>Die Zahlen in einer Tabelle statt des Diagramms zeigen</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Put the numbers on the clipboard, a line for each value of the horizontal axis</source>
+        <translation>Die Zahlen in die Zwischenablage legen, eine Zeile je Wert der waagrechten Achse</translation>
     </message>
 </context>
 <context>
@@ -2824,6 +3405,13 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Export settings as a preset</source>
         <translation>Einstellungen als Vorgabe exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Readout</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -2974,14 +3562,56 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Öffnen Sie eine Vorlage, um ihre Positionskarte zu sehen.</translation>
     </message>
     <message>
-        <source>This method makes new pixels and copies none,
-so there is no map of where they came from.</source>
-        <translation>Dieses Verfahren erzeugt neue Pixel und kopiert keine,
-also gibt es keine Karte ihrer Herkunft.</translation>
-    </message>
-    <message>
         <source>No result yet. The map shows where each of its pixels came from.</source>
         <translation>Noch kein Ergebnis. Die Karte zeigt, woher jedes seiner Pixel kommt.</translation>
+    </message>
+    <message>
+        <source>Exact: every pixel is a copy of the exemplar's pixel of this colour.</source>
+        <translation>Genau: Jedes Pixel ist eine Kopie des Vorlagenpixels dieser Farbe.</translation>
+    </message>
+    <message>
+        <source>Pixels are blends: each has the colour of the source that weighs most.</source>
+        <translation>Pixel sind Mischungen: Jedes hat die Farbe der Quelle mit dem größten Gewicht.</translation>
+    </message>
+    <message>
+        <source>Estimated: the place in the exemplar that each new pixel is most like.</source>
+        <translation>Geschätzt: die Stelle der Vorlage, der jedes neue Pixel am ähnlichsten ist.</translation>
+    </message>
+    <message>
+        <source>Copied pieces</source>
+        <translation>Kopierte Stücke</translation>
+    </message>
+    <message>
+        <source>What was copied in one piece: an even colour for each, with black borders.</source>
+        <translation>Was in einem Stück kopiert wurde: je eine gleichmäßige Farbe mit schwarzen Rändern.</translation>
+    </message>
+    <message>
+        <source>The largest piece copied as it is takes %1 of the result.%2</source>
+        <translation>Das größte unverändert kopierte Stück nimmt %1 des Ergebnisses ein.%2</translation>
+    </message>
+    <message>
+        <source>This method tells where pixels came from only at its end, or not at all.</source>
+        <translation>Dieses Verfahren sagt erst am Ende oder gar nicht, woher Pixel kommen.</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels and copies none,
+so there is no map of where they came from.
+An estimated one shows what in the exemplar each is most like.</source>
+        <translation>Dieses Verfahren erzeugt neue Pixel und kopiert keine,
+also gibt es keine Karte ihrer Herkunft.
+Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translation>
+    </message>
+    <message>
+        <source>Looking at what was copied…</source>
+        <translation>Kopiertes wird betrachtet …</translation>
+    </message>
+    <message>
+        <source>Estimated</source>
+        <translation>Geschätzt</translation>
+    </message>
+    <message>
+        <source>%1 · estimated</source>
+        <translation>%1 · geschätzt</translation>
     </message>
 </context>
 <context>
@@ -3083,6 +3713,46 @@ also gibt es keine Karte ihrer Herkunft.</translation>
     <message>
         <source>On a parameter's label: reset it</source>
         <translation>Auf der Beschriftung eines Parameters: ihn zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>In the lattice: go to the next handle; the arrow keys move it by 1 px, with Shift by 10 px, with Ctrl by 0.1 px</source>
+        <translation>Im Gitter: zum nächsten Griff; die Pfeiltasten bewegen ihn um 1 px, mit Umschalt um 10 px, mit Strg um 0,1 px</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>In a comparison: take over the settings of the picture in use</source>
+        <translation>Im Vergleich: die Einstellungen des gewählten Bildes übernehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+arrow keys</source>
+        <translation>Strg+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>In a wipe: move the line</source>
+        <translation>Beim Wischen: die Linie verschieben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+arrow keys</source>
+        <translation>Strg+Umschalt+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>In a wipe: turn the line</source>
+        <translation>Beim Wischen: die Linie drehen</translation>
+    </message>
+    <message>
+        <source>Shift+R, G, B, A, C</source>
+        <translation>Umschalt+R, G, B, A, C</translation>
+    </message>
+    <message>
+        <source>In a comparison: show red, green, blue, alpha, or colour</source>
+        <translation>Im Vergleich: Rot, Grün, Blau, Alpha oder Farbe zeigen</translation>
     </message>
 </context>
 <context>
@@ -3195,6 +3865,13 @@ also gibt es keine Karte ihrer Herkunft.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::TaskBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::UndoHistory</name>
     <message>
         <source>Method</source>
@@ -3227,6 +3904,81 @@ also gibt es keine Karte ihrer Herkunft.</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>Wiede&amp;rholen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::VarianceDialog</name>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>Be&amp;rechnen</translation>
+    </message>
+    <message>
+        <source>Patch variance</source>
+        <translation>Patchvarianz</translation>
+    </message>
+    <message>
+        <source>Sides of the patches in pixels, %1 to %2, with commas between</source>
+        <translation>Seiten der Patches in Pixeln, %1 bis %2, mit Kommas dazwischen</translation>
+    </message>
+    <message>
+        <source>How many of the patches most like one, %1 to %2, with commas between</source>
+        <translation>Wie viele der ähnlichsten Patches, %1 bis %2, mit Kommas dazwischen</translation>
+    </message>
+    <message>
+        <source>How many patches to take the mean over: more is surer and slower.</source>
+        <translation>Über wie viele Patches gemittelt wird: mehr ist sicherer und langsamer.</translation>
+    </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>Patch &amp;sizes n</source>
+        <translation>Patch&amp;größen n</translation>
+    </message>
+    <message>
+        <source>&amp;Neighbours m</source>
+        <translation>&amp;Nachbarn m</translation>
+    </message>
+    <message>
+        <source>&amp;Patches</source>
+        <translation>&amp;Patches</translation>
+    </message>
+    <message>
+        <source>Mean standard deviation of the m patches most like one</source>
+        <translation>Mittlere Standardabweichung der m ähnlichsten Patches</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>σ̄</source>
+        <translation>σ̄</translation>
+    </message>
+    <message>
+        <source>Press Compute. Where σ̄ is small, m patches are alike and a Gaussian model of them copies; where it is large, the model blurs.</source>
+        <translation>Drücken Sie „Berechnen“. Wo σ̄ klein ist, sind m Patches ähnlich, und ein Gauß-Modell kopiert sie; wo es groß ist, verwischt das Modell.</translation>
+    </message>
+    <message>
+        <source>Give patch sizes from %1 to %2 px with commas between, such as 10, 20, 40.</source>
+        <translation>Geben Sie Patchgrößen von %1 bis %2 px mit Kommas dazwischen an, etwa 10, 20, 40.</translation>
+    </message>
+    <message>
+        <source>Give numbers of neighbours from %1 to %2 with commas between, such as 5, 10, 30.</source>
+        <translation>Geben Sie Nachbarzahlen von %1 bis %2 mit Kommas dazwischen an, etwa 5, 10, 30.</translation>
+    </message>
+    <message>
+        <source>The smallest patch of %1 px does not fit into %2 with a shorter side of %3 px.</source>
+        <translation>Der kleinste Patch von %1 px passt nicht in %2 mit einer kürzeren Seite von %3 px.</translation>
+    </message>
+    <message>
+        <source>Comparing patches…</source>
+        <translation>Patches werden verglichen …</translation>
+    </message>
+    <message>
+        <source>n = %1 px</source>
+        <translation>n = %1 px</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>FiguresPanel</name>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Canal %1</translation>
+    </message>
+</context>
+<context>
     <name>background</name>
     <message>
         <source>There is not enough memory for this; close an image or choose a smaller one.</source>
@@ -974,6 +997,26 @@
         <source>sRGB</source>
         <translation>sRGB</translation>
     </message>
+    <message>
+        <source>Comparing colours</source>
+        <translation>Comparaison des couleurs</translation>
+    </message>
+    <message>
+        <source>Comparing patches</source>
+        <translation>Comparaison des patchs</translation>
+    </message>
+    <message>
+        <source>Comparing with itself</source>
+        <translation>Comparaison avec soi-même</translation>
+    </message>
+    <message>
+        <source>Estimating the map</source>
+        <translation>Estimation de la carte</translation>
+    </message>
+    <message>
+        <source>Laying out the band</source>
+        <translation>Disposition de la bande</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1197,6 +1240,205 @@
     <message>
         <source>&amp;About Texloom</source>
         <translation>À &amp;propos de Texloom</translation>
+    </message>
+    <message>
+        <source>&amp;Copied pieces</source>
+        <translation>Morceaux &amp;copiés</translation>
+    </message>
+    <message>
+        <source>&amp;Lattice</source>
+        <translation>&amp;Réseau</translation>
+    </message>
+    <message>
+        <source>Find or set the vectors by which the exemplar repeats itself</source>
+        <translation>Trouver ou fixer les vecteurs selon lesquels l’échantillon se répète</translation>
+    </message>
+    <message>
+        <source>&amp;Blend two images…</source>
+        <translation>&amp;Fondre deux images…</translation>
+    </message>
+    <message>
+        <source>Join two images along a curve</source>
+        <translation>Joindre deux images le long d’une courbe</translation>
+    </message>
+    <message>
+        <source>Patch &amp;variance…</source>
+        <translation>&amp;Variance des patchs…</translation>
+    </message>
+    <message>
+        <source>How much patches vary that are alike, by their size and number</source>
+        <translation>À quel point varient des patchs semblables, selon leur taille et leur nombre</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::BlendWindow</name>
+    <message>
+        <source>Minimum-error cut</source>
+        <translation>Coupe d’erreur minimale</translation>
+    </message>
+    <message>
+        <source>Poisson editing</source>
+        <translation>Édition de Poisson</translation>
+    </message>
+    <message>
+        <source>Midway, linear</source>
+        <translation>Midway, linéaire</translation>
+    </message>
+    <message>
+        <source>Midway, progressive</source>
+        <translation>Midway, progressif</translation>
+    </message>
+    <message>
+        <source>Show the cur&amp;ve and its band</source>
+        <translation>Montrer la cour&amp;be et sa bande</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Open as e&amp;xemplar</source>
+        <translation>Ouvrir comme é&amp;chantillon</translation>
+    </message>
+    <message>
+        <source>Blend two images</source>
+        <translation>Fondre deux images</translation>
+    </message>
+    <message>
+        <source>&amp;First</source>
+        <translation>&amp;Première</translation>
+    </message>
+    <message>
+        <source>S&amp;econd</source>
+        <translation>&amp;Seconde</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontale</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Verticale</translation>
+    </message>
+    <message>
+        <source>Circular</source>
+        <translation>Circulaire</translation>
+    </message>
+    <message>
+        <source>The first image lies above, left of or outside the curve; circles go around the bottom right corner.</source>
+        <translation>La première image est au-dessus, à gauche ou en dehors de la courbe ; les cercles entourent le coin inférieur droit.</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Courbe</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Position</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>How far from the curve, on either side, pixels may change.</source>
+        <translation>Jusqu’à quelle distance de la courbe, de chaque côté, les pixels peuvent changer.</translation>
+    </message>
+    <message>
+        <source>&amp;Band</source>
+        <translation>&amp;Bande</translation>
+    </message>
+    <message>
+        <source>As they are (RGB)</source>
+        <translation>Telles quelles (RVB)</translation>
+    </message>
+    <message>
+        <source>Cosine axes (DCT)</source>
+        <translation>Axes cosinus (DCT)</translation>
+    </message>
+    <message>
+        <source>Principal axes (PCA)</source>
+        <translation>Axes principaux (ACP)</translation>
+    </message>
+    <message>
+        <source>The colour axes that midway blending treats one by one.</source>
+        <translation>Les axes de couleur que le fondu midway traite un à un.</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours</source>
+        <translation>Co&amp;uleurs</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open a file as the first image</source>
+        <translation>Ouvrir un fichier comme première image</translation>
+    </message>
+    <message>
+        <source>Open a file as the second image</source>
+        <translation>Ouvrir un fichier comme seconde image</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Position of the curve</source>
+        <translation>Position de la courbe</translation>
+    </message>
+    <message>
+        <source>Choose two images of one size.</source>
+        <translation>Choisissez deux images de même taille.</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Stopped. The pictures are those of earlier settings; any change begins anew.</source>
+        <translation>Arrêté. Les images sont celles de réglages antérieurs ; tout changement recommence.</translation>
+    </message>
+    <message>
+        <source>Open an image</source>
+        <translation>Ouvrir une image</translation>
+    </message>
+    <message>
+        <source>Open two images of one size to blend.</source>
+        <translation>Ouvrez deux images de même taille à fondre.</translation>
+    </message>
+    <message>
+        <source>Tick at least one way to show.</source>
+        <translation>Cochez au moins une façon à montrer.</translation>
+    </message>
+    <message>
+        <source>Blending…</source>
+        <translation>Fondu en cours…</translation>
+    </message>
+    <message>
+        <source>%1 and %2.png</source>
+        <translation>%1 et %2.png</translation>
+    </message>
+    <message>
+        <source>Save the blend</source>
+        <translation>Enregistrer le fondu</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.tif *.exr *.hdr)</source>
+        <translation>Images (*.png *.jpg *.tif *.exr *.hdr)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
     </message>
 </context>
 <context>
@@ -1874,6 +2116,10 @@ Déposez une image ici.</translation>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
+    <message>
+        <source>Position map</source>
+        <translation>Carte de positions</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarStore</name>
@@ -2090,6 +2336,93 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::FiguresPanel</name>
+    <message>
+        <source>exemplar</source>
+        <translation>échantillon</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>résultat</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>différence</translation>
+    </message>
+    <message>
+        <source>%1: %2 % in other bins</source>
+        <translation>%1 : %2 % dans d’autres classes</translation>
+    </message>
+    <message>
+        <source>share, %</source>
+        <translation>part, %</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>Make a result to see its figures.</source>
+        <translation>Produisez un résultat pour voir ses mesures.</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Stopped. Make another result, or close and open this dock to begin anew.</source>
+        <translation>Arrêté. Produisez un autre résultat, ou fermez et rouvrez ce volet pour recommencer.</translation>
+    </message>
+    <message>
+        <source>Looking at the result…</source>
+        <translation>Examen du résultat…</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>étape</translation>
+    </message>
+    <message>
+        <source>Colours: %1</source>
+        <translation>Couleurs : %1</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valeur</translation>
+    </message>
+    <message>
+        <source>Patches: first component</source>
+        <translation>Patchs : première composante</translation>
+    </message>
+    <message>
+        <source>Patches: second component</source>
+        <translation>Patchs : seconde composante</translation>
+    </message>
+    <message>
+        <source>place along the principal axis</source>
+        <translation>position sur l’axe principal</translation>
+    </message>
+    <message>
+        <source>Autocorrelation: exemplar</source>
+        <translation>Autocorrélation : échantillon</translation>
+    </message>
+    <message>
+        <source>Autocorrelation: result</source>
+        <translation>Autocorrélation : résultat</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::GridRun</name>
     <message>
         <source>Under way…</source>
@@ -2223,6 +2556,141 @@ Déposez une image ici.</translation>
     <message>
         <source>How many of the processor's threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
         <translation>Combien de threads du processeur les calculs peuvent utiliser désormais. Moins laisse l’ordinateur libre pour autre chose ; les résultats sont les mêmes.</translation>
+    </message>
+    <message>
+        <source>Double click or Return on the run under way shows it as it goes</source>
+        <translation>Un double-clic ou Entrée sur le calcul en cours le montre tel qu’il avance</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LatticeTool</name>
+    <message>
+        <source>Exemplar with its lattice</source>
+        <translation>Échantillon avec son réseau</translation>
+    </message>
+    <message>
+        <source>Open an exemplar to find its lattice.</source>
+        <translation>Ouvrez un échantillon pour trouver son réseau.</translation>
+    </message>
+    <message>
+        <source>Correlation of the exemplar with itself</source>
+        <translation>Corrélation de l’échantillon avec lui-même</translation>
+    </message>
+    <message>
+        <source>How alike the exemplar is to itself when it is moved: bright where it repeats. The lattice's points belong on the bright spots.</source>
+        <translation>À quel point l’échantillon décalé se ressemble : clair là où il se répète. Les points du réseau vont sur les taches claires.</translation>
+    </message>
+    <message>
+        <source>The correlation of the exemplar with itself shows here.</source>
+        <translation>La corrélation de l’échantillon avec lui-même s’affiche ici.</translation>
+    </message>
+    <message>
+        <source>Lattices to choose from</source>
+        <translation>Réseaux au choix</translation>
+    </message>
+    <message>
+        <source>First vector</source>
+        <translation>Premier vecteur</translation>
+    </message>
+    <message>
+        <source>Second vector</source>
+        <translation>Second vecteur</translation>
+    </message>
+    <message>
+        <source>Goodness</source>
+        <translation>Qualité</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>right, px</source>
+        <translation>vers la droite, px</translation>
+    </message>
+    <message>
+        <source>down, px</source>
+        <translation>vers le bas, px</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, vers la droite</translation>
+    </message>
+    <message>
+        <source>%1, down</source>
+        <translation>%1, vers le bas</translation>
+    </message>
+    <message>
+        <source>Where a tile begins. The methods choose by themselves until it is moved.</source>
+        <translation>Où commence une tuile. Les méthodes choisissent elles-mêmes tant qu’on ne la déplace pas.</translation>
+    </message>
+    <message>
+        <source>Detect</source>
+        <translation>Détecter</translation>
+    </message>
+    <message>
+        <source>Look for the lattice in the exemplar again</source>
+        <translation>Chercher de nouveau le réseau dans l’échantillon</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Move the vectors so that all their multiples come nearest to the bright spots</source>
+        <translation>Déplacer les vecteurs pour que tous leurs multiples s’approchent au mieux des taches claires</translation>
+    </message>
+    <message>
+        <source>Looking for the lattice…</source>
+        <translation>Recherche du réseau…</translation>
+    </message>
+    <message>
+        <source>Mean correlation %1 over %2 multiples of the vectors</source>
+        <translation>Corrélation moyenne %1 sur %2 multiples des vecteurs</translation>
+    </message>
+    <message>
+        <source>Use in %1</source>
+        <translation>Utiliser dans %1</translation>
+    </message>
+    <message>
+        <source>%1 follows no lattice.</source>
+        <translation>%1 ne suit aucun réseau.</translation>
+    </message>
+    <message>
+        <source>%1 is set to use no lattice.</source>
+        <translation>%1 est réglé sans réseau.</translation>
+    </message>
+    <message>
+        <source>%1 looks for the lattice by itself.</source>
+        <translation>%1 cherche lui-même le réseau.</translation>
+    </message>
+    <message>
+        <source>✓ %1 uses this lattice.</source>
+        <translation>✓ %1 utilise ce réseau.</translation>
+    </message>
+    <message>
+        <source>%1 uses another lattice: %2 and %3 px.</source>
+        <translation>%1 utilise un autre réseau : %2 et %3 px.</translation>
+    </message>
+    <message>
+        <source>Open an exemplar first.</source>
+        <translation>Ouvrez d’abord un échantillon.</translation>
+    </message>
+    <message>
+        <source>Press Detect to look for the lattice, or give its vectors.</source>
+        <translation>Cliquez sur Détecter pour chercher le réseau, ou donnez ses vecteurs.</translation>
+    </message>
+    <message>
+        <source>%1 repeats itself by this lattice (confidence %2).</source>
+        <translation>%1 se répète selon ce réseau (confiance %2).</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors; if not, methods without a lattice suit it, such as image quilting.</source>
+        <translation>Rien ne se répète dans %1. Un vecteur doit tenir environ deux fois dans l’échantillon pour être trouvé. Si vous voyez une répétition, donnez les vecteurs ; sinon, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
+    </message>
+    <message>
+        <source>No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what you see; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
+        <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous ou glissez les vecteurs sur ce que vous voyez ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
     </message>
 </context>
 <context>
@@ -2507,6 +2975,53 @@ Déposez une image ici.</translation>
         <source>%1[*] – Texloom</source>
         <translation>%1[*] – Texloom</translation>
     </message>
+    <message>
+        <source>Lattice</source>
+        <translation>Réseau</translation>
+    </message>
+    <message>
+        <source>The vectors by which the exemplar repeats itself: found, corrected, and given to the method.</source>
+        <translation>Les vecteurs selon lesquels l’échantillon se répète : trouvés, corrigés et donnés à la méthode.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Mesures</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>once in the result</source>
+        <translation>une fois dans le résultat</translation>
+    </message>
+    <message>
+        <source>%1 times in the result</source>
+        <translation>%1 fois dans le résultat</translation>
+    </message>
+    <message>
+        <source>Result: %1</source>
+        <translation>Résultat : %1</translation>
+    </message>
+    <message>
+        <source>Open an exemplar first: its patches are compared with each other.</source>
+        <translation>Ouvrez d’abord un échantillon : ses patchs sont comparés entre eux.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MapPage</name>
+    <message>
+        <source>Estimate the map</source>
+        <translation>Estimer la carte</translation>
+    </message>
+    <message>
+        <source>Look for the place in the exemplar that each pixel of the result is most like</source>
+        <translation>Chercher l’endroit de l’échantillon auquel chaque pixel du résultat ressemble le plus</translation>
+    </message>
+    <message>
+        <source>Estimating the map…</source>
+        <translation>Estimation de la carte…</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MessageBar</name>
@@ -2715,6 +3230,18 @@ Déposez une image ici.</translation>
         <source>Nothing</source>
         <translation>Rien</translation>
     </message>
+    <message>
+        <source>Make</source>
+        <translation>Produire</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Only a part&lt;/b&gt; Makes a rectangle of the output, which equals that part of the whole.</source>
+        <translation>&lt;b&gt;Une partie seulement&lt;/b&gt; Produit un rectangle de la sortie, égal à cette partie du tout.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Only a part&lt;/b&gt; %1 can only make the whole.</source>
+        <translation>&lt;b&gt;Une partie seulement&lt;/b&gt; %1 ne peut produire que le tout.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ParamRow</name>
@@ -2753,6 +3280,60 @@ Déposez une image ici.</translation>
     <message>
         <source> %1.</source>
         <translation> %1.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::PartEditor</name>
+    <message>
+        <source>only a part</source>
+        <translation>une partie seulement</translation>
+    </message>
+    <message>
+        <source>Part's left</source>
+        <translation>Gauche de la partie</translation>
+    </message>
+    <message>
+        <source>Part's top</source>
+        <translation>Haut de la partie</translation>
+    </message>
+    <message>
+        <source>Part's width</source>
+        <translation>Largeur de la partie</translation>
+    </message>
+    <message>
+        <source>Part's height</source>
+        <translation>Hauteur de la partie</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>en</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>taille</translation>
+    </message>
+    <message>
+        <source>%1, in pixels of the whole</source>
+        <translation>%1, en pixels du tout</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Plot</name>
+    <message>
+        <source>Numbers</source>
+        <translation>Nombres</translation>
+    </message>
+    <message>
+        <source>Show the numbers in a table in place of the plot</source>
+        <translation>Montrer les nombres dans un tableau au lieu du graphique</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copier en CSV</translation>
+    </message>
+    <message>
+        <source>Put the numbers on the clipboard, a line for each value of the horizontal axis</source>
+        <translation>Mettre les nombres dans le presse-papiers, une ligne par valeur de l’axe horizontal</translation>
     </message>
 </context>
 <context>
@@ -2824,6 +3405,13 @@ Déposez une image ici.</translation>
     <message>
         <source>Export settings as a preset</source>
         <translation>Exporter les réglages comme préréglage</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Readout</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -2974,14 +3562,56 @@ Déposez une image ici.</translation>
         <translation>Ouvrez un échantillon pour voir sa carte de positions.</translation>
     </message>
     <message>
-        <source>This method makes new pixels and copies none,
-so there is no map of where they came from.</source>
-        <translation>Cette méthode crée des pixels et n’en copie aucun,
-il n’y a donc pas de carte de leur provenance.</translation>
-    </message>
-    <message>
         <source>No result yet. The map shows where each of its pixels came from.</source>
         <translation>Pas encore de résultat. La carte montre d’où vient chacun de ses pixels.</translation>
+    </message>
+    <message>
+        <source>Exact: every pixel is a copy of the exemplar's pixel of this colour.</source>
+        <translation>Exacte : chaque pixel est une copie du pixel de l’échantillon de cette couleur.</translation>
+    </message>
+    <message>
+        <source>Pixels are blends: each has the colour of the source that weighs most.</source>
+        <translation>Les pixels sont des mélanges : chacun a la couleur de la source de plus grand poids.</translation>
+    </message>
+    <message>
+        <source>Estimated: the place in the exemplar that each new pixel is most like.</source>
+        <translation>Estimée : l’endroit de l’échantillon auquel chaque nouveau pixel ressemble le plus.</translation>
+    </message>
+    <message>
+        <source>Copied pieces</source>
+        <translation>Morceaux copiés</translation>
+    </message>
+    <message>
+        <source>What was copied in one piece: an even colour for each, with black borders.</source>
+        <translation>Ce qui a été copié d’un seul tenant : une couleur unie pour chacun, aux bords noirs.</translation>
+    </message>
+    <message>
+        <source>The largest piece copied as it is takes %1 of the result.%2</source>
+        <translation>Le plus grand morceau copié tel quel occupe %1 du résultat.%2</translation>
+    </message>
+    <message>
+        <source>This method tells where pixels came from only at its end, or not at all.</source>
+        <translation>Cette méthode ne dit d’où viennent les pixels qu’à la fin, ou pas du tout.</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels and copies none,
+so there is no map of where they came from.
+An estimated one shows what in the exemplar each is most like.</source>
+        <translation>Cette méthode crée des pixels et n’en copie aucun,
+il n’y a donc pas de carte de leur provenance.
+Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Looking at what was copied…</source>
+        <translation>Examen de ce qui a été copié…</translation>
+    </message>
+    <message>
+        <source>Estimated</source>
+        <translation>Estimée</translation>
+    </message>
+    <message>
+        <source>%1 · estimated</source>
+        <translation>%1 · estimée</translation>
     </message>
 </context>
 <context>
@@ -3083,6 +3713,46 @@ il n’y a donc pas de carte de leur provenance.</translation>
     <message>
         <source>On a parameter's label: reset it</source>
         <translation>Sur le nom d’un paramètre : le réinitialiser</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>In the lattice: go to the next handle; the arrow keys move it by 1 px, with Shift by 10 px, with Ctrl by 0.1 px</source>
+        <translation>Dans le réseau : poignée suivante ; les flèches la déplacent de 1 px, avec Maj de 10 px, avec Ctrl de 0,1 px</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>In a comparison: take over the settings of the picture in use</source>
+        <translation>Dans une comparaison : reprendre les réglages de l’image choisie</translation>
+    </message>
+    <message>
+        <source>Ctrl+arrow keys</source>
+        <translation>Ctrl+flèches</translation>
+    </message>
+    <message>
+        <source>In a wipe: move the line</source>
+        <translation>Dans un volet : déplacer la ligne</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+arrow keys</source>
+        <translation>Ctrl+Maj+flèches</translation>
+    </message>
+    <message>
+        <source>In a wipe: turn the line</source>
+        <translation>Dans un volet : tourner la ligne</translation>
+    </message>
+    <message>
+        <source>Shift+R, G, B, A, C</source>
+        <translation>Maj+R, G, B, A, C</translation>
+    </message>
+    <message>
+        <source>In a comparison: show red, green, blue, alpha, or colour</source>
+        <translation>Dans une comparaison : montrer rouge, vert, bleu, alpha ou couleur</translation>
     </message>
 </context>
 <context>
@@ -3195,6 +3865,13 @@ il n’y a donc pas de carte de leur provenance.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::TaskBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::UndoHistory</name>
     <message>
         <source>Method</source>
@@ -3227,6 +3904,81 @@ il n’y a donc pas de carte de leur provenance.</translation>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::VarianceDialog</name>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Calculer</translation>
+    </message>
+    <message>
+        <source>Patch variance</source>
+        <translation>Variance des patchs</translation>
+    </message>
+    <message>
+        <source>Sides of the patches in pixels, %1 to %2, with commas between</source>
+        <translation>Côtés des patchs en pixels, de %1 à %2, séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>How many of the patches most like one, %1 to %2, with commas between</source>
+        <translation>Combien des patchs les plus semblables, de %1 à %2, séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>How many patches to take the mean over: more is surer and slower.</source>
+        <translation>Sur combien de patchs faire la moyenne : davantage est plus sûr et plus lent.</translation>
+    </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>&amp;Image</translation>
+    </message>
+    <message>
+        <source>Patch &amp;sizes n</source>
+        <translation>&amp;Tailles de patch n</translation>
+    </message>
+    <message>
+        <source>&amp;Neighbours m</source>
+        <translation>&amp;Voisins m</translation>
+    </message>
+    <message>
+        <source>&amp;Patches</source>
+        <translation>&amp;Patchs</translation>
+    </message>
+    <message>
+        <source>Mean standard deviation of the m patches most like one</source>
+        <translation>Écart type moyen des m patchs les plus semblables</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>σ̄</source>
+        <translation>σ̄</translation>
+    </message>
+    <message>
+        <source>Press Compute. Where σ̄ is small, m patches are alike and a Gaussian model of them copies; where it is large, the model blurs.</source>
+        <translation>Cliquez sur Calculer. Là où σ̄ est petit, m patchs se ressemblent et un modèle gaussien les copie ; là où il est grand, le modèle floute.</translation>
+    </message>
+    <message>
+        <source>Give patch sizes from %1 to %2 px with commas between, such as 10, 20, 40.</source>
+        <translation>Donnez des tailles de patch de %1 à %2 px séparées par des virgules, par exemple 10, 20, 40.</translation>
+    </message>
+    <message>
+        <source>Give numbers of neighbours from %1 to %2 with commas between, such as 5, 10, 30.</source>
+        <translation>Donnez des nombres de voisins de %1 à %2 séparés par des virgules, par exemple 5, 10, 30.</translation>
+    </message>
+    <message>
+        <source>The smallest patch of %1 px does not fit into %2 with a shorter side of %3 px.</source>
+        <translation>Le plus petit patch de %1 px ne tient pas dans %2, dont le petit côté fait %3 px.</translation>
+    </message>
+    <message>
+        <source>Comparing patches…</source>
+        <translation>Comparaison des patchs…</translation>
+    </message>
+    <message>
+        <source>n = %1 px</source>
+        <translation>n = %1 px</translation>
     </message>
 </context>
 <context>

@@ -2,10 +2,10 @@
 
 #include "ui/window/icons.h"
 
-#include <QCoreApplication>
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>

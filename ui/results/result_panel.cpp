@@ -5,8 +5,8 @@
 #include "ui/results/result_text.h"
 #include "ui/window/icons.h"
 
-#include <QCoreApplication>
 #include <QAction>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>

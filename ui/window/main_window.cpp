@@ -186,8 +186,8 @@ void MainWindow::makeMenus() {
     edit->addAction(m_actions.copyResult);
     menuBar()
         ->addMenu(tr("E&xemplar"))
-        ->addActions({m_actions.editExemplar, m_actions.addCompanions, m_actions.lattice, m_actions.setMask, m_actions.clearMask,
-                      m_actions.removeExemplar});
+        ->addActions({m_actions.editExemplar, m_actions.addCompanions, m_actions.lattice, m_actions.setMask,
+                      m_actions.clearMask, m_actions.removeExemplar});
     QMenu* const synthesis = menuBar()->addMenu(tr("&Synthesis"));
     synthesis->addActions(
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
