@@ -151,7 +151,7 @@ private Q_SLOTS:
         QCOMPARE(m_window->input(false).exemplars.front().mask.has_value(),
                  m_window->inspector()->method()->info().usesMask);
         child<QAction>(*m_window, "clearExemplarMask")->trigger();
-        QVERIFY(!m_window->input(false).exemplars.front().mask);
+        QTRY_VERIFY(!m_window->input(false).exemplars.front().mask);
     }
 
     void recipeInAPictureRestoresTheSettings() {

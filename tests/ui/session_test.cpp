@@ -267,6 +267,9 @@ private Q_SLOTS:
         QVERIFY(targets->isVisible());
         const auto drop = [&](DropTargets::Target target) {
             targets->open(true, true);
+            QDragEnterEvent over(targets->placeOf(target).center(), Qt::CopyAction, &data, Qt::LeftButton,
+                                 Qt::NoModifier);
+            QApplication::sendEvent(targets, &over);
             QDropEvent event(targets->placeOf(target).center(), Qt::CopyAction, &data, Qt::LeftButton,
                              Qt::NoModifier);
             QApplication::sendEvent(targets, &event);
