@@ -1017,6 +1017,290 @@
         <source>Laying out the band</source>
         <translation>Streifen wird ausgelegt</translation>
     </message>
+    <message>
+        <source>Aggregation</source>
+        <translation>Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
+        <translation>Höchstens so viele je Patchgröße und Skala: mehr schließen besser an, dauern aber länger.</translation>
+    </message>
+    <message>
+        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
+        <translation>Höchstens so viele auf jeder Skala außer der feinsten: mehr schließen besser an, dauern aber länger.</translation>
+    </message>
+    <message>
+        <source>At most so many on the finest scale, where most of the time is spent.</source>
+        <translation>Höchstens so viele auf der feinsten Skala, auf der die meiste Zeit vergeht.</translation>
+    </message>
+    <message>
+        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
+        <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
+    </message>
+    <message>
+        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
+        <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
+    </message>
+    <message>
+        <source>Avoids colours that there are too many of already, so that all colours of the exemplar show.</source>
+        <translation>Meidet Farben, von denen es schon zu viele gibt, sodass alle Farben der Vorlage vorkommen.</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Bootstrap</source>
+        <translation>Bootstrap</translation>
+    </message>
+    <message>
+        <source>Both directions</source>
+        <translation>Beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Changes the whole output until all its patches are like patches of the exemplar, from coarse to fine and with ever smaller patches. Smooth joins and good large structure; may simplify what is irregular.</source>
+        <translation>Ändert die ganze Ausgabe, bis alle ihre Patches Patches der Vorlage gleichen, von grob nach fein und mit immer kleineren Patches. Glatte Anschlüsse und gute große Struktur; kann Unregelmäßiges vereinfachen.</translation>
+    </message>
+    <message>
+        <source>Coarse iterations</source>
+        <translation>Grobe Durchläufe</translation>
+    </message>
+    <message>
+        <source>Colour histograms apart</source>
+        <translation>Abstand der Farbhistogramme</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copying pixels</source>
+        <translation>Pixel werden kopiert</translation>
+    </message>
+    <message>
+        <source>Douglas–Rachford</source>
+        <translation>Douglas–Rachford</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Energy of a patch</source>
+        <translation>Energie eines Patches</translation>
+    </message>
+    <message>
+        <source>Every patch of the exemplar looks for its place in the output, too, so that less gets lost.</source>
+        <translation>Jeder Patch der Vorlage sucht auch seinen Platz in der Ausgabe, sodass weniger verloren geht.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>Fine iterations</source>
+        <translation>Feine Durchläufe</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Abschluss</translation>
+    </message>
+    <message>
+        <source>For outputs of another size than the exemplar's: all patches equally often, or patches drawn at random.</source>
+        <translation>Für Ausgaben anderer Größe als die Vorlage: alle Patches gleich oft oder zufällig gezogene Patches.</translation>
+    </message>
+    <message>
+        <source>Forward share</source>
+        <translation>Vorwärtsanteil</translation>
+    </message>
+    <message>
+        <source>Geometric median</source>
+        <translation>Geometrischer Median</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes whatever fits best.</source>
+        <translation>Wie sehr ein zu oft benutzter Patch gemieden wird: größer zeigt die ganze Vorlage, 0 nimmt, was am besten passt.</translation>
+    </message>
+    <message>
+        <source>How much the output's patches count against the exemplar's: larger joins better, smaller loses less.</source>
+        <translation>Wie viel die Patches der Ausgabe gegenüber denen der Vorlage zählen: größer schließt besser an, kleiner verliert weniger.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best an assignment may be for each patch: 0 for the best, 1 or 2 is faster and looks as good.</source>
+        <translation>Wie viel schlechter als die beste eine Zuordnung je Patch sein darf: 0 für die beste, 1 oder 2 ist schneller und sieht ebenso gut aus.</translation>
+    </message>
+    <message>
+        <source>How overlapping patches are joined: the mean (r = 2) blurs, robust weights (r = 0.8) and the geometric median stay sharp.</source>
+        <translation>Wie überlappende Patches verbunden werden: Der Mittelwert (r = 2) verwischt, robuste Gewichte (r = 0,8) und der geometrische Median bleiben scharf.</translation>
+    </message>
+    <message>
+        <source>How the geometric median of overlapping patches is found; the result is the same to four digits.</source>
+        <translation>Wie der geometrische Median überlappender Patches gefunden wird; das Ergebnis ist auf vier Stellen dasselbe.</translation>
+    </message>
+    <message>
+        <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars.</source>
+        <translation>Wie der ähnlichste Patch gefunden wird: genau, oder annähernd und bei großen Vorlagen schneller.</translation>
+    </message>
+    <message>
+        <source>Hybrid</source>
+        <translation>Gemischt</translation>
+    </message>
+    <message>
+        <source>Judging the result</source>
+        <translation>Ergebnis wird beurteilt</translation>
+    </message>
+    <message>
+        <source>Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with an exact map.</source>
+        <translation>Behält die verbundenen Patches oder kopiert für jedes Pixel das nächste der Vorlage: schärfer, mit genauer Karte.</translation>
+    </message>
+    <message>
+        <source>Largest patch</source>
+        <translation>Größter Patch</translation>
+    </message>
+    <message>
+        <source>Largest verbatim region, %</source>
+        <translation>Größtes wörtliches Gebiet, %</translation>
+    </message>
+    <message>
+        <source>Lets overlapping patches of the output find similar ones in the exemplar, from coarse to fine, and copies the pixels that most of them agree on. Very fast, at its best on textures without large structure.</source>
+        <translation>Lässt überlappende Patches der Ausgabe ähnliche in der Vorlage finden, von grob nach fein, und kopiert die Pixel, auf die sich die meisten einigen. Sehr schnell, am besten bei Texturen ohne große Struktur.</translation>
+    </message>
+    <message>
+        <source>Lets patches be used more or less often, so that what fits nowhere may be left out.</source>
+        <translation>Erlaubt, Patches öfter oder seltener zu benutzen, sodass wegbleiben kann, was nirgends passt.</translation>
+    </message>
+    <message>
+        <source>Match colours</source>
+        <translation>Farben angleichen</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>Mean cost of a patch</source>
+        <translation>Mittlere Kosten eines Patches</translation>
+    </message>
+    <message>
+        <source>Mean distance of the patches</source>
+        <translation>Mittlerer Abstand der Patches</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Occurrence</source>
+        <translation>Häufigkeit</translation>
+    </message>
+    <message>
+        <source>Patch assignment</source>
+        <translation>Patch-Zuordnung</translation>
+    </message>
+    <message>
+        <source>Patch-occurrence entropy</source>
+        <translation>Entropie der Patch-Häufigkeit</translation>
+    </message>
+    <message>
+        <source>PatchMatch</source>
+        <translation>PatchMatch</translation>
+    </message>
+    <message>
+        <source>Patches apart, first principal axis</source>
+        <translation>Abstand der Patches, erste Hauptachse</translation>
+    </message>
+    <message>
+        <source>Patches apart, second principal axis</source>
+        <translation>Abstand der Patches, zweite Hauptachse</translation>
+    </message>
+    <message>
+        <source>Patches apart, sliced Wasserstein</source>
+        <translation>Abstand der Patches, Sliced Wasserstein</translation>
+    </message>
+    <message>
+        <source>Patches apart, sliced Wasserstein at half scale</source>
+        <translation>Abstand der Patches, Sliced Wasserstein, halbe Skala</translation>
+    </message>
+    <message>
+        <source>Patches apart, sliced Wasserstein at quarter scale</source>
+        <translation>Abstand der Patches, Sliced Wasserstein, Viertelskala</translation>
+    </message>
+    <message>
+        <source>Patches shrink from this size to 8 px by halves: larger ones keep larger structures whole.</source>
+        <translation>Patches schrumpfen von dieser Größe durch Halbieren auf 8 px: größere halten größere Strukturen ganz.</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>Regular</source>
+        <translation>Regelmäßig</translation>
+    </message>
+    <message>
+        <source>Relaxed</source>
+        <translation>Gelockert</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robust</translation>
+    </message>
+    <message>
+        <source>Robust, Gaussian falloff</source>
+        <translation>Robust, gaußscher Abfall</translation>
+    </message>
+    <message>
+        <source>Rounds of matching and voting on each scale: more join better, but take longer.</source>
+        <translation>Durchgänge aus Suchen und Abstimmen je Skala: mehr schließen besser an, dauern aber länger.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>Side of the patches that are compared: larger keeps larger structures, smaller varies more.</source>
+        <translation>Seite der verglichenen Patches: größer erhält größere Strukturen, kleiner variiert mehr.</translation>
+    </message>
+    <message>
+        <source>Side of the patches, which lie a quarter of it apart: larger keeps larger structures, smaller varies more.</source>
+        <translation>Seite der Patches, die ein Viertel davon auseinanderliegen: größer erhält größere Strukturen, kleiner variiert mehr.</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Vorrat</translation>
+    </message>
+    <message>
+        <source>Texture optimisation</source>
+        <translation>Texturoptimierung</translation>
+    </message>
+    <message>
+        <source>Tracing the pixels</source>
+        <translation>Pixel werden verfolgt</translation>
+    </message>
+    <message>
+        <source>Uniformity</source>
+        <translation>Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing takes over. Keeps the exemplar's mix of colours and details; slow for large outputs.</source>
+        <translation>Benutzt jeden Patch der Vorlage so oft wie jeden anderen, sodass nichts verloren geht und nichts überhandnimmt. Erhält die Mischung von Farben und Einzelheiten; langsam bei großen Ausgaben.</translation>
+    </message>
+    <message>
+        <source>Weiszfeld</source>
+        <translation>Weiszfeld</translation>
+    </message>
+    <message>
+        <source>What each use too many or too few costs: 0 takes the nearest patches, a large value uses all alike.</source>
+        <translation>Was jede Benutzung zu viel oder zu wenig kostet: 0 nimmt die nächsten Patches, ein großer Wert benutzt alle gleich.</translation>
+    </message>
+    <message>
+        <source>Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a random one varies more and blurs, the hybrid is random but on the finest scale.</source>
+        <translation>Wo die Patches der Vorlage liegen: Ein regelmäßiges Raster ist scharf und kopiert größere Stücke, ein zufälliges variiert mehr und verwischt, das gemischte ist zufällig außer auf der feinsten Skala.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1444,10 +1728,6 @@
 <context>
     <name>texloom::ui::CompanionList</name>
     <message>
-        <source>None. Drop bark_normal, bark_rough and the like with bark.</source>
-        <translation>Keine. Ziehen Sie bark_normal, bark_rough und Ähnliches mit bark herein.</translation>
-    </message>
-    <message>
         <source>Companion maps</source>
         <translation>Begleitkarten</translation>
     </message>
@@ -1474,6 +1754,14 @@
     <message>
         <source>Remove the map</source>
         <translation>Die Karte entfernen</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Drop maps such as bark_normal and bark_rough with bark, or add them.</source>
+        <translation>Ziehen Sie Karten wie bark_normal und bark_rough mit bark herein, oder fügen Sie sie hinzu.</translation>
     </message>
 </context>
 <context>
@@ -2535,7 +2823,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Nothing waits. “Add to queue” puts a run here, to be made after those before it.</source>
-        <translation>Nichts wartet. „In die Warteschlange“ stellt einen Vorgang hierher, der nach denen davor an der Reihe ist.</translation>
+        <translation>Nichts wartet. „In die Warteschlange“ stellt einen Vorgang hierher.</translation>
     </message>
     <message>
         <source>At &amp;most</source>
@@ -3007,6 +3295,10 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Open an exemplar first: its patches are compared with each other.</source>
         <translation>Öffnen Sie zuerst eine Vorlage: Ihre Patches werden miteinander verglichen.</translation>
     </message>
+    <message>
+        <source>%1: x %2, y %3</source>
+        <translation>%1: x %2, y %3</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapPage</name>
@@ -3437,16 +3729,8 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>&amp;Vergleichen</translation>
     </message>
     <message>
-        <source>Look at the chosen results side by side, or at one beside its exemplar</source>
-        <translation>Die gewählten Ergebnisse nebeneinander betrachten, oder eines neben seiner Vorlage</translation>
-    </message>
-    <message>
         <source>&amp;Differences…</source>
         <translation>&amp;Unterschiede …</translation>
-    </message>
-    <message>
-        <source>List the settings in which two chosen results differ</source>
-        <translation>Die Einstellungen auflisten, in denen sich zwei gewählte Ergebnisse unterscheiden</translation>
     </message>
     <message>
         <source>&amp;Pin</source>
@@ -3471,6 +3755,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Delete the chosen results</source>
         <translation>Die gewählten Ergebnisse löschen</translation>
+    </message>
+    <message>
+        <source>Look at up to 9 chosen results side by side, with their exemplars</source>
+        <translation>Bis zu 9 gewählte Ergebnisse nebeneinander betrachten, mit ihren Vorlagen</translation>
+    </message>
+    <message>
+        <source>List the settings in which two chosen results differ; choose two first</source>
+        <translation>Die Einstellungen auflisten, in denen sich zwei gewählte Ergebnisse unterscheiden; wählen Sie zuerst zwei</translation>
     </message>
 </context>
 <context>

@@ -1017,6 +1017,290 @@
         <source>Laying out the band</source>
         <translation>Disposition de la bande</translation>
     </message>
+    <message>
+        <source>Aggregation</source>
+        <translation>Agrégation</translation>
+    </message>
+    <message>
+        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
+        <translation>Au plus autant par taille de patch et par échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
+        <translation>Au plus autant à chaque échelle sauf la plus fine : davantage raccorde mieux, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>At most so many on the finest scale, where most of the time is spent.</source>
+        <translation>Au plus autant à l’échelle la plus fine, où passe l’essentiel du temps.</translation>
+    </message>
+    <message>
+        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
+        <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
+        <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
+    </message>
+    <message>
+        <source>Avoids colours that there are too many of already, so that all colours of the exemplar show.</source>
+        <translation>Évite les couleurs déjà trop nombreuses, pour que toutes celles de l’échantillon paraissent.</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Fondre</translation>
+    </message>
+    <message>
+        <source>Bootstrap</source>
+        <translation>Bootstrap</translation>
+    </message>
+    <message>
+        <source>Both directions</source>
+        <translation>Les deux sens</translation>
+    </message>
+    <message>
+        <source>Changes the whole output until all its patches are like patches of the exemplar, from coarse to fine and with ever smaller patches. Smooth joins and good large structure; may simplify what is irregular.</source>
+        <translation>Modifie toute la sortie jusqu’à ce que tous ses patchs ressemblent à ceux de l’échantillon, du grossier au fin et avec des patchs toujours plus petits. Raccords lisses et bonne grande structure ; peut simplifier l’irrégulier.</translation>
+    </message>
+    <message>
+        <source>Coarse iterations</source>
+        <translation>Itérations grossières</translation>
+    </message>
+    <message>
+        <source>Colour histograms apart</source>
+        <translation>Écart des histogrammes de couleur</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copying pixels</source>
+        <translation>Copie des pixels</translation>
+    </message>
+    <message>
+        <source>Douglas–Rachford</source>
+        <translation>Douglas–Rachford</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Energy of a patch</source>
+        <translation>Énergie d’un patch</translation>
+    </message>
+    <message>
+        <source>Every patch of the exemplar looks for its place in the output, too, so that less gets lost.</source>
+        <translation>Chaque patch de l’échantillon cherche aussi sa place dans la sortie, pour que moins se perde.</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exacte</translation>
+    </message>
+    <message>
+        <source>Fine iterations</source>
+        <translation>Itérations fines</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Finition</translation>
+    </message>
+    <message>
+        <source>For outputs of another size than the exemplar's: all patches equally often, or patches drawn at random.</source>
+        <translation>Pour une sortie d’une autre taille que l’échantillon : tous les patchs aussi souvent, ou des patchs tirés au hasard.</translation>
+    </message>
+    <message>
+        <source>Forward share</source>
+        <translation>Part directe</translation>
+    </message>
+    <message>
+        <source>Geometric median</source>
+        <translation>Médiane géométrique</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes whatever fits best.</source>
+        <translation>À quel point un patch trop employé est évité : plus montre tout l’échantillon, 0 prend ce qui convient le mieux.</translation>
+    </message>
+    <message>
+        <source>How much the output's patches count against the exemplar's: larger joins better, smaller loses less.</source>
+        <translation>Combien comptent les patchs de la sortie face à ceux de l’échantillon : plus raccorde mieux, moins perd moins.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best an assignment may be for each patch: 0 for the best, 1 or 2 is faster and looks as good.</source>
+        <translation>De combien une affectation peut être moins bonne que la meilleure pour chaque patch : 0 pour la meilleure, 1 ou 2 est plus rapide et aussi beau.</translation>
+    </message>
+    <message>
+        <source>How overlapping patches are joined: the mean (r = 2) blurs, robust weights (r = 0.8) and the geometric median stay sharp.</source>
+        <translation>Comment se joignent les patchs qui se recouvrent : la moyenne (r = 2) floute, les poids robustes (r = 0,8) et la médiane géométrique restent nets.</translation>
+    </message>
+    <message>
+        <source>How the geometric median of overlapping patches is found; the result is the same to four digits.</source>
+        <translation>Comment est trouvée la médiane géométrique des patchs qui se recouvrent ; le résultat est le même à quatre chiffres.</translation>
+    </message>
+    <message>
+        <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars.</source>
+        <translation>Comment est trouvé le patch le plus semblable : exactement, ou presque et plus vite avec de grands échantillons.</translation>
+    </message>
+    <message>
+        <source>Hybrid</source>
+        <translation>Hybride</translation>
+    </message>
+    <message>
+        <source>Judging the result</source>
+        <translation>Évaluation du résultat</translation>
+    </message>
+    <message>
+        <source>Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with an exact map.</source>
+        <translation>Garde les patchs joints, ou copie pour chaque pixel le plus proche de l’échantillon : plus net, avec une carte exacte.</translation>
+    </message>
+    <message>
+        <source>Largest patch</source>
+        <translation>Plus grand patch</translation>
+    </message>
+    <message>
+        <source>Largest verbatim region, %</source>
+        <translation>Plus grande zone copiée, %</translation>
+    </message>
+    <message>
+        <source>Lets overlapping patches of the output find similar ones in the exemplar, from coarse to fine, and copies the pixels that most of them agree on. Very fast, at its best on textures without large structure.</source>
+        <translation>Laisse les patchs qui se recouvrent trouver leurs semblables dans l’échantillon, du grossier au fin, et copie les pixels sur lesquels la plupart s’accordent. Très rapide, au mieux sur des textures sans grande structure.</translation>
+    </message>
+    <message>
+        <source>Lets patches be used more or less often, so that what fits nowhere may be left out.</source>
+        <translation>Permet d’employer des patchs plus ou moins souvent, pour laisser de côté ce qui ne va nulle part.</translation>
+    </message>
+    <message>
+        <source>Match colours</source>
+        <translation>Accorder les couleurs</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Mean cost of a patch</source>
+        <translation>Coût moyen d’un patch</translation>
+    </message>
+    <message>
+        <source>Mean distance of the patches</source>
+        <translation>Distance moyenne des patchs</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Occurrence</source>
+        <translation>Occurrence</translation>
+    </message>
+    <message>
+        <source>Patch assignment</source>
+        <translation>Affectation de patchs</translation>
+    </message>
+    <message>
+        <source>Patch-occurrence entropy</source>
+        <translation>Entropie d’occurrence des patchs</translation>
+    </message>
+    <message>
+        <source>PatchMatch</source>
+        <translation>PatchMatch</translation>
+    </message>
+    <message>
+        <source>Patches apart, first principal axis</source>
+        <translation>Écart des patchs, premier axe principal</translation>
+    </message>
+    <message>
+        <source>Patches apart, second principal axis</source>
+        <translation>Écart des patchs, second axe principal</translation>
+    </message>
+    <message>
+        <source>Patches apart, sliced Wasserstein</source>
+        <translation>Écart des patchs, Wasserstein tranché</translation>
+    </message>
+    <message>
+        <source>Patches apart, sliced Wasserstein at half scale</source>
+        <translation>Écart des patchs, Wasserstein tranché, demi-échelle</translation>
+    </message>
+    <message>
+        <source>Patches apart, sliced Wasserstein at quarter scale</source>
+        <translation>Écart des patchs, Wasserstein tranché, quart d’échelle</translation>
+    </message>
+    <message>
+        <source>Patches shrink from this size to 8 px by halves: larger ones keep larger structures whole.</source>
+        <translation>Les patchs diminuent de moitié de cette taille jusqu’à 8 px : les plus grands gardent entières de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Aléatoire</translation>
+    </message>
+    <message>
+        <source>Regular</source>
+        <translation>Régulière</translation>
+    </message>
+    <message>
+        <source>Relaxed</source>
+        <translation>Relâché</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robuste</translation>
+    </message>
+    <message>
+        <source>Robust, Gaussian falloff</source>
+        <translation>Robuste, décroissance gaussienne</translation>
+    </message>
+    <message>
+        <source>Rounds of matching and voting on each scale: more join better, but take longer.</source>
+        <translation>Passes d’appariement et de vote à chaque échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Side of the patches that are compared: larger keeps larger structures, smaller varies more.</source>
+        <translation>Côté des patchs comparés : plus garde de plus grandes structures, moins varie davantage.</translation>
+    </message>
+    <message>
+        <source>Side of the patches, which lie a quarter of it apart: larger keeps larger structures, smaller varies more.</source>
+        <translation>Côté des patchs, espacés d’un quart : plus garde de plus grandes structures, moins varie davantage.</translation>
+    </message>
+    <message>
+        <source>Supply</source>
+        <translation>Réserve</translation>
+    </message>
+    <message>
+        <source>Texture optimisation</source>
+        <translation>Optimisation de texture</translation>
+    </message>
+    <message>
+        <source>Tracing the pixels</source>
+        <translation>Suivi des pixels</translation>
+    </message>
+    <message>
+        <source>Uniformity</source>
+        <translation>Uniformité</translation>
+    </message>
+    <message>
+        <source>Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing takes over. Keeps the exemplar's mix of colours and details; slow for large outputs.</source>
+        <translation>Emploie chaque patch de l’échantillon aussi souvent que tout autre, pour que rien ne se perde ni ne domine. Garde le mélange de couleurs et de détails ; lent pour les grandes sorties.</translation>
+    </message>
+    <message>
+        <source>Weiszfeld</source>
+        <translation>Weiszfeld</translation>
+    </message>
+    <message>
+        <source>What each use too many or too few costs: 0 takes the nearest patches, a large value uses all alike.</source>
+        <translation>Ce que coûte chaque emploi en trop ou en moins : 0 prend les patchs les plus proches, une grande valeur les emploie tous également.</translation>
+    </message>
+    <message>
+        <source>Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a random one varies more and blurs, the hybrid is random but on the finest scale.</source>
+        <translation>Où se trouvent les patchs de l’échantillon : une grille régulière est nette et copie de plus grands morceaux, une aléatoire varie plus et floute, l’hybride est aléatoire sauf à l’échelle la plus fine.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1444,10 +1728,6 @@
 <context>
     <name>texloom::ui::CompanionList</name>
     <message>
-        <source>None. Drop bark_normal, bark_rough and the like with bark.</source>
-        <translation>Aucune. Déposez bark_normal, bark_rough et autres avec bark.</translation>
-    </message>
-    <message>
         <source>Companion maps</source>
         <translation>Cartes associées</translation>
     </message>
@@ -1474,6 +1754,14 @@
     <message>
         <source>Remove the map</source>
         <translation>Retirer la carte</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Pas encore</translation>
+    </message>
+    <message>
+        <source>Drop maps such as bark_normal and bark_rough with bark, or add them.</source>
+        <translation>Déposez des cartes comme bark_normal et bark_rough avec bark, ou ajoutez-les.</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3295,10 @@ Déposez une image ici.</translation>
         <source>Open an exemplar first: its patches are compared with each other.</source>
         <translation>Ouvrez d’abord un échantillon : ses patchs sont comparés entre eux.</translation>
     </message>
+    <message>
+        <source>%1: x %2, y %3</source>
+        <translation>%1 : x %2, y %3</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapPage</name>
@@ -3437,16 +3729,8 @@ Déposez une image ici.</translation>
         <translation>&amp;Comparer</translation>
     </message>
     <message>
-        <source>Look at the chosen results side by side, or at one beside its exemplar</source>
-        <translation>Voir les résultats choisis côte à côte, ou un seul à côté de son échantillon</translation>
-    </message>
-    <message>
         <source>&amp;Differences…</source>
         <translation>&amp;Différences…</translation>
-    </message>
-    <message>
-        <source>List the settings in which two chosen results differ</source>
-        <translation>Lister les réglages par lesquels deux résultats choisis diffèrent</translation>
     </message>
     <message>
         <source>&amp;Pin</source>
@@ -3471,6 +3755,14 @@ Déposez une image ici.</translation>
     <message>
         <source>Delete the chosen results</source>
         <translation>Supprimer les résultats choisis</translation>
+    </message>
+    <message>
+        <source>Look at up to 9 chosen results side by side, with their exemplars</source>
+        <translation>Voir jusqu’à 9 résultats choisis côte à côte, avec leurs échantillons</translation>
+    </message>
+    <message>
+        <source>List the settings in which two chosen results differ; choose two first</source>
+        <translation>Lister les réglages par lesquels deux résultats choisis diffèrent ; choisissez-en d’abord deux</translation>
     </message>
 </context>
 <context>

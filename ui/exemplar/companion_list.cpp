@@ -26,10 +26,10 @@ constexpr int kShownRows = 2;
 
 CompanionList::CompanionList(ExemplarStore* store, QWidget* parent)
     : QWidget(parent), m_store(store),
-      m_empty(new QLabel(tr("None. Drop bark_normal, bark_rough and the like with bark."), this)),
+      m_empty(new QLabel(tr("None yet"), this)),
       m_list(new QListWidget(this)), m_role(new QComboBox(this)), m_add(new QToolButton(this)),
       m_remove(new QToolButton(this)) {
-    m_empty->setWordWrap(true);
+    m_empty->setToolTip(tr("Drop maps such as bark_normal and bark_rough with bark, or add them."));
     m_list->setObjectName(QStringLiteral("companionList"));
     m_list->setAccessibleName(tr("Companion maps"));
     m_list->setTextElideMode(Qt::ElideMiddle);
