@@ -1724,6 +1724,10 @@
         <source>Wrote %1.</source>
         <translation>%1 geschrieben.</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::CompanionList</name>
@@ -2709,6 +2713,14 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Autocorrelation: result</source>
         <translation>Autokorrelation: Ergebnis</translation>
     </message>
+    <message>
+        <source>How often pixels are used</source>
+        <translation>Wie oft Pixel benutzt werden</translation>
+    </message>
+    <message>
+        <source>How often pixels are used: %1</source>
+        <translation>Wie oft Pixel benutzt werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::GridRun</name>
@@ -2979,6 +2991,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what you see; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines oder ziehen Sie die Vektoren auf das, was Sie sehen; wiederholt es sich nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
+    </message>
+    <message>
+        <source> The exemplar holds fewer than two of these tiles on a side, so results repeat much of it.</source>
+        <translation> Die Vorlage fasst je Seite weniger als zwei dieser Kacheln, daher wiederholen Ergebnisse viel davon.</translation>
     </message>
 </context>
 <context>
@@ -3298,6 +3314,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1: x %2, y %3</source>
         <translation>%1: x %2, y %3</translation>
+    </message>
+    <message>
+        <source>Earlier: %1</source>
+        <translation>Früher: %1</translation>
     </message>
 </context>
 <context>

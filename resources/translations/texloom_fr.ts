@@ -1724,6 +1724,10 @@
         <source>Wrote %1.</source>
         <translation>%1 écrit.</translation>
     </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::CompanionList</name>
@@ -2709,6 +2713,14 @@ Déposez une image ici.</translation>
         <source>Autocorrelation: result</source>
         <translation>Autocorrélation : résultat</translation>
     </message>
+    <message>
+        <source>How often pixels are used</source>
+        <translation>Fréquence d’emploi des pixels</translation>
+    </message>
+    <message>
+        <source>How often pixels are used: %1</source>
+        <translation>Fréquence d’emploi des pixels : %1</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::GridRun</name>
@@ -2979,6 +2991,10 @@ Déposez une image ici.</translation>
     <message>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what you see; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous ou glissez les vecteurs sur ce que vous voyez ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
+    </message>
+    <message>
+        <source> The exemplar holds fewer than two of these tiles on a side, so results repeat much of it.</source>
+        <translation> L’échantillon contient moins de deux de ces tuiles par côté, les résultats en répètent donc beaucoup.</translation>
     </message>
 </context>
 <context>
@@ -3298,6 +3314,10 @@ Déposez une image ici.</translation>
     <message>
         <source>%1: x %2, y %3</source>
         <translation>%1 : x %2, y %3</translation>
+    </message>
+    <message>
+        <source>Earlier: %1</source>
+        <translation>Auparavant : %1</translation>
     </message>
 </context>
 <context>

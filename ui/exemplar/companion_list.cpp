@@ -25,8 +25,7 @@ constexpr int kShownRows = 2;
 } // namespace
 
 CompanionList::CompanionList(ExemplarStore* store, QWidget* parent)
-    : QWidget(parent), m_store(store),
-      m_empty(new QLabel(tr("None yet"), this)),
+    : QWidget(parent), m_store(store), m_empty(new QLabel(tr("None yet"), this)),
       m_list(new QListWidget(this)), m_role(new QComboBox(this)), m_add(new QToolButton(this)),
       m_remove(new QToolButton(this)) {
     m_empty->setToolTip(tr("Drop maps such as bark_normal and bark_rough with bark, or add them."));
