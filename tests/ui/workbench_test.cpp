@@ -345,7 +345,7 @@ private Q_SLOTS:
         std::vector<std::uint64_t> made;
         connect(&queue, &JobQueue::finished, this,
                 [&](const QueuedJob& job) { made.push_back(job.plan.request.seed); });
-        queue.add(planFor(m_large, {400, 400}, 1), false, false, JobQueue::Place::Last);
+        queue.add(planFor(m_large, {160, 160}, 1), false, false, JobQueue::Place::Last);
         QVERIFY(controller.running());
         queue.setPaused(true);
         queue.add(planFor(m_exemplar, {64, 64}, 2), false, false, JobQueue::Place::Last);
@@ -437,12 +437,12 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_exemplar));
         JobQueue* const queue = window.workbench()->queue();
         QSignalSpy finished(queue, &JobQueue::finished);
-        queue->add(planFor(m_large, {300, 300}, 3), false, false, JobQueue::Place::Last);
+        queue->add(planFor(m_large, {120, 120}, 3), false, false, JobQueue::Place::Last);
         auto* list = child<QTreeWidget>(window, "jobList");
         Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
         QVERIFY(window.results()->title().startsWith(QStringLiteral("Under way")));
         QVERIFY(finished.wait(kPatience));
-        QVERIFY((window.result()->plan.request.size == Size{300, 300}));
+        QVERIFY((window.result()->plan.request.size == Size{120, 120}));
     }
 
     void threadBudgetHolds() {

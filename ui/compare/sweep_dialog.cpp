@@ -23,6 +23,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kValueWidths = 40;
+constexpr int kWidths = 64;
 
 /// What an axis starts with: all choices, both states, or the value itself and some around it.
 QString suggestion(const Param& parameter, const Value& value) {
@@ -92,6 +93,8 @@ SweepDialog::SweepDialog(RunInput input, QWidget* parent)
         targetChosen(row);
     }
     connect(m_varySeed, &QRadioButton::toggled, this, &SweepDialog::refresh);
+    const int width = fontMetrics().averageCharWidth() * kWidths;
+    resize(width, layout()->totalHeightForWidth(width));
 }
 
 QFormLayout* SweepDialog::makeForm(QWidget* sameSeed) {
