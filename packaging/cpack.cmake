@@ -15,7 +15,7 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 field's methods side by side, shows where every pixel came from, and exports
 tiles and maps.")
 # Plugins are loaded by name, so the search for linked libraries does not see them.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, qt6-qpa-plugins, fonts-dejavu-core | fonts-freefont-ttf")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6, qt6-qpa-plugins, qt6-translations-l10n, fonts-dejavu-core | fonts-freefont-ttf")
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 mark_as_advanced(DPKG_SHLIBDEPS)
 if(DPKG_SHLIBDEPS)
