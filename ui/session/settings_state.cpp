@@ -23,7 +23,7 @@ QString SettingsState::difference(const SettingsState& other) const {
         paths += QString::fromStdString(step.at("path").get<std::string>());
     if (paths.size() <= 1)
         return paths.join(QString());
-    const QString group = paths.front().section(QLatin1Char('/'), 0, 1);
+    QString group = paths.front().section(QLatin1Char('/'), 0, 1);
     for (const QString& path : paths)
         if (path.section(QLatin1Char('/'), 0, 1) != group)
             return QStringLiteral("/");
