@@ -16,7 +16,6 @@ namespace {
 
 /// Scales on which an initial image is worked on.
 constexpr int kInitialLevels = 2;
-constexpr int kPreviewSide = 640;
 constexpr int kBandRows = 8;
 /// Where choices are narrowed: ε, and what a use too many costs, as shares of the mean cost.
 constexpr double kNarrowEpsilon = 0.05, kNarrowRho = 1;
@@ -398,8 +397,7 @@ Image Optimizer::image(int step) const {
 }
 
 void Optimizer::offer() const {
-    if (m_context.previewDue())
-        m_context.preview(image((m_size.longerSide() + kPreviewSide - 1) / kPreviewSide));
+    m_context.preview(m_size, [this](Size, int step) { return image(step); });
 }
 
 } // namespace texloom::patch_assignment

@@ -22,7 +22,6 @@ constexpr int kMargin = kLargestPatch - 1;
 constexpr int kSmallestSide = 2 * Optimizer::kSmallestPatch;
 /// Scales on which an initial image is worked on.
 constexpr int kInitialLevels = 2;
-constexpr int kPreviewSide = 640;
 constexpr int kBand = 8;
 /// Rounds of PatchMatch before the first projection.
 constexpr int kFirstRounds = 6;
@@ -407,8 +406,7 @@ Image Optimizer::image(int step) const {
 }
 
 void Optimizer::offer() const {
-    if (m_context.previewDue())
-        m_context.preview(image((m_size.longerSide() + kPreviewSide - 1) / kPreviewSide));
+    m_context.preview(m_size, [this](Size, int step) { return image(step); });
 }
 
 } // namespace texloom::texture_optimization
