@@ -365,11 +365,10 @@ private:
     }
 
     static void showSessions(MainWindow& window) {
-        MissingFilesDialog missing(
-            window.session(),
-            {QStringLiteral("/home/artist/materials/a long folder name/bark_albedo.png"),
-             QStringLiteral("/home/artist/materials/bark_normal.png")},
-            &window);
+        MissingFilesDialog missing(window.session(),
+                                   {QStringLiteral("materials/a long folder name/bark_albedo.png"),
+                                    QStringLiteral("materials/bark_normal.png")},
+                                   &window);
         missing.show();
         QVERIFY(QTest::qWaitForWindowExposed(&missing));
         shoot(missing, "missing-files");

@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/image/half_scale.h"
 #include "core/job/pool.h"
+#include "core/match/canvas_image.h"
 #include "core/methods/patch_request.h"
 
 #include <fmt/core.h>
@@ -384,16 +385,7 @@ void Optimizer::finish(Pass& pass) {
 
 /// Every `step`-th pixel of the canvas.
 Image Optimizer::image(int step) const {
-    Image picture({(m_size.width + step - 1) / step, (m_size.height + step - 1) / step},
-                  m_request.channels());
-    m_context.parallel(0, picture.height(), [&](int y) {
-        for (int c = 0; c < picture.channels(); ++c) {
-            float* to = picture.plane(c).row(y);
-            for (int x = 0; x < picture.width(); ++x)
-                to[x] = m_canvas->at(x * step, y * step)[c];
-        }
-    });
-    return picture;
+    return canvasImage(*m_canvas, m_size, m_request.channels(), step, m_context);
 }
 
 void Optimizer::offer() const {
