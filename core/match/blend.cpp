@@ -117,8 +117,9 @@ void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to,
     compose(second, to);
     for (const Pixel& pixel : m_band) {
         const int i = std::clamp(static_cast<int>(pixel.place.along / step), 0, length - 1);
-        const int row = static_cast<int>(std::lround(pixel.place.across)) + reach;
-        const ImageView& kept = row < length && path.keeps(i, row) ? first : second;
+        // Pixels at the band's edge may lie up to half a row outside.
+        const int row = std::clamp(static_cast<int>(std::lround(pixel.place.across)), -reach, reach);
+        const ImageView& kept = path.keeps(i, row + reach) ? first : second;
         for (int c = 0; c < to.channels(); ++c)
             to(pixel.x, pixel.y, c) = kept(pixel.x, pixel.y, c);
     }

@@ -1,5 +1,7 @@
 #include "core/math/assignment.h"
 
+#include "core/math/cost_rows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,80 +26,6 @@ constexpr int kChunk = 8;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
-}
-
-/// The best and the second best of a row of values.
-template <class T> struct BestTwo {
-    int place = -1;
-    T best = std::numeric_limits<T>::infinity(), second = best;
-
-    void add(int where, T value) {
-        if (value < best) {
-            second = best;
-            best = value;
-            place = where;
-        } else {
-            second = std::min(second, value);
-        }
-    }
-    /// Joins what other places gave. @param rest their second best.
-    void add(int where, T value, T rest) {
-        if (value == best && where >= 0 && where < place)
-            std::swap(where, place);
-        add(where, value);
-        second = std::min(second, rest);
-    }
-};
-
-/// As many values as fit a vector of every machine: larger ones are taken apart badly.
-template <class T> struct Lanes;
-template <> struct Lanes<float> {
-    using Values = float __attribute__((vector_size(16)));
-    using Places = std::int32_t __attribute__((vector_size(16)));
-    static constexpr int kCount = 4;
-    static constexpr Places kFirst = {0, 1, 2, 3};
-
-    static Values costs(const float* from) { return Values{from[0], from[1], from[2], from[3]}; }
-};
-template <> struct Lanes<double> {
-    using Values = double __attribute__((vector_size(16)));
-    using Places = std::int64_t __attribute__((vector_size(16)));
-    static constexpr int kCount = 2;
-    static constexpr Places kFirst = {0, 1};
-
-    static Values costs(const float* from) {
-        return Values{static_cast<double>(from[0]), static_cast<double>(from[1])};
-    }
-};
-
-template <class Values, class T> Values load(const T* from) {
-    Values values;
-    __builtin_memcpy(&values, from, sizeof values);
-    return values;
-}
-
-/// The two best sums of costs and prices.
-template <class T> BestTwo<T> bestTwo(const float* costs, const T* prices, int count) {
-    using Lane = Lanes<T>;
-    using Values = typename Lane::Values;
-    using Places = typename Lane::Places;
-    Values best = Values{} + std::numeric_limits<T>::infinity(), second = best;
-    Places where = Places{} - 1, now = Lane::kFirst;
-    int i = 0;
-    for (; i + Lane::kCount <= count; i += Lane::kCount, now += Lane::kCount) {
-        const Values value = Lane::costs(costs + i) + load<Values>(prices + i);
-        const Places better = value < best;
-        const Values loser = better ? best : value;
-        second = loser < second ? loser : second;
-        best = better ? value : best;
-        where = better ? now : where;
-    }
-    BestTwo<T> result;
-    for (int lane = 0; lane < Lane::kCount; ++lane)
-        result.add(static_cast<int>(where[lane]), best[lane], second[lane]);
-    for (; i < count; ++i)
-        result.add(i, static_cast<T>(costs[i]) + prices[i]);
-    return result;
 }
 
 /// Shortest paths of changes from one person to all objects: Dijkstra's algorithm on the full graph.
@@ -167,7 +95,7 @@ double meanCost(const AssignmentCosts& costs) {
     const int step = 1 + costs.persons / 512;
     for (int person = 0; person < costs.persons; person += step)
         for (int place = 0; place < costs.perRow; place += 7, ++count)
-            sum += static_cast<double>(costs.row(person)[place]);
+            sum += static_cast<double>(std::abs(costs.row(person)[place]));
     return sum / static_cast<double>(std::max<std::int64_t>(1, count));
 }
 
@@ -242,7 +170,7 @@ void Assigner::sink(int object) {
     refreshPrice(object);
 }
 
-std::vector<int> Assigner::assign(const AssignmentCosts& costs, const AssignmentOptions& options,
+std::vector<int> Assigner::assign(AssignmentCosts& costs, const AssignmentOptions& options,
                                   JobContext& context) {
     const double mean = std::max(meanCost(costs), 1e-30);
     const bool relaxed = std::isfinite(options.relaxation);
@@ -259,8 +187,14 @@ std::vector<int> Assigner::assign(const AssignmentCosts& costs, const Assignment
     if (!exact || !m_warm)
         auction(costs, last, relaxed ? options.relaxation : kInfinite, stay, context);
     m_warm = true;
-    if (exact)
+    if (exact) {
+        if (costs.bounded())
+            context.parallel(0, costs.persons, [&](int person) {
+                for (int place = 0; place < costs.perRow; ++place)
+                    costs.known(person, place);
+            });
         solveExactly(costs, context);
+    }
     return m_object;
 }
 
@@ -275,7 +209,7 @@ std::vector<int> Assigner::everybody(int persons) {
 
 /// Takes the objects from those for whom, at these prices, another would be better by more than ε.
 /// @return everybody without an object.
-std::vector<int> Assigner::discontented(const AssignmentCosts& costs, double epsilon, JobContext& context) {
+std::vector<int> Assigner::discontented(AssignmentCosts& costs, double epsilon, JobContext& context) {
     std::vector<double> paid(at(costs.persons), kInfinite);
     for (std::size_t object = 0; object < m_places.size(); ++object)
         for (int place = m_begin[object]; place < m_begin[object + 1]; ++place)
@@ -286,9 +220,8 @@ std::vector<int> Assigner::discontented(const AssignmentCosts& costs, double eps
         for (int person = chunk * kChunk; person < std::min(costs.persons, (chunk + 1) * kChunk); ++person) {
             const int place = costs.place(person, m_object[at(person)]);
             const double has =
-                place < 0 ? kInfinite : static_cast<double>(costs.row(person)[place]) + paid[at(person)];
-            const auto best = static_cast<double>(offersTo(costs, person).best);
-            leaves[at(person)] = has > best + epsilon ? 1 : 0;
+                place < 0 ? kInfinite : static_cast<double>(costs.known(person, place)) + paid[at(person)];
+            leaves[at(person)] = offers(costs, person, has - epsilon) ? 1 : 0;
         }
     });
     for (int& holder : m_holder)
@@ -305,7 +238,7 @@ std::vector<int> Assigner::discontented(const AssignmentCosts& costs, double eps
 
 /// Bids are made until everybody has an object: at first by all, or with `stay` by those whose object no
 /// longer suits them. Prices begin as they are.
-void Assigner::auction(const AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
+void Assigner::auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
                        JobContext& context) {
     if (std::isfinite(ceiling))
         for (std::size_t object = 0; object < m_places.size(); ++object)
@@ -340,19 +273,24 @@ void Assigner::auction(const AssignmentCosts& costs, double epsilon, double ceil
     }
 }
 
-Assigner::Offers Assigner::offersTo(const AssignmentCosts& costs, int person) const {
-    const float* row = costs.row(person);
+Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int person) const {
     if (costs.choices.empty())
-        return {bestTwo(row, m_scanned.data(), costs.perRow)};
+        return {bestTwo(costs, person, m_scanned.data())};
     Offers two;
     for (int place = 0; place < costs.perRow; ++place)
-        two.add(place, row[place] + m_scanned[at(costs.object(person, place))]);
+        two.add(place, costs.row(person)[place] + m_scanned[at(costs.object(person, place))]);
     return two;
 }
 
+/// Whether an object costs a person less than `limit`, its price included.
+bool Assigner::offers(AssignmentCosts& costs, int person, double limit) const {
+    if (costs.choices.empty())
+        return anyBelow(costs, person, m_scanned.data(), static_cast<float>(limit));
+    return static_cast<double>(offersTo(costs, person).best) < limit;
+}
+
 /// The best object for a person, and the price at which the second best would be as good, and ε more.
-Assigner::Bid Assigner::bidOf(const AssignmentCosts& costs, int person, double epsilon,
-                              double ceiling) const {
+Assigner::Bid Assigner::bidOf(AssignmentCosts& costs, int person, double epsilon, double ceiling) const {
     const float* row = costs.row(person);
     const Offers two = offersTo(costs, person);
     const int object = costs.object(person, two.place);

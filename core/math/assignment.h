@@ -2,23 +2,41 @@
 
 #include "core/job/job_context.h"
 
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
 namespace texloom {
 
-/// What it costs to give persons objects: for every person a row of costs, of all objects or of some.
+/// What it costs to give persons objects: for every person a row of costs, of all objects or of some. Costs
+/// are not negative.
 struct AssignmentCosts {
     int persons = 0;
     int objects = 0;
-    std::vector<float> costs; ///< row by row
+    /// Row by row. A number with a minus sign, which zero can have, too, is but a bound: the cost is not less
+    /// than its magnitude. Rows with bounds hold all objects, in order.
+    std::vector<float> costs;
     /// The objects that the costs of a row belong to, as many for every row; empty: all, in order.
     std::vector<std::int32_t> choices;
     int perRow = 0; ///< costs in a row
+    /// Where there are bounds: what it costs to give a person an object. Called by several threads at a time.
+    std::function<float(int person, int object)> cost;
 
     const float* row(int person) const {
         return costs.data() + static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow);
+    }
+    float* row(int person) {
+        return costs.data() + static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow);
+    }
+    bool bounded() const { return static_cast<bool>(cost); }
+    /// The cost at one place of a row of bounds, which is put there in the bound's place.
+    float known(int person, int place) {
+        float& entry = row(person)[place];
+        if (std::signbit(entry))
+            entry = cost(person, place);
+        return entry;
     }
     int object(int person, int place) const {
         return choices.empty() ? place
@@ -53,10 +71,9 @@ public:
     explicit Assigner(std::vector<int> places);
 
     /// @param costs whose rows hold all objects where the relaxation is infinite; then there must be a place
-    /// for everybody.
+    /// for everybody. Bounds give way to costs where it matters, for the smallest sum everywhere.
     /// @return the object of each person.
-    std::vector<int> assign(const AssignmentCosts& costs, const AssignmentOptions& options,
-                            JobContext& context);
+    std::vector<int> assign(AssignmentCosts& costs, const AssignmentOptions& options, JobContext& context);
 
 private:
     struct Bid {
@@ -66,12 +83,12 @@ private:
     struct Offers; ///< the best two of a row
     void reset(double price);
     void lowerFree(double lowest, double highest);
-    void auction(const AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
-                 JobContext& context);
+    void auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay, JobContext& context);
     std::vector<int> everybody(int persons);
-    std::vector<int> discontented(const AssignmentCosts& costs, double epsilon, JobContext& context);
-    Offers offersTo(const AssignmentCosts& costs, int person) const;
-    Bid bidOf(const AssignmentCosts& costs, int person, double epsilon, double ceiling) const;
+    std::vector<int> discontented(AssignmentCosts& costs, double epsilon, JobContext& context);
+    Offers offersTo(AssignmentCosts& costs, int person) const;
+    bool offers(AssignmentCosts& costs, int person, double limit) const;
+    Bid bidOf(AssignmentCosts& costs, int person, double epsilon, double ceiling) const;
     void take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting);
     void refreshPrice(int object);
     void sink(int object);

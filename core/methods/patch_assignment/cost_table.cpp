@@ -1,6 +1,7 @@
 #include "core/methods/patch_assignment/cost_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace texloom::patch_assignment {
 
@@ -9,6 +10,8 @@ namespace {
 /// Patches of the output that one thread takes at a time, and of the exemplar, which are then at hand for all
 /// of them.
 constexpr int kPersons = 8, kObjects = 64;
+/// What rounding may add to a cost, as a share of it.
+constexpr float kRounding = 1e-5F;
 
 std::size_t product(int a, int b) {
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
@@ -16,31 +19,38 @@ std::size_t product(int a, int b) {
 
 } // namespace
 
-void CostTable::update(int persons, const ExemplarPatches& patches, const Wanted& wanted, float slack,
-                       JobContext& context) {
+void CostTable::update(int persons, const ExemplarPatches& patches, const Wanted& wanted,
+                       const Tolerance& tolerance, JobContext& context) {
     m_known = m_known && m_costs.persons == persons;
     m_costs.persons = persons;
     m_costs.objects = m_costs.perRow = patches.count();
     m_costs.costs.resize(product(persons, m_costs.perRow));
     m_wanted.resize(product(persons, patches.patchFloats()));
-    compute(moved(patches, wanted, slack, context), patches, context);
+    m_fallen.resize(product(persons, 1));
+    m_costs.cost = nullptr;
+    if (tolerance.bounds)
+        m_costs.cost = [this, &patches](int person, int object) {
+            return patches.cost(patchOf(person, patches), object);
+        };
+    compute(moved(patches, wanted, tolerance, context), patches, context);
     m_known = true;
 }
 
 /// @return whose rows must be computed; their patches are now those of m_wanted.
-std::vector<int> CostTable::moved(const ExemplarPatches& patches, const Wanted& wanted, float slack,
-                                  JobContext& context) {
+std::vector<int> CostTable::moved(const ExemplarPatches& patches, const Wanted& wanted,
+                                  const Tolerance& tolerance, JobContext& context) {
     const int floats = patches.patchFloats();
-    std::vector<std::uint8_t> changed(static_cast<std::size_t>(m_costs.persons), 1);
+    std::vector<std::uint8_t> changed(product(m_costs.persons, 1), 0);
     context.parallel(0, (m_costs.persons + kObjects - 1) / kObjects, [&](int chunk) {
         std::vector<float> now(static_cast<std::size_t>(floats));
         for (int n = chunk * kObjects; n < std::min(m_costs.persons, (chunk + 1) * kObjects); ++n) {
             float* before = m_wanted.data() + product(n, floats);
             wanted(n, now.data());
-            if (m_known && patches.distance(now.data(), before) <= slack)
-                changed[static_cast<std::size_t>(n)] = 0;
-            else
-                std::copy(now.begin(), now.end(), before);
+            const float moved = m_known ? patches.distance(now.data(), before) : HUGE_VALF;
+            if (moved <= tolerance.keep)
+                continue;
+            std::copy(now.begin(), now.end(), before);
+            changed[static_cast<std::size_t>(n)] = outlives(n, moved, tolerance) ? 0 : 1;
         }
     });
     std::vector<int> persons;
@@ -50,18 +60,42 @@ std::vector<int> CostTable::moved(const ExemplarPatches& patches, const Wanted& 
     return persons;
 }
 
+/// Lets a row of bounds fall by what its patch has moved. @return whether it still says something.
+bool CostTable::outlives(int person, float moved, const Tolerance& tolerance) {
+    float& fallen = m_fallen[static_cast<std::size_t>(person)];
+    fallen += moved;
+    if (!tolerance.bounds || !(fallen <= tolerance.fall)) {
+        fallen = 0;
+        return false;
+    }
+    float* row = m_costs.row(person);
+    const float most = (1 + kRounding) * moved;
+    for (int i = 0; i < m_costs.perRow; ++i)
+        row[i] = -std::max(0.0F, (1 - kRounding) * std::abs(row[i]) - most);
+    return true;
+}
+
 void CostTable::compute(const std::vector<int>& persons, const ExemplarPatches& patches,
                         JobContext& context) {
     const int count = static_cast<int>(persons.size());
     context.parallel(0, (count + kPersons - 1) / kPersons, [&](int chunk) {
+        const int begin = chunk * kPersons, end = std::min(count, begin + kPersons);
+        std::vector<float> sums(product(kPersons, patches.sumFloats()));
+        if (m_costs.bounded())
+            for (int i = begin; i < end; ++i)
+                patches.sums(patchOf(persons[static_cast<std::size_t>(i)], patches),
+                             sums.data() + product(i - begin, patches.sumFloats()));
         for (int first = 0; first < m_costs.objects; first += kObjects) {
             if (first % 4096 == 0)
                 context.check();
             const int last = std::min(m_costs.objects, first + kObjects);
-            for (int i = chunk * kPersons; i < std::min(count, (chunk + 1) * kPersons); ++i) {
+            for (int i = begin; i < end; ++i) {
                 const int person = persons[static_cast<std::size_t>(i)];
-                patches.costs(m_wanted.data() + product(person, patches.patchFloats()), first, last,
-                              m_costs.costs.data() + product(person, m_costs.perRow) + first);
+                float* to = m_costs.row(person) + first;
+                if (m_costs.bounded())
+                    patches.bounds(sums.data() + product(i - begin, patches.sumFloats()), first, last, to);
+                else
+                    patches.costs(patchOf(person, patches), first, last, to);
             }
         }
     });

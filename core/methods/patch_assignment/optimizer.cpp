@@ -22,14 +22,17 @@ constexpr int kBandRows = 8;
 constexpr double kNarrowEpsilon = 0.05, kNarrowRho = 1;
 /// Where choices are narrowed, iterations end when no more than this share of the patches changes.
 constexpr double kNarrowChange = 0.02;
+/// Where assignments need not be the best, iterations end when the cost falls by less than this share: the
+/// last changes are but a choice among equals.
+constexpr double kSettled = 0.01;
 /// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
-constexpr double kKeptShare = 0.125;
+constexpr float kKeptShare = 0.125;
 
 double sampledMean(const AssignmentCosts& costs) {
     double sum = 0;
     std::int64_t seen = 0;
     for (std::size_t i = 0; i < costs.costs.size(); i += 997, ++seen)
-        sum += static_cast<double>(costs.costs[i]);
+        sum += static_cast<double>(std::abs(costs.costs[i]));
     return std::max(sum / static_cast<double>(seen), 1e-12);
 }
 
@@ -192,12 +195,15 @@ void Optimizer::optimize(int level) {
             TR("At this size every patch chose among a few that suit it, so that some are "
                "used a little more often than others."));
     const int count = iterations(level);
+    const std::vector<double>& costs = m_result.curves.front().values;
     for (int iteration = 0; iteration < count; ++iteration) {
         const double changed = project(pass);
         aggregate(pass);
         offer();
         m_context.progress((iteration + 1.0) / count);
         if (changed <= (pass.narrowed ? kNarrowChange : 0))
+            break;
+        if (nearOptimal() && iteration > 0 && costs.back() > (1 - kSettled) * costs[costs.size() - 2])
             break;
     }
     if (level == 0)
@@ -227,7 +233,7 @@ void Optimizer::plan(Pass& pass, int level) const {
 
 AssignmentOptions Optimizer::options(const Pass& pass) const {
     AssignmentOptions options;
-    options.epsilon = (1 - 2 * kKeptShare) * m_settings.epsilon * m_range;
+    options.epsilon = (1 - 2 * static_cast<double>(kKeptShare)) * m_settings.epsilon * m_range;
     if (m_settings.relaxed)
         options.relaxation = m_settings.rho * m_range;
     if (pass.narrowed) {
@@ -257,15 +263,15 @@ double Optimizer::assign(Pass& pass, Band& band) {
         const int n = band.top * columns + person;
         pass.patches.planar(m_canvas->at(n % columns * stride, n / columns * stride), m_canvas->stride(), to);
     };
-    const AssignmentCosts& costs = pass.narrowed ? pass.some : pass.all.costs();
+    AssignmentCosts& costs = pass.narrowed ? pass.some : pass.all.costs();
     if (pass.narrowed) {
         costSome(pass, band);
     } else {
         if (pass.bands.size() > 1)
             pass.all.forget();
-        const double slack = kKeptShare * m_settings.epsilon * m_range;
-        pass.all.update((band.bottom - band.top) * columns, pass.patches, wanted, static_cast<float>(slack),
-                        m_context);
+        const auto epsilon = static_cast<float>(m_settings.epsilon * m_range);
+        pass.all.update((band.bottom - band.top) * columns, pass.patches, wanted,
+                        {kKeptShare * epsilon, nearOptimal(), epsilon}, m_context);
     }
     pass.meanCost = sampledMean(costs);
     const std::vector<int> objects = band.assigner.assign(costs, options(pass), m_context);

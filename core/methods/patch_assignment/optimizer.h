@@ -48,6 +48,7 @@ private:
     int iterations(int level) const {
         return level == 0 ? m_settings.fineIterations : m_settings.coarseIterations;
     }
+    bool nearOptimal() const { return m_settings.epsilon > 0 || m_settings.relaxed; }
     void start(int level);
     void load(const ImageView& image);
     void close();

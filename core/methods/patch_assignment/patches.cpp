@@ -25,35 +25,73 @@ struct PlanarShape {
     int area, channels;
 };
 
-/// Channels is 0 where the compiler need not know their number.
+constexpr int kLanes = 8, kBlock = 64;
+/// What rounding may add to a lower bound, as a share of it.
+constexpr float kRounding = 1e-5F;
+
+/// Pixels and such as fill whole vectors.
+int lanes(int count) {
+    return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+/// Distances between the colours of `count` pixels. Channels is 0 where the compiler need not know their
+/// number.
+template <int Channels>
+[[gnu::always_inline]] inline void colourDistances(const float* wanted, const float* own, PlanarShape shape,
+                                                   int count, float* to) {
+    const auto difference = [&](int c, int i) {
+        return wanted[c * shape.area + i] - own[c * shape.area + i];
+    };
+    if constexpr (Channels == 1) {
+        for (int i = 0; i < count; ++i)
+            to[i] = std::abs(difference(0, i));
+    } else if constexpr (Channels == 3) {
+        for (int i = 0; i < count; ++i) {
+            const float red = difference(0, i), green = difference(1, i), blue = difference(2, i);
+            to[i] = std::sqrt(red * red + green * green + blue * blue);
+        }
+    } else {
+        for (int i = 0; i < count; ++i)
+            to[i] = difference(0, i) * difference(0, i);
+        for (int c = 1; c < shape.channels; ++c)
+            for (int i = 0; i < count; ++i)
+                to[i] += difference(c, i) * difference(c, i);
+        for (int i = 0; i < count; ++i)
+            to[i] = std::sqrt(to[i]);
+    }
+}
+
 template <int Channels>
 [[gnu::always_inline]] inline float distanceOf(const float* wanted, const float* own, PlanarShape shape) {
-    constexpr int kLanes = 8;
-    const int channels = Channels > 0 ? Channels : shape.channels;
     float sums[kLanes] = {};
-    for (int i = 0; i < shape.area; i += kLanes) {
-        float squares[kLanes] = {};
-        for (int c = 0; c < channels; ++c)
-            for (int lane = 0; lane < kLanes; ++lane) {
-                const float difference = wanted[c * shape.area + i + lane] - own[c * shape.area + i + lane];
-                squares[lane] += difference * difference;
-            }
-        for (int lane = 0; lane < kLanes; ++lane)
-            sums[lane] += std::sqrt(squares[lane]);
+    for (int i = 0; i < shape.area; i += kBlock) {
+        float each[kBlock];
+        const int count = std::min(kBlock, shape.area - i);
+        colourDistances<Channels>(wanted + i, own + i, shape, count, each);
+        for (int j = 0; j < count; j += kLanes)
+            for (int lane = 0; lane < kLanes; ++lane)
+                sums[lane] += each[j + lane];
     }
     return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+template <int Channels>
+[[gnu::always_inline]] inline void distancesOf(const float* wanted, const float* others, int count,
+                                               PlanarShape shape, float* to) {
+    const std::ptrdiff_t floats = static_cast<std::ptrdiff_t>(shape.area) * shape.channels;
+    for (int n = 0; n < count; ++n)
+        to[n] = distanceOf<Channels>(wanted, others + n * floats, shape);
 }
 
 /// The distances of one patch from `count` that follow one another.
 TEXLOOM_WIDE_VECTORS void distances(const float* wanted, const float* others, int count, PlanarShape shape,
                                     float* to) {
-    const std::ptrdiff_t floats = static_cast<std::ptrdiff_t>(shape.area) * shape.channels;
-    if (shape.channels == 3)
-        for (int n = 0; n < count; ++n)
-            to[n] = distanceOf<3>(wanted, others + n * floats, shape);
+    if (shape.channels == 1)
+        distancesOf<1>(wanted, others, count, shape, to);
+    else if (shape.channels == 3)
+        distancesOf<3>(wanted, others, count, shape, to);
     else
-        for (int n = 0; n < count; ++n)
-            to[n] = distanceOf<0>(wanted, others + n * floats, shape);
+        distancesOf<0>(wanted, others, count, shape, to);
 }
 
 } // namespace
@@ -61,11 +99,13 @@ TEXLOOM_WIDE_VECTORS void distances(const float* wanted, const float* others, in
 ExemplarPatches::ExemplarPatches(std::span<const PatchSource> sources, const Settings& settings, bool random,
                                  JobContext& context)
     : m_patch(settings.patch), m_stride(settings.stride()), m_channels(sources.front().image.channels),
-      m_area((settings.patch * settings.patch + 7) / 8 * 8), m_pad(settings.patch / 2) {
+      m_area(lanes(settings.patch * settings.patch)),
+      m_sumArea(lanes((settings.patch + 1) / 2 * ((settings.patch + 1) / 2))), m_pad(settings.patch / 2) {
     for (const PatchSource& source : sources)
         add(source);
     choose(sources, random, context);
     m_planar.assign(static_cast<std::size_t>(count()) * static_cast<std::size_t>(patchFloats()), 0);
+    m_sums.resize(static_cast<std::size_t>(count()) * static_cast<std::size_t>(sumFloats()));
     for (int n = 0; n < count(); ++n) {
         if (n % 256 == 0)
             context.check();
@@ -73,6 +113,7 @@ ExemplarPatches::ExemplarPatches(std::span<const PatchSource> sources, const Set
         const Interleaved& image = m_images[source.exemplar];
         planar(image.at(source.x, source.y), image.stride(),
                m_planar.data() + static_cast<std::ptrdiff_t>(n) * patchFloats());
+        sums(own(n), m_sums.data() + static_cast<std::ptrdiff_t>(n) * sumFloats());
     }
 }
 
@@ -214,6 +255,22 @@ float ExemplarPatches::distance(const float* planar, const float* other) const {
 
 void ExemplarPatches::costs(const float* planar, int first, int last, float* to) const {
     distances(planar, own(first), last - first, {m_area, m_channels}, to);
+}
+
+void ExemplarPatches::sums(const float* planar, float* to) const {
+    std::fill_n(to, sumFloats(), 0.0F);
+    const int columns = (m_patch + 1) / 2;
+    for (int c = 0; c < m_channels; ++c)
+        for (int y = 0; y < m_patch; ++y)
+            for (int x = 0; x < m_patch; ++x)
+                to[c * m_sumArea + y / 2 * columns + x / 2] += planar[c * m_area + y * m_patch + x];
+}
+
+void ExemplarPatches::bounds(const float* sums, int first, int last, float* to) const {
+    distances(sums, m_sums.data() + static_cast<std::ptrdiff_t>(first) * sumFloats(), last - first,
+              {m_sumArea, m_channels}, to);
+    for (int n = 0; n < last - first; ++n)
+        to[n] *= kRounding - 1;
 }
 
 void ExemplarPatches::findSimilar(JobContext& context) {

@@ -7,6 +7,7 @@
 #include <lemon/smart_graph.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace {
 /// Whole costs, so that the simplex method's are the same.
 AssignmentCosts randomCosts(int persons, int objects, int largest, int number) {
     const Random random(11);
-    AssignmentCosts costs{persons, objects, {}, {}, objects};
+    AssignmentCosts costs{persons, objects, {}, {}, objects, {}};
     for (int i = 0; i < persons; ++i)
         for (int j = 0; j < objects; ++j)
             costs.costs.push_back(static_cast<float>(
@@ -59,7 +60,7 @@ struct Solved {
     std::vector<int> first, again; ///< the second time with the prices of the first
 };
 
-Solved solved(const AssignmentCosts& costs, const std::vector<int>& places, const AssignmentOptions& options,
+Solved solved(AssignmentCosts costs, const std::vector<int>& places, const AssignmentOptions& options,
               int threads = 2) {
     Job<Solved> job({1, threads, false}, [&](JobContext& context) {
         Assigner assigner(places);
@@ -114,6 +115,34 @@ TEST(Assignment, auctionComesWithinEpsilonForEachPerson) {
         EXPECT_LE(costOf(costs, found.again), smallest + 150 * epsilon + 0.01);
         EXPECT_EQ(uses(found.first, 150), places);
     }
+}
+
+TEST(Assignment, boundsChangeNothingAndSpareMostCosts) {
+    constexpr int kCount = 300;
+    const Random random(12);
+    AssignmentCosts costs = randomCosts(kCount, kCount, 1000000, 7);
+    AssignmentCosts bounds = costs;
+    for (int i = 0; i < kCount; ++i)
+        for (int j = 0; j < kCount; ++j) // a few bounds say nothing at all
+            bounds.row(i)[j] *=
+                -static_cast<float>(std::min(1.0, std::max(0.0, random.uniform(i, j, 1) + 0.4)));
+    std::atomic<int> asked = 0;
+    bounds.cost = [&](int person, int object) {
+        ++asked;
+        return costs.row(person)[object];
+    };
+    const std::vector<int> places(kCount, 1);
+    for (const AssignmentOptions& options :
+         {AssignmentOptions{100, 30000}, AssignmentOptions{500, 30000, true}}) {
+        asked = 0;
+        const Solved with = solved(bounds, places, options), without = solved(costs, places, options);
+        EXPECT_EQ(with.first, without.first);
+        EXPECT_EQ(with.again, without.again);
+        EXPECT_LT(asked, kCount * kCount / 3);
+    }
+    const double smallest = smallestCost(costs, places);
+    EXPECT_EQ(costOf(costs, solved(bounds, places, {}).first), smallest);
+    EXPECT_LE(costOf(costs, solved(bounds, places, {2000}).first), smallest + kCount * 2000);
 }
 
 TEST(Assignment, threadsChangeNothing) {
