@@ -18,6 +18,8 @@ constexpr double kScaling = 6;
 /// The first ε, the one that gives the exact solution its first prices, and the one of a relaxed assignment
 /// without, as shares of the mean cost.
 constexpr double kFirst = 0.1, kRough = 5e-3, kLast = 2e-4;
+/// Share of ε by which an object may be worse than one whose cost is not known yet.
+constexpr double kUnseen = 0.4;
 /// Rounds in which everybody without an object may push out another.
 constexpr int kPushes = 12;
 /// Fewer bidders than this are not worth waking threads.
@@ -273,9 +275,9 @@ void Assigner::auction(AssignmentCosts& costs, double epsilon, double ceiling, b
     }
 }
 
-Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int person) const {
+Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int person, double slack) const {
     if (costs.choices.empty())
-        return {bestTwo(costs, person, m_scanned.data())};
+        return {bestTwo(costs, person, m_scanned.data(), static_cast<float>(slack))};
     Offers two;
     for (int place = 0; place < costs.perRow; ++place)
         two.add(place, costs.row(person)[place] + m_scanned[at(costs.object(person, place))]);
@@ -286,19 +288,21 @@ Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int person) const {
 bool Assigner::offers(AssignmentCosts& costs, int person, double limit) const {
     if (costs.choices.empty())
         return anyBelow(costs, person, m_scanned.data(), static_cast<float>(limit));
-    return static_cast<double>(offersTo(costs, person).best) < limit;
+    return static_cast<double>(offersTo(costs, person, 0).best) < limit;
 }
 
 /// The best object for a person, and the price at which the second best would be as good, and ε more.
 Assigner::Bid Assigner::bidOf(AssignmentCosts& costs, int person, double epsilon, double ceiling) const {
     const float* row = costs.row(person);
-    const Offers two = offersTo(costs, person);
+    // Part of ε goes into objects that only may be better, so that fewer need be looked at.
+    const double slack = costs.bounded() ? kUnseen * epsilon : 0;
+    const Offers two = offersTo(costs, person, slack);
     const int object = costs.object(person, two.place);
     const auto cost = static_cast<double>(row[two.place]);
     const double another = std::min(static_cast<double>(two.second), cost + m_second[at(object)]);
     // With nothing else to turn to, any price will do.
     const double limit = std::isfinite(another) ? another - cost : m_price[at(object)];
-    return {object, std::min(ceiling, std::max(limit, m_price[at(object)]) + epsilon)};
+    return {object, std::min(ceiling, std::max(limit, m_price[at(object)]) + epsilon - slack)};
 }
 
 void Assigner::take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting) {

@@ -86,7 +86,7 @@ private:
     void auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay, JobContext& context);
     std::vector<int> everybody(int persons);
     std::vector<int> discontented(AssignmentCosts& costs, double epsilon, JobContext& context);
-    Offers offersTo(AssignmentCosts& costs, int person) const;
+    Offers offersTo(AssignmentCosts& costs, int person, double slack) const;
     bool offers(AssignmentCosts& costs, int person, double limit) const;
     Bid bidOf(AssignmentCosts& costs, int person, double epsilon, double ceiling) const;
     void take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting);

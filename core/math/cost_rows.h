@@ -139,28 +139,30 @@ inline std::pair<int, int> lowestTwo(const float* costs, const float* prices, in
     return {bestPlace, secondPlace};
 }
 
-/// The two best sums of one person's costs and the prices. Bounds that may hide a better one give way to
-/// costs.
-inline BestTwo<float> bestTwo(AssignmentCosts& costs, int person, const float* prices) {
+/// An object whose cost and price sum to at most `slack` more than the best of one person's, with that sum,
+/// and what no other sum is less than. Bounds that may hide better ones give way to costs.
+inline BestTwo<float> bestTwo(AssignmentCosts& costs, int person, const float* prices, float slack) {
     const float* row = costs.row(person);
     if (!costs.bounded())
         return bestTwo(row, prices, costs.perRow);
+    const auto value = [&](int place) {
+        return place < 0 ? std::numeric_limits<float>::infinity() : std::abs(row[place]) + prices[place];
+    };
     const auto [first, next] = lowestTwo(row, prices, costs.perRow);
     BestTwo<float> two;
     const auto add = [&](int place) { // of equal ones the first is the best, in whatever order they come
         two.add(place, costs.known(person, place) + prices[place], std::numeric_limits<float>::infinity());
     };
-    const bool bounds = (first >= 0 && std::signbit(row[first])) || (next >= 0 && std::signbit(row[next]));
-    for (const int place : {first, next})
-        if (place >= 0)
-            add(place);
-    if (bounds)
+    if (first >= 0)
+        add(first);
+    if (two.best > value(next) + slack) {
         visitBelow(
-            row, prices, costs.perRow, [&] { return two.second; },
-            [&, first = first, next = next](int place) {
-                if (place != first && place != next)
-                    add(place);
-            });
+            row, prices, costs.perRow, [&] { return two.best - slack; }, add);
+        const auto [lowest, second] = lowestTwo(row, prices, costs.perRow);
+        two.second = value(lowest == two.place ? second : lowest);
+    } else {
+        two.second = value(next);
+    }
     return two;
 }
 

@@ -23,10 +23,11 @@ constexpr double kNarrowEpsilon = 0.05, kNarrowRho = 1;
 /// Where choices are narrowed, iterations end when no more than this share of the patches changes.
 constexpr double kNarrowChange = 0.02;
 /// Where assignments need not be the best, iterations end when the cost falls by less than this share: the
-/// last changes are but a choice among equals.
-constexpr double kSettled = 0.01;
+/// last changes are but a choice among equals. On the finest scale, and on the others, which what follows
+/// builds on.
+constexpr double kSettledFine = 0.03, kSettled = 0.005;
 /// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
-constexpr float kKeptShare = 0.125;
+constexpr float kKeptShare = 0.05F;
 
 double sampledMean(const AssignmentCosts& costs) {
     double sum = 0;
@@ -60,6 +61,7 @@ struct Optimizer::Pass {
     std::vector<int> chosen; ///< the exemplar patch of each patch of the lattice
     std::vector<Band> bands;
     bool narrowed = false;
+    bool begun = false;   ///< whether there has been an assignment
     CostTable all;        ///< of every patch for every one of the exemplar's
     AssignmentCosts some; ///< where choices are narrowed
     double meanCost = 0;
@@ -203,7 +205,8 @@ void Optimizer::optimize(int level) {
         m_context.progress((iteration + 1.0) / count);
         if (changed <= (pass.narrowed ? kNarrowChange : 0))
             break;
-        if (nearOptimal() && iteration > 0 && costs.back() > (1 - kSettled) * costs[costs.size() - 2])
+        if (nearOptimal() && iteration > 0 &&
+            costs.back() > (1 - (level == 0 ? kSettledFine : kSettled)) * costs[costs.size() - 2])
             break;
     }
     if (level == 0)
