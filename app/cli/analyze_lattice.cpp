@@ -47,9 +47,12 @@ void printText(const ExemplarFile& exemplar, const LatticeAnalysis& analysis, in
     }
     const LatticeCandidate& best = analysis.candidates.front();
     fmt::print("{}\n  confidence {:.0f} %: {}\n", toLine(best), 100 * analysis.confidence,
-               analysis.found() ? "a lattice"
-                                : "too little to rely on; methods treat the texture as irregular");
-    if (const Size rectangle = wrappingRectangle(best.lattice, limit); !rectangle.empty())
+               !analysis.found()         ? "too little to rely on; methods treat the texture as irregular"
+               : best.lattice.rowsOnly() ? "rows, along which it does not repeat"
+                                         : "a lattice");
+    if (best.lattice.rowsOnly())
+        fmt::print("  rows {:.2f} px apart\n", best.lattice.area());
+    else if (const Size rectangle = wrappingRectangle(best.lattice, limit); !rectangle.empty())
         fmt::print("  tiles as a rectangle of {} × {} px\n", rectangle.width, rectangle.height);
     for (std::size_t i = 1; i < analysis.candidates.size(); ++i)
         fmt::print("or {}\n", toLine(analysis.candidates[i]));

@@ -20,6 +20,13 @@ struct Vec2 {
     friend bool operator==(const Vec2&, const Vec2&) = default;
 };
 
+/// Whether a lattice's vector, of about one pixel, only says the direction of rows: along them all
+/// displacements are allowed.
+inline bool alongRows(Vec2 vector) {
+    constexpr double kStep = 1.5;
+    return vector.length() < kStep;
+}
+
 /// The translations a v1 + b v2, for whole a and b, under which a texture stays as it is (López Recas 2011,
 /// section 3.3). The parallelogram that the two vectors span is the tile.
 struct Lattice {
@@ -41,6 +48,8 @@ struct Lattice {
     double area() const { return std::abs(cross(v1, v2)); }
     /// Sides of the smallest upright rectangle round the tile.
     Vec2 extent() const { return {std::abs(v1.x) + std::abs(v2.x), std::abs(v1.y) + std::abs(v2.y)}; }
+    /// Whether only rows repeat: one of the vectors is alongRows().
+    bool rowsOnly() const { return alongRows(v1) != alongRows(v2); }
     /// Whether every displacement is allowed: the lattice of a texture without one.
     bool free() const { return *this == Lattice{}; }
 

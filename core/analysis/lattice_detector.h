@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/correlation.h"
-#include "core/analysis/lattice.h"
+#include "core/analysis/lattice_candidate.h"
 #include "core/image/image.h"
 
 #include <cstdint>
@@ -10,20 +10,12 @@
 
 namespace texloom {
 
-/// A lattice that a texture may have, and how well it fits.
-struct LatticeCandidate {
-    Lattice lattice; ///< reduced, to a fraction of a pixel
-    /// (Σ γ)^α / n over the n significant multiples of the vectors, α = 1.12 (eq. 3.22).
-    double goodness = 0;
-    double correlation = 0; ///< mean γ over those multiples
-    int multiples = 0;      ///< n
-};
-
 /// What is known of a texture's regularity: all that a window shows of it.
 struct LatticeAnalysis {
     /// γ of the exemplar with itself, its slow changes of light taken out.
     Correlation correlation;
-    /// Best first, at most four: the lattice and three runners-up. Empty if nothing in the exemplar repeats.
+    /// The lattice, then at most three runners-up, best first: lattices that someone may want instead. Empty
+    /// if nothing in the exemplar repeats.
     std::vector<LatticeCandidate> candidates;
     /// From 0 to 1: how far the first candidate stands out from what a texture without a lattice gives.
     double confidence = 0;
@@ -37,7 +29,9 @@ struct LatticeAnalysis {
 /// the smaller tile. Past the source: a quadratic surface of light is taken out of each channel first, every
 /// pair is fitted to the maxima at all its multiples, which gives fractions of a pixel, and lattices with two
 /// and three times the points of a good one are tried as well. A vector is found if the exemplar is about two
-/// of it long. A texture that does not change along a line gets a vector of one pixel along it.
+/// of it long. Where only rows repeat (findRows()), the lattice has a vector of one pixel along them:
+/// lattices that explain nothing of what lies in the rows are left out. Among the runners-up are the smallest
+/// tile that is half as good, and the rows.
 /// @param check called every few milliseconds; may throw.
 LatticeAnalysis analyzeLattice(
     const ImageView& exemplar, const std::function<void()>& check = [] {});

@@ -3,6 +3,11 @@
 #include "core/analysis/lattice_detector.h"
 #include "core/base/error.h"
 
+#include <algorithm>
+#include <deque>
+#include <mutex>
+#include <optional>
+
 namespace texloom {
 
 void checkLattice(const LatticeSettings& settings, const std::string& exemplar, Size size) {
@@ -25,19 +30,68 @@ void checkLattice(const LatticeSettings& settings, const std::string& exemplar, 
                   extent.x, extent.y, exemplar, size.width, size.height);
 }
 
-Lattice latticeFor(const LatticeSettings& settings, const std::string& exemplar, const ImageView& image,
-                   std::vector<std::string>& notes, const std::function<void()>& check) {
+namespace {
+
+/// What was found in an exemplar.
+struct Finding {
+    std::weak_ptr<const Image> exemplar;
+    Lattice lattice; ///< free() if none is to be relied on
+    bool candidates = false;
+    double confidence = 0;
+};
+
+/// The exemplars that were looked at last. An image never changes once it is shared, so that the strips of a
+/// large output, and later runs, need not look again.
+class Findings {
+public:
+    std::optional<Finding> of(const std::shared_ptr<const Image>& exemplar) {
+        const std::lock_guard lock(m_mutex);
+        for (const Finding& finding : m_last)
+            if (finding.exemplar.lock() == exemplar)
+                return finding;
+        return {};
+    }
+    void add(const Finding& finding) {
+        constexpr std::size_t kMost = 16;
+        const std::lock_guard lock(m_mutex);
+        m_last.push_front(finding);
+        m_last.resize(std::min(m_last.size(), kMost));
+    }
+
+private:
+    std::mutex m_mutex;
+    std::deque<Finding> m_last;
+};
+
+Finding findingIn(const std::shared_ptr<const Image>& exemplar, const std::function<void()>& check) {
+    static Findings findings;
+    if (const std::optional<Finding> known = findings.of(exemplar))
+        return *known;
+    const LatticeAnalysis analysis = analyzeLattice(*exemplar, check);
+    const Finding finding{exemplar, analysis.found() ? analysis.candidates.front().lattice : Lattice{},
+                          !analysis.candidates.empty(), analysis.confidence};
+    findings.add(finding);
+    return finding;
+}
+
+} // namespace
+
+Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
+                   const std::shared_ptr<const Image>& exemplar, std::vector<std::string>& notes,
+                   const std::function<void()>& check) {
     if (settings.lattice == LatticeSource::None)
         return {};
     if (settings.lattice == LatticeSource::Given)
         return settings.given().reduced();
-    const LatticeAnalysis analysis = analyzeLattice(image, check);
-    if (analysis.found())
-        return analysis.candidates.front().lattice;
-    notes.push_back(
-        fmt::format("No lattice was found in {} (confidence {:.0f} %), so it was taken as a texture that "
-                    "does not repeat; if it does, give the vectors with lattice=given.",
-                    exemplar, 100 * analysis.confidence));
+    const Finding found = findingIn(exemplar, check);
+    if (!found.lattice.free())
+        return found.lattice;
+    const std::string why =
+        !found.candidates
+            ? fmt::format("Nothing in {} repeats itself at least twice", name)
+            : fmt::format("No lattice was found in {} (confidence {:.0f} %)", name, 100 * found.confidence);
+    notes.push_back(why + ", so it was taken as a texture that does not repeat; if it does, draw its vectors "
+                          "in the window's Lattice workspace, or give them with lattice=given.");
     return {};
 }
 

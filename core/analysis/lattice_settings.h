@@ -6,6 +6,7 @@
 #include "core/image/image.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -57,10 +58,12 @@ template <class Settings> std::vector<Param> latticeFields() {
 /// larger than the exemplar.
 void checkLattice(const LatticeSettings& settings, const std::string& exemplar, Size size);
 
-/// The lattice that the settings ask for; free() if none is asked for, or none is found.
-/// @param notes gets a sentence where the lattice was looked for in vain.
+/// The lattice that the settings ask for; free() if none is asked for, or none is found. An exemplar is
+/// looked at once, however many runs ask. @param name of the exemplar, for the notes. @param notes gets a
+/// sentence where the lattice was looked for in vain.
 /// @param check called every few milliseconds; may throw.
-Lattice latticeFor(const LatticeSettings& settings, const std::string& exemplar, const ImageView& image,
-                   std::vector<std::string>& notes, const std::function<void()>& check);
+Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
+                   const std::shared_ptr<const Image>& exemplar, std::vector<std::string>& notes,
+                   const std::function<void()>& check);
 
 } // namespace texloom

@@ -38,7 +38,7 @@
         <translation>Ein Schnitt lässt jedes Pixel, wie es in der Vorlage ist; ein geglätteter blendet über ihn hinweg.</translation>
     </message>
     <message>
-        <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks' edges, as in the source.</source>
+        <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks&apos; edges, as in the source.</source>
         <translation>Ein Schnitt lässt jedes Pixel, wie es in der Vorlage ist; Überblenden mischt einen Streifen entlang der Blockkanten, wie in der Quelle.</translation>
     </message>
     <message>
@@ -74,7 +74,7 @@
         <translation>Wie angegeben</translation>
     </message>
     <message>
-        <source>As the exemplar's files</source>
+        <source>As the exemplar&apos;s files</source>
         <translation>Wie die Dateien der Vorlage</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@
         <translation>Spalte der Vorlage, an der die Kachel beginnt.</translation>
     </message>
     <message>
-        <source>Column of the exemplar's lattice that lies at the output's left side: moves the pattern sideways.</source>
+        <source>Column of the exemplar&apos;s lattice that lies at the output&apos;s left side: moves the pattern sideways.</source>
         <translation>Spalte im Gitter der Vorlage, die am linken Rand der Ausgabe liegt: verschiebt das Muster seitwärts.</translation>
     </message>
     <message>
@@ -262,11 +262,11 @@
         <translation>Gauß-Patches</translation>
     </message>
     <message>
-        <source>Gives noise the exemplar's histogram in every band of a steerable pyramid. Quick and free of copies; suits grainy and stochastic textures, and loses structure.</source>
+        <source>Gives noise the exemplar&apos;s histogram in every band of a steerable pyramid. Quick and free of copies; suits grainy and stochastic textures, and loses structure.</source>
         <translation>Gibt Rauschen in jedem Band einer steuerbaren Pyramide das Histogramm der Vorlage. Schnell und ohne Kopien; gut für körnige und stochastische Texturen, verliert Strukturen.</translation>
     </message>
     <message>
-        <source>Gives noise the exemplar's joint statistics in a complex steerable pyramid, round after round. Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts.</source>
+        <source>Gives noise the exemplar&apos;s joint statistics in a complex steerable pyramid, round after round. Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts.</source>
         <translation>Gibt Rauschen Runde für Runde die gemeinsame Statistik der Vorlage in einer komplexen steuerbaren Pyramide. Kopiert nie; gut für Kies, Gras, Rinde und andere dichte Texturen, verliert regelmäßige Anordnungen.</translation>
     </message>
     <message>
@@ -298,7 +298,7 @@
         <translation>Wie weit vom Gitter ein Patch liegen darf, der eine Lücke füllt: mehr schließt in unregelmäßigen Texturen besser an, weniger hält die Reihen gerade.</translation>
     </message>
     <message>
-        <source>How far shared pixels may vary, in per cent of the exemplar's standard deviation.</source>
+        <source>How far shared pixels may vary, in per cent of the exemplar&apos;s standard deviation.</source>
         <translation>Wie stark geteilte Pixel abweichen dürfen, in Prozent der Standardabweichung der Vorlage.</translation>
     </message>
     <message>
@@ -410,11 +410,11 @@
         <translation>Legt große Strukturen auf grober Skala an und fügt auf jeder feineren neue Einzelheiten hinzu. Hält die Anordnung von Makrotexturen mit kleinen Patches; weicher als Quilting.</translation>
     </message>
     <message>
-        <source>Learns from the exemplar's periodic component, without which its borders count as horizontal and vertical lines.</source>
+        <source>Learns from the exemplar&apos;s periodic component, without which its borders count as horizontal and vertical lines.</source>
         <translation>Lernt aus dem periodischen Anteil der Vorlage; ohne ihn zählen deren Ränder als waagrechte und senkrechte Linien.</translation>
     </message>
     <message>
-        <source>Learns from the exemplar's periodic component, without which its borders draw horizontal and vertical streaks.</source>
+        <source>Learns from the exemplar&apos;s periodic component, without which its borders draw horizontal and vertical streaks.</source>
         <translation>Lernt aus dem periodischen Anteil der Vorlage; ohne ihn ziehen deren Ränder waagrechte und senkrechte Streifen.</translation>
     </message>
     <message>
@@ -518,7 +518,7 @@
         <translation>Schnitt mit kleinstem Fehler</translation>
     </message>
     <message>
-        <source>Mismatch of the pixels' histogram</source>
+        <source>Mismatch of the pixels&apos; histogram</source>
         <translation>Abweichung des Pixelhistogramms</translation>
     </message>
     <message>
@@ -550,7 +550,7 @@
         <translation>Nachbarn</translation>
     </message>
     <message>
-        <source>New patches from the locally Gaussian model, then pieces of the exemplar quilted over them: keeps the model's variety and gets the exemplar's sharpness back.</source>
+        <source>New patches from the locally Gaussian model, then pieces of the exemplar quilted over them: keeps the model&apos;s variety and gets the exemplar&apos;s sharpness back.</source>
         <translation>Neue Patches aus dem lokal gaußschen Modell, dann Stücke der Vorlage darübergefügt: behält die Vielfalt des Modells und holt die Schärfe der Vorlage zurück.</translation>
     </message>
     <message>
@@ -658,7 +658,7 @@
         <translation>Zufallsphasen-Rauschen</translation>
     </message>
     <message>
-        <source>Random phase noise keeps each frequency's strength exactly; spot noise lets it vary as in a Gaussian field.</source>
+        <source>Random phase noise keeps each frequency&apos;s strength exactly; spot noise lets it vary as in a Gaussian field.</source>
         <translation>Zufallsphasen-Rauschen hält die Stärke jeder Frequenz genau; Spot-Rauschen lässt sie schwanken wie in einem Gauß-Feld.</translation>
     </message>
     <message>
@@ -694,7 +694,7 @@
         <translation>Durchgänge zwischen Pyramide und Pixeln: mehr bringen beide der Vorlage näher.</translation>
     </message>
     <message>
-        <source>Rounds over all statistics: more bring them closer to the exemplar's.</source>
+        <source>Rounds over all statistics: more bring them closer to the exemplar&apos;s.</source>
         <translation>Durchgänge über alle Statistiken: mehr bringen sie denen der Vorlage näher.</translation>
     </message>
     <message>
@@ -702,7 +702,7 @@
         <translation>Zeile der Vorlage, an der die Kachel beginnt.</translation>
     </message>
     <message>
-        <source>Row of the exemplar's lattice that lies at the output's top: moves the pattern up or down.</source>
+        <source>Row of the exemplar&apos;s lattice that lies at the output&apos;s top: moves the pattern up or down.</source>
         <translation>Zeile im Gitter der Vorlage, die am oberen Rand der Ausgabe liegt: verschiebt das Muster nach oben oder unten.</translation>
     </message>
     <message>
@@ -750,7 +750,7 @@
         <translation>Fügt quadratische Patches der Vorlage entlang der Schnitte zusammen, an denen sie sich am wenigsten unterscheiden. Schnell und treu bei Strukturen wie Ziegeln oder Blättern; kopiert größere Flächen wörtlich.</translation>
     </message>
     <message>
-        <source>Share of each round's change that is added once more: some brings the statistics closer in fewer rounds.</source>
+        <source>Share of each round&apos;s change that is added once more: some brings the statistics closer in fewer rounds.</source>
         <translation>Anteil der Änderung jedes Durchgangs, der noch einmal hinzukommt: etwas davon bringt die Statistiken in weniger Durchgängen näher.</translation>
     </message>
     <message>
@@ -902,11 +902,11 @@
         <translation>Kachel</translation>
     </message>
     <message>
-        <source>Tile's corner, down</source>
+        <source>Tile&apos;s corner, down</source>
         <translation>Ecke der Kachel, nach unten</translation>
     </message>
     <message>
-        <source>Tile's corner, right</source>
+        <source>Tile&apos;s corner, right</source>
         <translation>Ecke der Kachel, nach rechts</translation>
     </message>
     <message>
@@ -962,7 +962,7 @@
         <translation>Welche Größen zusammen auftreten: Kanten gegen dünne Linien.</translation>
     </message>
     <message>
-        <source>White noise added to the model, in per cent of the exemplar's standard deviation: more lets patches fit their neighbours less.</source>
+        <source>White noise added to the model, in per cent of the exemplar&apos;s standard deviation: more lets patches fit their neighbours less.</source>
         <translation>Weißes Rauschen, das dem Modell hinzugefügt wird, in Prozent der Standardabweichung der Vorlage: mehr lässt Patches weniger zu ihren Nachbarn passen.</translation>
     </message>
     <message>
@@ -1106,7 +1106,7 @@
         <translation>Abschluss</translation>
     </message>
     <message>
-        <source>For outputs of another size than the exemplar's: all patches equally often, or patches drawn at random.</source>
+        <source>For outputs of another size than the exemplar&apos;s: all patches equally often, or patches drawn at random.</source>
         <translation>Für Ausgaben anderer Größe als die Vorlage: alle Patches gleich oft oder zufällig gezogene Patches.</translation>
     </message>
     <message>
@@ -1126,7 +1126,7 @@
         <translation>Wie sehr ein zu oft benutzter Patch gemieden wird: größer zeigt die ganze Vorlage, 0 nimmt, was am besten passt.</translation>
     </message>
     <message>
-        <source>How much the output's patches count against the exemplar's: larger joins better, smaller loses less.</source>
+        <source>How much the output&apos;s patches count against the exemplar&apos;s: larger joins better, smaller loses less.</source>
         <translation>Wie viel die Patches der Ausgabe gegenüber denen der Vorlage zählen: größer schließt besser an, kleiner verliert weniger.</translation>
     </message>
     <message>
@@ -1154,7 +1154,7 @@
         <translation>Ergebnis wird beurteilt</translation>
     </message>
     <message>
-        <source>Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with an exact map.</source>
+        <source>Keeps the joined patches, or copies for each pixel the exemplar&apos;s nearest to it: sharper, with an exact map.</source>
         <translation>Behält die verbundenen Patches oder kopiert für jedes Pixel das nächste der Vorlage: schärfer, mit genauer Karte.</translation>
     </message>
     <message>
@@ -1286,7 +1286,7 @@
         <translation>Gleichmäßigkeit</translation>
     </message>
     <message>
-        <source>Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing takes over. Keeps the exemplar's mix of colours and details; slow for large outputs.</source>
+        <source>Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing takes over. Keeps the exemplar&apos;s mix of colours and details; slow for large outputs.</source>
         <translation>Benutzt jeden Patch der Vorlage so oft wie jeden anderen, sodass nichts verloren geht und nichts überhandnimmt. Erhält die Mischung von Farben und Einzelheiten; langsam bei großen Ausgaben.</translation>
     </message>
     <message>
@@ -1298,8 +1298,20 @@
         <translation>Was jede Benutzung zu viel oder zu wenig kostet: 0 nimmt die nächsten Patches, ein großer Wert benutzt alle gleich.</translation>
     </message>
     <message>
-        <source>Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a random one varies more and blurs, the hybrid is random but on the finest scale.</source>
+        <source>Where the exemplar&apos;s patches lie: a regular grid is sharp and copies larger pieces, a random one varies more and blurs, the hybrid is random but on the finest scale.</source>
         <translation>Wo die Patches der Vorlage liegen: Ein regelmäßiges Raster ist scharf und kopiert größere Stücke, ein zufälliges variiert mehr und verwischt, das gemischte ist zufällig außer auf der feinsten Skala.</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Immer</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
+        <source>Where patches would show</source>
+        <translation>Wo Flicken sichtbar würden</translation>
     </message>
 </context>
 <context>
@@ -1478,7 +1490,7 @@
         <translation>&amp;100 %</translation>
     </message>
     <message>
-        <source>One screen pixel for each of the picture's</source>
+        <source>One screen pixel for each of the picture&apos;s</source>
         <translation>Ein Bildschirmpixel für jedes des Bildes</translation>
     </message>
     <message>
@@ -1730,6 +1742,37 @@
     </message>
 </context>
 <context>
+    <name>texloom::ui::CandidateTable</name>
+    <message>
+        <source>Lattices to choose from</source>
+        <translation>Gitter zur Auswahl</translation>
+    </message>
+    <message>
+        <source>First vector</source>
+        <translation>Erster Vektor</translation>
+    </message>
+    <message>
+        <source>Second vector</source>
+        <translation>Zweiter Vektor</translation>
+    </message>
+    <message>
+        <source>Goodness</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>Only rows repeat: what lies along them comes from anywhere in a row</source>
+        <translation>Nur Reihen wiederholen sich: Was in ihnen liegt, kommt von irgendwo in einer Reihe</translation>
+    </message>
+    <message>
+        <source>Mean correlation %1 over %2 multiples of the vectors</source>
+        <translation>Mittlere Korrelation %1 über %2 Vielfache der Vektoren</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::CompanionList</name>
     <message>
         <source>Companion maps</source>
@@ -1752,7 +1795,7 @@
         <translation>Begleitkarten hinzufügen</translation>
     </message>
     <message>
-        <source>Add maps of the exemplar's size, such as normals or heights: they get the result's layout.</source>
+        <source>Add maps of the exemplar&apos;s size, such as normals or heights: they get the result&apos;s layout.</source>
         <translation>Karten von der Größe der Vorlage hinzufügen, etwa Normalen oder Höhen: Sie bekommen die Anordnung des Ergebnisses.</translation>
     </message>
     <message>
@@ -2077,7 +2120,7 @@
         <translation>Begleitkarte</translation>
     </message>
     <message>
-        <source>Gets the result's layout</source>
+        <source>Gets the result&apos;s layout</source>
         <translation>Bekommt die Anordnung des Ergebnisses</translation>
     </message>
     <message>
@@ -2292,7 +2335,7 @@
         <translation>Nimmt langsame Helligkeitsänderungen aus den Farben, sodass Teile von hellen und dunklen Stellen zusammenpassen.</translation>
     </message>
     <message>
-        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture's own shades.</source>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
         <translation>Breite des Fensters, das das Licht findet, als Anteil der kürzeren Seite: größer lässt mehr von den eigenen Tönen der Textur.</translation>
     </message>
     <message>
@@ -2369,7 +2412,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Vorlagen öffnen</translation>
     </message>
     <message>
-        <source>The colour space that the file's values are in. Data, such as heights, is never converted.</source>
+        <source>The colour space that the file&apos;s values are in. Data, such as heights, is never converted.</source>
         <translation>Der Farbraum, in dem die Werte der Datei sind. Daten wie Höhen werden nie umgerechnet.</translation>
     </message>
     <message>
@@ -2377,7 +2420,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Wählen …</translation>
     </message>
     <message>
-        <source>A picture of the exemplar's size: where it is black, nothing is copied.</source>
+        <source>A picture of the exemplar&apos;s size: where it is black, nothing is copied.</source>
         <translation>Ein Bild von der Größe der Vorlage: Wo es schwarz ist, wird nichts kopiert.</translation>
     </message>
     <message>
@@ -2475,7 +2518,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Wie die Dateien heißen, welche Karten sich eine teilen und wohin Grün in Normalenkarten zeigt.</translation>
     </message>
     <message>
-        <source>The name of the files. $name is the exemplar's, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
+        <source>The name of the files. $name is the exemplar&apos;s, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
         <translation>Der Name der Dateien. $name ist der der Vorlage, $map die Art der Karte; es gibt auch $method, $seed, $w, $h, $size und $place.</translation>
     </message>
     <message>
@@ -2854,7 +2897,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation> Threads</translation>
     </message>
     <message>
-        <source>How many of the processor's threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
+        <source>How many of the processor&apos;s threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
         <translation>Wie viele Threads des Prozessors Vorgänge von jetzt an benutzen dürfen. Weniger lassen den Rechner für anderes frei; die Ergebnisse sind dieselben.</translation>
     </message>
     <message>
@@ -2863,31 +2906,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
-    <name>texloom::ui::LatticeTool</name>
-    <message>
-        <source>Exemplar with its lattice</source>
-        <translation>Vorlage mit ihrem Gitter</translation>
-    </message>
-    <message>
-        <source>Open an exemplar to find its lattice.</source>
-        <translation>Öffnen Sie eine Vorlage, um ihr Gitter zu finden.</translation>
-    </message>
-    <message>
-        <source>Correlation of the exemplar with itself</source>
-        <translation>Korrelation der Vorlage mit sich selbst</translation>
-    </message>
-    <message>
-        <source>How alike the exemplar is to itself when it is moved: bright where it repeats. The lattice's points belong on the bright spots.</source>
-        <translation>Wie ähnlich die verschobene Vorlage sich selbst ist: hell, wo sie sich wiederholt. Die Gitterpunkte gehören auf die hellen Flecken.</translation>
-    </message>
-    <message>
-        <source>The correlation of the exemplar with itself shows here.</source>
-        <translation>Hier erscheint die Korrelation der Vorlage mit sich selbst.</translation>
-    </message>
-    <message>
-        <source>Lattices to choose from</source>
-        <translation>Gitter zur Auswahl</translation>
-    </message>
+    <name>texloom::ui::LatticeFields</name>
     <message>
         <source>First vector</source>
         <translation>Erster Vektor</translation>
@@ -2895,10 +2914,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Second vector</source>
         <translation>Zweiter Vektor</translation>
-    </message>
-    <message>
-        <source>Goodness</source>
-        <translation>Güte</translation>
     </message>
     <message>
         <source>Origin</source>
@@ -2924,6 +2939,29 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Where a tile begins. The methods choose by themselves until it is moved.</source>
         <translation>Wo eine Kachel beginnt. Die Verfahren wählen selbst, bis er bewegt wird.</translation>
     </message>
+</context>
+<context>
+    <name>texloom::ui::LatticeTool</name>
+    <message>
+        <source>Exemplar with its lattice</source>
+        <translation>Vorlage mit ihrem Gitter</translation>
+    </message>
+    <message>
+        <source>Open an exemplar to find its lattice.</source>
+        <translation>Öffnen Sie eine Vorlage, um ihr Gitter zu finden.</translation>
+    </message>
+    <message>
+        <source>Correlation of the exemplar with itself</source>
+        <translation>Korrelation der Vorlage mit sich selbst</translation>
+    </message>
+    <message>
+        <source>How alike the exemplar is to itself when it is moved: bright where it repeats. The lattice&apos;s points belong on the bright spots.</source>
+        <translation>Wie ähnlich die verschobene Vorlage sich selbst ist: hell, wo sie sich wiederholt. Die Gitterpunkte gehören auf die hellen Flecken.</translation>
+    </message>
+    <message>
+        <source>The correlation of the exemplar with itself shows here.</source>
+        <translation>Hier erscheint die Korrelation der Vorlage mit sich selbst.</translation>
+    </message>
     <message>
         <source>Detect</source>
         <translation>Erkennen</translation>
@@ -2943,10 +2981,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Looking for the lattice…</source>
         <translation>Gitter wird gesucht …</translation>
-    </message>
-    <message>
-        <source>Mean correlation %1 over %2 multiples of the vectors</source>
-        <translation>Mittlere Korrelation %1 über %2 Vielfache der Vektoren</translation>
     </message>
     <message>
         <source>Use in %1</source>
@@ -2985,16 +3019,20 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>%1 wiederholt sich nach diesem Gitter (Sicherheit %2).</translation>
     </message>
     <message>
-        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors; if not, methods without a lattice suit it, such as image quilting.</source>
-        <translation>Nichts in %1 wiederholt sich. Ein Vektor muss etwa zweimal in die Vorlage passen, um gefunden zu werden. Sehen Sie eine Wiederholung, geben Sie die Vektoren an; wenn nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
-    </message>
-    <message>
-        <source>No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what you see; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
-        <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines oder ziehen Sie die Vektoren auf das, was Sie sehen; wiederholt es sich nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
-    </message>
-    <message>
         <source> The exemplar holds fewer than two of these tiles on a side, so results repeat much of it.</source>
         <translation> Die Vorlage fasst je Seite weniger als zwei dieser Kacheln, daher wiederholen Ergebnisse viel davon.</translation>
+    </message>
+    <message>
+        <source>%1 repeats itself in rows (confidence %2); what lies along them may come from anywhere in a row.</source>
+        <translation>%1 wiederholt sich in Reihen (Sicherheit %2); was in ihnen liegt, darf von irgendwo in einer Reihe kommen.</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if not, methods without a lattice suit it, such as image quilting.</source>
+        <translation>Nichts in %1 wiederholt sich. Ein Vektor muss etwa zweimal in die Vorlage passen, um gefunden zu werden. Wenn Sie eine Wiederholung sehen, geben Sie die Vektoren an, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
+    </message>
+    <message>
+        <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
+        <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines, ziehen Sie die Vektoren auf das, was Sie sehen, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn sich nichts wiederholt, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
     </message>
 </context>
 <context>
@@ -3423,7 +3461,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Threads&lt;/b&gt; How many of the processor's cores a run uses. The result is the same with any number. Automatic: one for each core.</source>
+        <source>&lt;b&gt;Threads&lt;/b&gt; How many of the processor&apos;s cores a run uses. The result is the same with any number. Automatic: one for each core.</source>
         <translation>&lt;b&gt;Threads&lt;/b&gt; Wie viele Kerne des Prozessors ein Vorgang benutzt. Das Ergebnis ist bei jeder Zahl dasselbe. Automatisch: einer je Kern.</translation>
     </message>
     <message>
@@ -3463,7 +3501,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>×%1</translation>
     </message>
     <message>
-        <source>%1 times the exemplar's size</source>
+        <source>%1 times the exemplar&apos;s size</source>
         <translation>%1-mal die Größe der Vorlage</translation>
     </message>
     <message>
@@ -3519,7 +3557,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>oberer und unterer Rand</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Wraps&lt;/b&gt; The result's %1 join without a seam when it is repeated.</source>
+        <source>&lt;b&gt;Wraps&lt;/b&gt; The result&apos;s %1 join without a seam when it is repeated.</source>
         <translation>&lt;b&gt;Kachelbar&lt;/b&gt; Beim Wiederholen des Ergebnisses (%1) entsteht keine Naht.</translation>
     </message>
     <message>
@@ -3527,7 +3565,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>&lt;b&gt;Kachelbar&lt;/b&gt; %1 kann kein kachelbares Ergebnis erzeugen.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result's size that the method begins with.</source>
+        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result&apos;s size that the method begins with.</source>
         <translation>&lt;b&gt;Beginnen mit&lt;/b&gt; Ein Bild von der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
     </message>
     <message>
@@ -3574,11 +3612,11 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Standard: %1.</translation>
     </message>
     <message>
-        <source>Default: %1 % of the exemplar's shorter side.</source>
+        <source>Default: %1 % of the exemplar&apos;s shorter side.</source>
         <translation>Standard: %1 % der kürzeren Seite der Vorlage.</translation>
     </message>
     <message>
-        <source>Default: %1 % of the exemplar's shorter side, here %2.</source>
+        <source>Default: %1 % of the exemplar&apos;s shorter side, here %2.</source>
         <translation>Standard: %1 % der kürzeren Seite der Vorlage, hier %2.</translation>
     </message>
     <message>
@@ -3601,19 +3639,19 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>nur ein Teil</translation>
     </message>
     <message>
-        <source>Part's left</source>
+        <source>Part&apos;s left</source>
         <translation>Links des Teils</translation>
     </message>
     <message>
-        <source>Part's top</source>
+        <source>Part&apos;s top</source>
         <translation>Oben des Teils</translation>
     </message>
     <message>
-        <source>Part's width</source>
+        <source>Part&apos;s width</source>
         <translation>Breite des Teils</translation>
     </message>
     <message>
-        <source>Part's height</source>
+        <source>Part&apos;s height</source>
         <translation>Höhe des Teils</translation>
     </message>
     <message>
@@ -3878,7 +3916,7 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Noch kein Ergebnis. Die Karte zeigt, woher jedes seiner Pixel kommt.</translation>
     </message>
     <message>
-        <source>Exact: every pixel is a copy of the exemplar's pixel of this colour.</source>
+        <source>Exact: every pixel is a copy of the exemplar&apos;s pixel of this colour.</source>
         <translation>Genau: Jedes Pixel ist eine Kopie des Vorlagenpixels dieser Farbe.</translation>
     </message>
     <message>
@@ -4023,7 +4061,7 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <translation>Doppelklick</translation>
     </message>
     <message>
-        <source>On a parameter's label: reset it</source>
+        <source>On a parameter&apos;s label: reset it</source>
         <translation>Auf der Beschriftung eines Parameters: ihn zurücksetzen</translation>
     </message>
     <message>
@@ -4120,7 +4158,7 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <translation>Für jeden Vorgang &amp;ein anderer Startwert</translation>
     </message>
     <message>
-        <source>At a &amp;preview's size</source>
+        <source>At a &amp;preview&apos;s size</source>
         <translation>In &amp;Vorschaugröße</translation>
     </message>
     <message>

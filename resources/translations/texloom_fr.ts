@@ -38,7 +38,7 @@
         <translation>Une coupe garde chaque pixel tel qu’il est dans l’échantillon ; une coupe adoucie fond les deux bords.</translation>
     </message>
     <message>
-        <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks' edges, as in the source.</source>
+        <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks&apos; edges, as in the source.</source>
         <translation>Une coupe garde chaque pixel tel qu’il est dans l’échantillon ; le fondu mélange une bande le long des blocs, comme dans la source.</translation>
     </message>
     <message>
@@ -74,7 +74,7 @@
         <translation>Tel qu’indiqué</translation>
     </message>
     <message>
-        <source>As the exemplar's files</source>
+        <source>As the exemplar&apos;s files</source>
         <translation>Comme les fichiers de l’échantillon</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@
         <translation>Colonne de l’échantillon où commence la tuile.</translation>
     </message>
     <message>
-        <source>Column of the exemplar's lattice that lies at the output's left side: moves the pattern sideways.</source>
+        <source>Column of the exemplar&apos;s lattice that lies at the output&apos;s left side: moves the pattern sideways.</source>
         <translation>Colonne du réseau de l’échantillon placée au bord gauche de la sortie : décale le motif latéralement.</translation>
     </message>
     <message>
@@ -262,11 +262,11 @@
         <translation>Patchs gaussiens</translation>
     </message>
     <message>
-        <source>Gives noise the exemplar's histogram in every band of a steerable pyramid. Quick and free of copies; suits grainy and stochastic textures, and loses structure.</source>
+        <source>Gives noise the exemplar&apos;s histogram in every band of a steerable pyramid. Quick and free of copies; suits grainy and stochastic textures, and loses structure.</source>
         <translation>Donne à un bruit l’histogramme de l’échantillon dans chaque bande d’une pyramide orientable. Rapide et sans copie ; convient aux textures granuleuses et stochastiques, perd les structures.</translation>
     </message>
     <message>
-        <source>Gives noise the exemplar's joint statistics in a complex steerable pyramid, round after round. Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts.</source>
+        <source>Gives noise the exemplar&apos;s joint statistics in a complex steerable pyramid, round after round. Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts.</source>
         <translation>Donne à un bruit, tour après tour, les statistiques conjointes de l’échantillon dans une pyramide orientable complexe. Ne copie jamais ; convient au gravier, à l’herbe, à l’écorce et autres textures denses, perd les dispositions régulières.</translation>
     </message>
     <message>
@@ -298,7 +298,7 @@
         <translation>Écart permis au réseau pour un patch qui comble un vide : plus raccorde mieux une texture irrégulière, moins garde les rangées droites.</translation>
     </message>
     <message>
-        <source>How far shared pixels may vary, in per cent of the exemplar's standard deviation.</source>
+        <source>How far shared pixels may vary, in per cent of the exemplar&apos;s standard deviation.</source>
         <translation>Variation permise des pixels partagés, en pour cent de l’écart type de l’échantillon.</translation>
     </message>
     <message>
@@ -410,11 +410,11 @@
         <translation>Dispose les grandes structures à une échelle grossière et ajoute des détails neufs à chaque échelle plus fine. Garde la disposition des macro-textures avec de petits patchs ; plus doux que le quilting.</translation>
     </message>
     <message>
-        <source>Learns from the exemplar's periodic component, without which its borders count as horizontal and vertical lines.</source>
+        <source>Learns from the exemplar&apos;s periodic component, without which its borders count as horizontal and vertical lines.</source>
         <translation>Apprend de la composante périodique de l’échantillon ; sans elle, ses bords comptent comme des lignes horizontales et verticales.</translation>
     </message>
     <message>
-        <source>Learns from the exemplar's periodic component, without which its borders draw horizontal and vertical streaks.</source>
+        <source>Learns from the exemplar&apos;s periodic component, without which its borders draw horizontal and vertical streaks.</source>
         <translation>Apprend de la composante périodique de l’échantillon ; sans elle, ses bords tracent des traînées horizontales et verticales.</translation>
     </message>
     <message>
@@ -518,7 +518,7 @@
         <translation>Coupe d’erreur minimale</translation>
     </message>
     <message>
-        <source>Mismatch of the pixels' histogram</source>
+        <source>Mismatch of the pixels&apos; histogram</source>
         <translation>Écart de l’histogramme des pixels</translation>
     </message>
     <message>
@@ -550,7 +550,7 @@
         <translation>Voisins</translation>
     </message>
     <message>
-        <source>New patches from the locally Gaussian model, then pieces of the exemplar quilted over them: keeps the model's variety and gets the exemplar's sharpness back.</source>
+        <source>New patches from the locally Gaussian model, then pieces of the exemplar quilted over them: keeps the model&apos;s variety and gets the exemplar&apos;s sharpness back.</source>
         <translation>Des patchs neufs du modèle localement gaussien, puis des morceaux de l’échantillon cousus par-dessus : garde la variété du modèle et retrouve la netteté de l’échantillon.</translation>
     </message>
     <message>
@@ -658,7 +658,7 @@
         <translation>Bruit à phase aléatoire</translation>
     </message>
     <message>
-        <source>Random phase noise keeps each frequency's strength exactly; spot noise lets it vary as in a Gaussian field.</source>
+        <source>Random phase noise keeps each frequency&apos;s strength exactly; spot noise lets it vary as in a Gaussian field.</source>
         <translation>Le bruit à phase aléatoire garde exactement la force de chaque fréquence ; le spot noise la laisse varier comme dans un champ gaussien.</translation>
     </message>
     <message>
@@ -694,7 +694,7 @@
         <translation>Allers-retours entre pyramide et pixels : davantage rapproche les deux de l’échantillon.</translation>
     </message>
     <message>
-        <source>Rounds over all statistics: more bring them closer to the exemplar's.</source>
+        <source>Rounds over all statistics: more bring them closer to the exemplar&apos;s.</source>
         <translation>Passes sur toutes les statistiques : davantage les rapproche de celles de l’échantillon.</translation>
     </message>
     <message>
@@ -702,7 +702,7 @@
         <translation>Ligne de l’échantillon où commence la tuile.</translation>
     </message>
     <message>
-        <source>Row of the exemplar's lattice that lies at the output's top: moves the pattern up or down.</source>
+        <source>Row of the exemplar&apos;s lattice that lies at the output&apos;s top: moves the pattern up or down.</source>
         <translation>Ligne du réseau de l’échantillon placée en haut de la sortie : décale le motif vers le haut ou le bas.</translation>
     </message>
     <message>
@@ -750,7 +750,7 @@
         <translation>Coud des patchs carrés de l’échantillon le long des coupes où ils diffèrent le moins. Rapide et fidèle aux structures comme les briques ou les feuilles ; copie de grandes zones telles quelles.</translation>
     </message>
     <message>
-        <source>Share of each round's change that is added once more: some brings the statistics closer in fewer rounds.</source>
+        <source>Share of each round&apos;s change that is added once more: some brings the statistics closer in fewer rounds.</source>
         <translation>Part de la modification de chaque passe ajoutée une fois de plus : un peu rapproche les statistiques en moins de passes.</translation>
     </message>
     <message>
@@ -902,11 +902,11 @@
         <translation>Tuile</translation>
     </message>
     <message>
-        <source>Tile's corner, down</source>
+        <source>Tile&apos;s corner, down</source>
         <translation>Coin de la tuile, vers le bas</translation>
     </message>
     <message>
-        <source>Tile's corner, right</source>
+        <source>Tile&apos;s corner, right</source>
         <translation>Coin de la tuile, vers la droite</translation>
     </message>
     <message>
@@ -962,7 +962,7 @@
         <translation>Quelles tailles vont ensemble : contours contre lignes fines.</translation>
     </message>
     <message>
-        <source>White noise added to the model, in per cent of the exemplar's standard deviation: more lets patches fit their neighbours less.</source>
+        <source>White noise added to the model, in per cent of the exemplar&apos;s standard deviation: more lets patches fit their neighbours less.</source>
         <translation>Bruit blanc ajouté au modèle, en pour cent de l’écart type de l’échantillon : plus laisse les patchs moins s’accorder à leurs voisins.</translation>
     </message>
     <message>
@@ -1106,7 +1106,7 @@
         <translation>Finition</translation>
     </message>
     <message>
-        <source>For outputs of another size than the exemplar's: all patches equally often, or patches drawn at random.</source>
+        <source>For outputs of another size than the exemplar&apos;s: all patches equally often, or patches drawn at random.</source>
         <translation>Pour une sortie d’une autre taille que l’échantillon : tous les patchs aussi souvent, ou des patchs tirés au hasard.</translation>
     </message>
     <message>
@@ -1126,7 +1126,7 @@
         <translation>À quel point un patch trop employé est évité : plus montre tout l’échantillon, 0 prend ce qui convient le mieux.</translation>
     </message>
     <message>
-        <source>How much the output's patches count against the exemplar's: larger joins better, smaller loses less.</source>
+        <source>How much the output&apos;s patches count against the exemplar&apos;s: larger joins better, smaller loses less.</source>
         <translation>Combien comptent les patchs de la sortie face à ceux de l’échantillon : plus raccorde mieux, moins perd moins.</translation>
     </message>
     <message>
@@ -1154,7 +1154,7 @@
         <translation>Évaluation du résultat</translation>
     </message>
     <message>
-        <source>Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with an exact map.</source>
+        <source>Keeps the joined patches, or copies for each pixel the exemplar&apos;s nearest to it: sharper, with an exact map.</source>
         <translation>Garde les patchs joints, ou copie pour chaque pixel le plus proche de l’échantillon : plus net, avec une carte exacte.</translation>
     </message>
     <message>
@@ -1286,7 +1286,7 @@
         <translation>Uniformité</translation>
     </message>
     <message>
-        <source>Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing takes over. Keeps the exemplar's mix of colours and details; slow for large outputs.</source>
+        <source>Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing takes over. Keeps the exemplar&apos;s mix of colours and details; slow for large outputs.</source>
         <translation>Emploie chaque patch de l’échantillon aussi souvent que tout autre, pour que rien ne se perde ni ne domine. Garde le mélange de couleurs et de détails ; lent pour les grandes sorties.</translation>
     </message>
     <message>
@@ -1298,8 +1298,20 @@
         <translation>Ce que coûte chaque emploi en trop ou en moins : 0 prend les patchs les plus proches, une grande valeur les emploie tous également.</translation>
     </message>
     <message>
-        <source>Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a random one varies more and blurs, the hybrid is random but on the finest scale.</source>
+        <source>Where the exemplar&apos;s patches lie: a regular grid is sharp and copies larger pieces, a random one varies more and blurs, the hybrid is random but on the finest scale.</source>
         <translation>Où se trouvent les patchs de l’échantillon : une grille régulière est nette et copie de plus grands morceaux, une aléatoire varie plus et floute, l’hybride est aléatoire sauf à l’échelle la plus fine.</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Toujours</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Jamais</translation>
+    </message>
+    <message>
+        <source>Where patches would show</source>
+        <translation>Là où des pièces se verraient</translation>
     </message>
 </context>
 <context>
@@ -1478,7 +1490,7 @@
         <translation>&amp;100 %</translation>
     </message>
     <message>
-        <source>One screen pixel for each of the picture's</source>
+        <source>One screen pixel for each of the picture&apos;s</source>
         <translation>Un pixel d’écran par pixel de l’image</translation>
     </message>
     <message>
@@ -1730,6 +1742,37 @@
     </message>
 </context>
 <context>
+    <name>texloom::ui::CandidateTable</name>
+    <message>
+        <source>Lattices to choose from</source>
+        <translation>Réseaux au choix</translation>
+    </message>
+    <message>
+        <source>First vector</source>
+        <translation>Premier vecteur</translation>
+    </message>
+    <message>
+        <source>Second vector</source>
+        <translation>Second vecteur</translation>
+    </message>
+    <message>
+        <source>Goodness</source>
+        <translation>Qualité</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>Only rows repeat: what lies along them comes from anywhere in a row</source>
+        <translation>Seules des rangées se répètent : ce qu’elles contiennent vient de n’importe où dans une rangée</translation>
+    </message>
+    <message>
+        <source>Mean correlation %1 over %2 multiples of the vectors</source>
+        <translation>Corrélation moyenne %1 sur %2 multiples des vecteurs</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::CompanionList</name>
     <message>
         <source>Companion maps</source>
@@ -1752,7 +1795,7 @@
         <translation>Ajouter des cartes associées</translation>
     </message>
     <message>
-        <source>Add maps of the exemplar's size, such as normals or heights: they get the result's layout.</source>
+        <source>Add maps of the exemplar&apos;s size, such as normals or heights: they get the result&apos;s layout.</source>
         <translation>Ajouter des cartes de la taille de l’échantillon, normales ou hauteurs par exemple : elles prennent la disposition du résultat.</translation>
     </message>
     <message>
@@ -2077,7 +2120,7 @@
         <translation>Carte associée</translation>
     </message>
     <message>
-        <source>Gets the result's layout</source>
+        <source>Gets the result&apos;s layout</source>
         <translation>Prend la disposition du résultat</translation>
     </message>
     <message>
@@ -2292,7 +2335,7 @@
         <translation>Ôte les lentes variations de luminosité des couleurs, pour que les parties claires et sombres s’accordent.</translation>
     </message>
     <message>
-        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture's own shades.</source>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
         <translation>Largeur de la fenêtre qui trouve la lumière, en parts du petit côté : plus laisse davantage des nuances propres à la texture.</translation>
     </message>
     <message>
@@ -2369,7 +2412,7 @@ Déposez une image ici.</translation>
         <translation>Ouvrir des échantillons</translation>
     </message>
     <message>
-        <source>The colour space that the file's values are in. Data, such as heights, is never converted.</source>
+        <source>The colour space that the file&apos;s values are in. Data, such as heights, is never converted.</source>
         <translation>L’espace de couleur des valeurs du fichier. Les données, comme les hauteurs, ne sont jamais converties.</translation>
     </message>
     <message>
@@ -2377,7 +2420,7 @@ Déposez une image ici.</translation>
         <translation>Choisir…</translation>
     </message>
     <message>
-        <source>A picture of the exemplar's size: where it is black, nothing is copied.</source>
+        <source>A picture of the exemplar&apos;s size: where it is black, nothing is copied.</source>
         <translation>Une image de la taille de l’échantillon : là où elle est noire, rien n’est copié.</translation>
     </message>
     <message>
@@ -2475,7 +2518,7 @@ Déposez une image ici.</translation>
         <translation>Comment se nomment les fichiers, quelles cartes en partagent un, et où pointe le vert des normales.</translation>
     </message>
     <message>
-        <source>The name of the files. $name is the exemplar's, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
+        <source>The name of the files. $name is the exemplar&apos;s, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
         <translation>Le nom des fichiers. $name est celui de l’échantillon, $map le type de carte ; il y a aussi $method, $seed, $w, $h, $size et $place.</translation>
     </message>
     <message>
@@ -2854,7 +2897,7 @@ Déposez une image ici.</translation>
         <translation> threads</translation>
     </message>
     <message>
-        <source>How many of the processor's threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
+        <source>How many of the processor&apos;s threads runs may use from now on. Fewer leave the computer free for other work; the results are the same.</source>
         <translation>Combien de threads du processeur les calculs peuvent utiliser désormais. Moins laisse l’ordinateur libre pour autre chose ; les résultats sont les mêmes.</translation>
     </message>
     <message>
@@ -2863,31 +2906,7 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
-    <name>texloom::ui::LatticeTool</name>
-    <message>
-        <source>Exemplar with its lattice</source>
-        <translation>Échantillon avec son réseau</translation>
-    </message>
-    <message>
-        <source>Open an exemplar to find its lattice.</source>
-        <translation>Ouvrez un échantillon pour trouver son réseau.</translation>
-    </message>
-    <message>
-        <source>Correlation of the exemplar with itself</source>
-        <translation>Corrélation de l’échantillon avec lui-même</translation>
-    </message>
-    <message>
-        <source>How alike the exemplar is to itself when it is moved: bright where it repeats. The lattice's points belong on the bright spots.</source>
-        <translation>À quel point l’échantillon décalé se ressemble : clair là où il se répète. Les points du réseau vont sur les taches claires.</translation>
-    </message>
-    <message>
-        <source>The correlation of the exemplar with itself shows here.</source>
-        <translation>La corrélation de l’échantillon avec lui-même s’affiche ici.</translation>
-    </message>
-    <message>
-        <source>Lattices to choose from</source>
-        <translation>Réseaux au choix</translation>
-    </message>
+    <name>texloom::ui::LatticeFields</name>
     <message>
         <source>First vector</source>
         <translation>Premier vecteur</translation>
@@ -2895,10 +2914,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Second vector</source>
         <translation>Second vecteur</translation>
-    </message>
-    <message>
-        <source>Goodness</source>
-        <translation>Qualité</translation>
     </message>
     <message>
         <source>Origin</source>
@@ -2924,6 +2939,29 @@ Déposez une image ici.</translation>
         <source>Where a tile begins. The methods choose by themselves until it is moved.</source>
         <translation>Où commence une tuile. Les méthodes choisissent elles-mêmes tant qu’on ne la déplace pas.</translation>
     </message>
+</context>
+<context>
+    <name>texloom::ui::LatticeTool</name>
+    <message>
+        <source>Exemplar with its lattice</source>
+        <translation>Échantillon avec son réseau</translation>
+    </message>
+    <message>
+        <source>Open an exemplar to find its lattice.</source>
+        <translation>Ouvrez un échantillon pour trouver son réseau.</translation>
+    </message>
+    <message>
+        <source>Correlation of the exemplar with itself</source>
+        <translation>Corrélation de l’échantillon avec lui-même</translation>
+    </message>
+    <message>
+        <source>How alike the exemplar is to itself when it is moved: bright where it repeats. The lattice&apos;s points belong on the bright spots.</source>
+        <translation>À quel point l’échantillon décalé se ressemble : clair là où il se répète. Les points du réseau vont sur les taches claires.</translation>
+    </message>
+    <message>
+        <source>The correlation of the exemplar with itself shows here.</source>
+        <translation>La corrélation de l’échantillon avec lui-même s’affiche ici.</translation>
+    </message>
     <message>
         <source>Detect</source>
         <translation>Détecter</translation>
@@ -2943,10 +2981,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Looking for the lattice…</source>
         <translation>Recherche du réseau…</translation>
-    </message>
-    <message>
-        <source>Mean correlation %1 over %2 multiples of the vectors</source>
-        <translation>Corrélation moyenne %1 sur %2 multiples des vecteurs</translation>
     </message>
     <message>
         <source>Use in %1</source>
@@ -2985,16 +3019,20 @@ Déposez une image ici.</translation>
         <translation>%1 se répète selon ce réseau (confiance %2).</translation>
     </message>
     <message>
-        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors; if not, methods without a lattice suit it, such as image quilting.</source>
-        <translation>Rien ne se répète dans %1. Un vecteur doit tenir environ deux fois dans l’échantillon pour être trouvé. Si vous voyez une répétition, donnez les vecteurs ; sinon, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
-    </message>
-    <message>
-        <source>No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what you see; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
-        <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous ou glissez les vecteurs sur ce que vous voyez ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
-    </message>
-    <message>
         <source> The exemplar holds fewer than two of these tiles on a side, so results repeat much of it.</source>
         <translation> L’échantillon contient moins de deux de ces tuiles par côté, les résultats en répètent donc beaucoup.</translation>
+    </message>
+    <message>
+        <source>%1 repeats itself in rows (confidence %2); what lies along them may come from anywhere in a row.</source>
+        <translation>%1 se répète par rangées (confiance %2) ; ce qu’elles contiennent peut venir de n’importe où dans une rangée.</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if not, methods without a lattice suit it, such as image quilting.</source>
+        <translation>Rien ne se répète dans %1. Un vecteur doit tenir environ deux fois dans l’échantillon pour être trouvé. Si vous voyez une répétition, donnez les vecteurs, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; sinon, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
+    </message>
+    <message>
+        <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
+        <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous, glissez les vecteurs sur ce que vous voyez, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
     </message>
 </context>
 <context>
@@ -3423,7 +3461,7 @@ Déposez une image ici.</translation>
         <translation>Automatique</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Threads&lt;/b&gt; How many of the processor's cores a run uses. The result is the same with any number. Automatic: one for each core.</source>
+        <source>&lt;b&gt;Threads&lt;/b&gt; How many of the processor&apos;s cores a run uses. The result is the same with any number. Automatic: one for each core.</source>
         <translation>&lt;b&gt;Threads&lt;/b&gt; Combien de cœurs du processeur un calcul utilise. Le résultat est le même quel que soit le nombre. Automatique : un par cœur.</translation>
     </message>
     <message>
@@ -3463,7 +3501,7 @@ Déposez une image ici.</translation>
         <translation>×%1</translation>
     </message>
     <message>
-        <source>%1 times the exemplar's size</source>
+        <source>%1 times the exemplar&apos;s size</source>
         <translation>%1 fois la taille de l’échantillon</translation>
     </message>
     <message>
@@ -3519,7 +3557,7 @@ Déposez une image ici.</translation>
         <translation>bords haut et bas</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Wraps&lt;/b&gt; The result's %1 join without a seam when it is repeated.</source>
+        <source>&lt;b&gt;Wraps&lt;/b&gt; The result&apos;s %1 join without a seam when it is repeated.</source>
         <translation>&lt;b&gt;Raccord&lt;/b&gt; Les %1 du résultat se joignent sans couture quand on le répète.</translation>
     </message>
     <message>
@@ -3527,7 +3565,7 @@ Déposez une image ici.</translation>
         <translation>&lt;b&gt;Raccord&lt;/b&gt; %1 ne peut pas produire de résultat qui se raccorde.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result's size that the method begins with.</source>
+        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result&apos;s size that the method begins with.</source>
         <translation>&lt;b&gt;Partir de&lt;/b&gt; Une image de la taille du résultat par laquelle la méthode commence.</translation>
     </message>
     <message>
@@ -3574,11 +3612,11 @@ Déposez une image ici.</translation>
         <translation>Par défaut : %1.</translation>
     </message>
     <message>
-        <source>Default: %1 % of the exemplar's shorter side.</source>
+        <source>Default: %1 % of the exemplar&apos;s shorter side.</source>
         <translation>Par défaut : %1 % du petit côté de l’échantillon.</translation>
     </message>
     <message>
-        <source>Default: %1 % of the exemplar's shorter side, here %2.</source>
+        <source>Default: %1 % of the exemplar&apos;s shorter side, here %2.</source>
         <translation>Par défaut : %1 % du petit côté de l’échantillon, ici %2.</translation>
     </message>
     <message>
@@ -3601,19 +3639,19 @@ Déposez une image ici.</translation>
         <translation>une partie seulement</translation>
     </message>
     <message>
-        <source>Part's left</source>
+        <source>Part&apos;s left</source>
         <translation>Gauche de la partie</translation>
     </message>
     <message>
-        <source>Part's top</source>
+        <source>Part&apos;s top</source>
         <translation>Haut de la partie</translation>
     </message>
     <message>
-        <source>Part's width</source>
+        <source>Part&apos;s width</source>
         <translation>Largeur de la partie</translation>
     </message>
     <message>
-        <source>Part's height</source>
+        <source>Part&apos;s height</source>
         <translation>Hauteur de la partie</translation>
     </message>
     <message>
@@ -3878,7 +3916,7 @@ Déposez une image ici.</translation>
         <translation>Pas encore de résultat. La carte montre d’où vient chacun de ses pixels.</translation>
     </message>
     <message>
-        <source>Exact: every pixel is a copy of the exemplar's pixel of this colour.</source>
+        <source>Exact: every pixel is a copy of the exemplar&apos;s pixel of this colour.</source>
         <translation>Exacte : chaque pixel est une copie du pixel de l’échantillon de cette couleur.</translation>
     </message>
     <message>
@@ -4023,7 +4061,7 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <translation>Double-clic</translation>
     </message>
     <message>
-        <source>On a parameter's label: reset it</source>
+        <source>On a parameter&apos;s label: reset it</source>
         <translation>Sur le nom d’un paramètre : le réinitialiser</translation>
     </message>
     <message>
@@ -4120,7 +4158,7 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <translation>Une autre graine pour &amp;chaque calcul</translation>
     </message>
     <message>
-        <source>At a &amp;preview's size</source>
+        <source>At a &amp;preview&apos;s size</source>
         <translation>À la taille d’un &amp;aperçu</translation>
     </message>
     <message>

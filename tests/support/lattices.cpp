@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace texloom::test {
@@ -73,6 +75,63 @@ Image regularTexture(Size size, int channels, const Lattice& lattice, const Regu
     return image;
 }
 
+namespace {
+
+/// One course: where its stones end, and what each adds to the brightness.
+class Course {
+public:
+    Course(const Random& random, int row, double from, double to, double shortest, double change) {
+        m_joints.push_back(from - random.uniform(row, 0) * shortest);
+        for (int i = 1; m_joints.back() < to; ++i) {
+            m_joints.push_back(m_joints.back() + shortest * (1 + 3 * random.uniform(row, i, 1)));
+            m_changes.push_back(change * (random.uniform(row, i, 2) - 0.5));
+        }
+    }
+
+    /// How far a place is from the nearest joint, and the change of the stone there.
+    std::pair<double, double> at(double place) const {
+        const auto next = std::upper_bound(m_joints.begin() + 1, m_joints.end() - 1, place);
+        const double joint = std::min(*next - place, place - *(next - 1));
+        return {std::abs(joint), m_changes[static_cast<std::size_t>(next - m_joints.begin()) - 1]};
+    }
+
+private:
+    std::vector<double> m_joints, m_changes;
+};
+
+} // namespace
+
+Image coursesTexture(Size size, int channels, Vec2 along, double distance, const Regularity& regularity,
+                     std::uint64_t seed) {
+    const Random random(seed);
+    const Vec2 across{-along.y, along.x};
+    const double reach = std::hypot(size.width, size.height);
+    constexpr double kContrast = 0.2, kJoint = 0.12, kShortest = 0.6;
+    std::map<int, Course> courses;
+    Image image(size, channels);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Vec2 at{x + 0.5, y + 0.5};
+            const double course = dot(at, across) / distance;
+            const int row = static_cast<int>(std::floor(course));
+            const auto stones = courses.try_emplace(row, random, row, -reach, reach, kShortest * distance,
+                                                    3.4 * regularity.colourChange);
+            const auto [joint, change] = stones.first->second.at(dot(at, along));
+            // Soft edges, as a lens makes them: hard ones would repeat with the pixels.
+            const double bed = 0.5 * distance - std::abs(course - row - 0.5) * distance;
+            const double depth = std::min(bed, joint) - 0.5 * kJoint * distance;
+            const double shown = std::clamp(0.5 + depth / 2, 0.0, 1.0);
+            const double light = regularity.ramp * (double(x) / size.width + double(y) / size.height - 1);
+            for (int c = 0; c < channels; ++c) {
+                const double noise = std::sqrt(regularity.noise) *
+                                     normal(random, x, y, 20 + 2 * static_cast<std::uint32_t>(c));
+                image(x, y, c) = static_cast<float>(
+                    0.5 + kContrast * ((shown - 1) * 1.5 + shown * change + light + noise));
+            }
+        }
+    return image;
+}
+
 LatticeCase latticeCase(int index) {
     static const char* const kKinds[] = {"square", "rectangular", "hexagonal", "oblique", "brick bond"};
     const Random random(static_cast<std::uint64_t>(index) + 1000);
@@ -116,6 +175,23 @@ LatticeCase latticeCase(int index) {
     made.regularity = {random.uniform(9, 0) < 0.5 ? 0 : 0.1 * random.uniform(10, 0),
                        random.uniform(11, 0) < 0.5 ? 0 : 0.6 * random.uniform(12, 0),
                        random.uniform(13, 0) < 0.5 ? 0 : 2 * random.uniform(14, 0)};
+    return made;
+}
+
+CoursesCase coursesCase(int index) {
+    const Random random(static_cast<std::uint64_t>(index) + 5000);
+    const auto draw = [&](int n, double low, double high) {
+        return low + (high - low) * random.uniform(n, 0);
+    };
+    const double turn = draw(0, -0.3, 0.3) + (index % 2 == 0 ? 0 : std::acos(0.0));
+    CoursesCase made;
+    made.along = {std::cos(turn), std::sin(turn)};
+    made.distance = 9 * std::pow(60.0 / 9, draw(1, 0, 1));
+    const int side = static_cast<int>(std::max(4 * made.distance, draw(2, 128, 288)));
+    made.size = {side, static_cast<int>(side * draw(3, 0.85, 1.0))};
+    made.regularity = {random.uniform(4, 0) < 0.5 ? 0 : 0.1 * random.uniform(5, 0),
+                       random.uniform(6, 0) < 0.5 ? 0 : 0.6 * random.uniform(7, 0),
+                       random.uniform(8, 0) < 0.5 ? 0 : 2 * random.uniform(9, 0)};
     return made;
 }
 

@@ -20,6 +20,11 @@ struct Regularity {
 Image regularTexture(Size size, int channels, const Lattice& lattice, const Regularity& regularity,
                      std::uint64_t seed);
 
+/// Courses of stones of any length, which nothing but the courses' height repeats.
+/// @param along unit vector of the courses. @param distance from course to course in pixels.
+Image coursesTexture(Size size, int channels, Vec2 along, double distance, const Regularity& regularity,
+                     std::uint64_t seed);
+
 /// One random case of the kinds that a lattice comes in.
 struct LatticeCase {
     std::string kind; ///< square, rectangular, hexagonal, oblique or brick bond
@@ -31,5 +36,17 @@ struct LatticeCase {
 /// Case number `index`: shortest periods from 9 to 90 px, whole and fractional, noise up to −10 dB, changes
 /// of colour from tile to tile, ramps of light.
 LatticeCase latticeCase(int index);
+
+/// One random case of courses.
+struct CoursesCase {
+    Size size;
+    Vec2 along;
+    double distance = 0;
+    Regularity regularity;
+};
+
+/// Case number `index`: courses 9 to 60 px high, upright or lying and turned a little, otherwise as
+/// latticeCase().
+CoursesCase coursesCase(int index);
 
 } // namespace texloom::test

@@ -284,6 +284,13 @@ private:
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
         shoot(window, "no-lattice");
+        window.openFiles({bundledNamed(QStringLiteral("riveted_metal"))});
+        QVERIFY(opened.wait());
+        QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
+        shoot(window, "lattice-of-rows");
+        window.openFiles({bundledNamed(QStringLiteral("gravel"))});
+        QVERIFY(opened.wait());
+        QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
         window.inspector()->resetAll();
         window.startRun(true);
         QVERIFY(finished.wait(60'000));

@@ -168,6 +168,26 @@ private Q_SLOTS:
         QVERIFY(near(*tool.lattice(), tool.analysis()->candidates.front().lattice, 1e-9));
     }
 
+    void rowsAreNamedAndUsedAsALattice() {
+        MainWindow window;
+        const QString courses = m_folder.filePath(QStringLiteral("courses.png"));
+        writeImage(toPath(courses), test::coursesTexture({200, 180}, 3, {1, 0}, 30, {.colourChange = 0.3}, 3),
+                   {});
+        QVERIFY(openLattice(window, courses));
+        const LatticeTool& tool = *window.lattice();
+        QVERIFY2(tool.verdict().contains(QStringLiteral("in rows")), qPrintable(tool.verdict()));
+        QCOMPARE(child<QTableWidget>(tool, "latticeCandidates")->item(0, 0)->text(), QStringLiteral("free"));
+        // The handle of the free vector lies beside the origin, where it can be taken.
+        LatticeCanvas* const canvas = tool.canvas();
+        const QPointF origin = canvas->view().toWidget({canvas->origin().x, canvas->origin().y});
+        const QPoint at = (origin + QPointF(canvas->fontMetrics().height() * 0.55 * 3, 0)).toPoint();
+        QTest::mousePress(canvas, Qt::LeftButton, {}, at);
+        QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+        QVERIFY(canvas->handle() == LatticeCanvas::Handle::First);
+        child<QPushButton>(tool, "useLattice")->click();
+        QVERIFY2(tool.useText().contains(QStringLiteral("uses this lattice")), qPrintable(tool.useText()));
+    }
+
     void withoutALatticeItSaysWhatWorks() {
         MainWindow window;
         QVERIFY(openLattice(window, m_grain));

@@ -86,6 +86,13 @@ Vec2 LatticeCanvas::placeOf(Handle handle) const {
     return m_origin + (handle == Handle::First ? m_lattice->v1 : m_lattice->v2);
 }
 
+/// Where a handle is drawn: a vector too short to be seen ends beside the origin, rather than on it.
+QPointF LatticeCanvas::handlePoint(Handle handle) const {
+    const QPointF origin = toWidget(m_origin), way = toWidget(placeOf(handle)) - origin;
+    const double length = std::hypot(way.x(), way.y()), least = 3 * handleRadius();
+    return length > 0 && length < least ? origin + way * (least / length) : origin + way;
+}
+
 double LatticeCanvas::handleRadius() const {
     return fontMetrics().height() * 0.55;
 }
@@ -98,7 +105,7 @@ LatticeCanvas::Handle LatticeCanvas::handleAt(QPointF point) const {
     for (const Handle handle : {Handle::First, Handle::Second, Handle::Origin}) {
         if (handle == Handle::Origin && m_originFixed)
             continue;
-        const QPointF way = toWidget(placeOf(handle)) - point;
+        const QPointF way = handlePoint(handle) - point;
         const double distance = std::hypot(way.x(), way.y());
         if (distance < nearest) {
             nearest = distance;
@@ -255,7 +262,7 @@ void LatticeCanvas::paintPoints(QPainter& painter) const {
     const auto [along, down] = spansOf(lattice, m_origin, QRectF(0, 0, size.width, size.height));
     const double apart = std::min(lattice.v1.length(), lattice.v2.length()) * view().scale();
     if (apart < fontMetrics().height() * kClosest)
-        return;
+        return paintCourses(painter);
     QPainterPath rings;
     const double radius = std::min(fontMetrics().height() * 0.25, apart / 3);
     for (int b = down.first; b <= down.last; ++b)
@@ -269,12 +276,12 @@ void LatticeCanvas::paintPoints(QPainter& painter) const {
 
 void LatticeCanvas::paintArrow(QPainter& painter, Handle handle) const {
     QPainterPath path(toWidget(m_origin));
-    path.lineTo(toWidget(placeOf(handle)));
+    path.lineTo(handlePoint(handle));
     stroke(painter, path, kArrow, fontMetrics().lineWidth() * 2.0);
 }
 
 void LatticeCanvas::paintHandle(QPainter& painter, Handle handle) const {
-    const QPointF centre = toWidget(placeOf(handle));
+    const QPointF centre = handlePoint(handle);
     const bool origin = handle == Handle::Origin;
     const double radius = handleRadius() * (origin ? 0.6 : 1.0);
     const bool chosen = handle == m_handle;

@@ -47,6 +47,7 @@ protected:
 
 private:
     QPointF toWidget(Vec2 point) const { return view().toWidget({point.x, point.y}); }
+    QPointF handlePoint(Handle handle) const;
     double handleRadius() const;
     Handle handleAt(QPointF point) const;
     void moveHandle(Handle handle, Vec2 to);

@@ -5,17 +5,17 @@
 #include "core/base/text.h"
 #include "ui/inspector/inspector.h"
 #include "ui/jobs/task_bar.h"
+#include "ui/lattice/candidate_table.h"
+#include "ui/lattice/correlation_picture.h"
+#include "ui/lattice/lattice_fields.h"
 #include "ui/lattice/lattice_values.h"
 #include "ui/window/text.h"
 
-#include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -30,51 +30,14 @@ namespace {
 const QString kMethod = QStringLiteral("near-regular");
 /// An exemplar whose lattice takes longer than this, in seconds, is looked at only when asked.
 constexpr double kAtOnce = 4;
-/// Vectors this near to each other, in pixels, are the same.
-constexpr double kSame = 0.05;
-constexpr int kTableRows = 5;
-constexpr double kLargest = 65535;
-
-/// γ as a picture, white at the highest of the maxima that can be vectors and black where it is 0.
-std::shared_ptr<const DisplayPicture> pictureOf(const Correlation& correlation) {
-    if (correlation.size().empty())
-        return nullptr;
-    constexpr int kMiddle = 4; // γ is 1 here, whatever the texture
-    float highest = 0.05F;
-    for (int dy = 0; dy <= correlation.bottom() / 2; ++dy)
-        for (int dx = -correlation.left() / 2; dx <= correlation.right() / 2; ++dx)
-            if (dx * dx + dy * dy > kMiddle * kMiddle)
-                highest = std::max(highest, correlation.at(dx, dy));
-    Image picture = correlation.picture();
-    const PlaneSpan plane = picture.plane(0);
-    for (int y = 0; y < plane.height; ++y)
-        for (int x = 0; x < plane.width; ++x)
-            plane(x, y) = std::clamp(plane(x, y) / highest, 0.0F, 1.0F);
-    return std::make_shared<const DisplayPicture>(std::make_shared<const Image>(std::move(picture)));
-}
-
-/// "120.25, 0.10".
-QString vectorText(Vec2 vector, int decimals = 2) {
-    return QStringLiteral("%1, %2").arg(vector.x, 0, 'f', decimals).arg(vector.y, 0, 'f', decimals);
-}
-
-bool same(const Lattice& a, const Lattice& b) {
-    return (a.v1 - b.v1).length() < kSame && (a.v2 - b.v2).length() < kSame;
-}
-
-QTableWidgetItem* cell(const QString& text) {
-    auto* item = new QTableWidgetItem(text);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    return item;
-}
 
 } // namespace
 
 LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* parent)
     : QWidget(parent), m_store(store), m_inspector(inspector),
       m_canvas(new LatticeCanvas(LatticeCanvas::Style::Courses)),
-      m_gamma(new LatticeCanvas(LatticeCanvas::Style::Points)), m_table(new QTableWidget(0, 3)),
-      m_verdict(new QLabel), m_useText(new QLabel), m_bar(new TaskBar) {
+      m_gamma(new LatticeCanvas(LatticeCanvas::Style::Points)), m_table(new CandidateTable),
+      m_fields(new LatticeFields), m_verdict(new QLabel), m_useText(new QLabel), m_bar(new TaskBar) {
     setObjectName(QStringLiteral("latticeTool"));
     m_canvas->setObjectName(QStringLiteral("latticeCanvas"));
     m_canvas->setAccessibleName(tr("Exemplar with its lattice"));
@@ -95,6 +58,11 @@ LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* pa
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(split, 1);
     connectCanvases();
+    connect(m_table, &CandidateTable::chosen, this, [this](const LatticeCandidate& candidate) {
+        m_edited = false;
+        setLattice(candidate.lattice);
+    });
+    connect(m_fields, &LatticeFields::edited, this, &LatticeTool::fieldsEdited);
     connect(m_store, &ExemplarStore::changed, this, &LatticeTool::followExemplar);
     connect(m_store, &ExemplarStore::currentChanged, this, &LatticeTool::followExemplar);
     connect(m_inspector, &Inspector::edited, this, &LatticeTool::refreshUse);
@@ -107,7 +75,6 @@ LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* pa
 }
 
 QWidget* LatticeTool::makePanel() {
-    makeTable();
     m_verdict->setObjectName(QStringLiteral("latticeVerdict"));
     m_useText->setObjectName(QStringLiteral("latticeUse"));
     for (QLabel* label : {m_verdict, m_useText}) {
@@ -123,7 +90,7 @@ QWidget* LatticeTool::makePanel() {
     column->addWidget(m_table);
     column->addWidget(makeButtons());
     column->addWidget(m_useText);
-    column->addWidget(makeFields());
+    column->addWidget(m_fields);
     auto* scroll = new QScrollArea;
     scroll->setWidget(panel);
     scroll->setWidgetResizable(true);
@@ -132,63 +99,6 @@ QWidget* LatticeTool::makePanel() {
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setMinimumWidth(panel->minimumSizeHint().width() + fontMetrics().averageCharWidth() * 3);
     return scroll;
-}
-
-void LatticeTool::makeTable() {
-    m_table->setObjectName(QStringLiteral("latticeCandidates"));
-    m_table->setAccessibleName(tr("Lattices to choose from"));
-    m_table->setHorizontalHeaderLabels({tr("First vector"), tr("Second vector"), tr("Goodness")});
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
-    m_table->setFixedHeight(fontMetrics().height() * 3 / 2 * kTableRows +
-                            m_table->horizontalHeader()->sizeHint().height());
-    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) {
-        if (!m_filling)
-            chooseRow(row);
-    });
-}
-
-QWidget* LatticeTool::makeFields() {
-    const std::array<QString, 3> titles = {tr("First vector"), tr("Second vector"), tr("Origin")};
-    const std::array<const char*, 6> names = {"latticeV1x", "latticeV1y",     "latticeV2x",
-                                              "latticeV2y", "latticeOriginX", "latticeOriginY"};
-    auto* fields = new QWidget;
-    auto* grid = new QGridLayout(fields);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(new QLabel(tr("right, px")), 0, 1);
-    grid->addWidget(new QLabel(tr("down, px")), 0, 2);
-    for (int i = 0; i < 6; ++i) {
-        auto* field = new QDoubleSpinBox;
-        m_fields[static_cast<std::size_t>(i)] = field;
-        field->setObjectName(QLatin1String(names[static_cast<std::size_t>(i)]));
-        const QString& title = titles[static_cast<std::size_t>(i / 2)];
-        field->setAccessibleName((i % 2 == 0 ? tr("%1, right") : tr("%1, down")).arg(title));
-        field->setRange(-kLargest, kLargest);
-        field->setDecimals(2);
-        field->setSingleStep(0.1);
-        field->setKeyboardTracking(false);
-        field->setAlignment(Qt::AlignRight);
-        field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0000.00")) * 3 / 2);
-        connect(field, &QDoubleSpinBox::valueChanged, this, [this] {
-            if (!m_filling)
-                fieldsEdited();
-        });
-        grid->addWidget(field, 1 + i / 2, 1 + i % 2);
-        if (i % 2 == 0)
-            grid->addWidget(new QLabel(title), 1 + i / 2, 0);
-    }
-    m_fields[4]->setToolTip(tr("Where a tile begins. The methods choose by themselves until it is moved."));
-    m_fields[5]->setToolTip(m_fields[4]->toolTip());
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(2, 1);
-    return fields;
 }
 
 QWidget* LatticeTool::makeButtons() {
@@ -247,7 +157,7 @@ void LatticeTool::followExemplar() {
                    ? givenLattice(*m_inspector->method(), m_inspector->values())
                    : std::nullopt);
     m_edited = lattice().has_value();
-    fillTable();
+    m_table->list(m_analysis, lattice());
     if (image && latticeSecondsFor(image->size()) <= kAtOnce)
         detect();
     else
@@ -290,7 +200,7 @@ void LatticeTool::take(Detected detected) {
     else
         setLattice(lattice());
     lookAtVectors();
-    fillTable();
+    m_table->list(m_analysis, lattice());
     sayVerdict();
 }
 
@@ -303,33 +213,6 @@ void LatticeTool::lookAtVectors() {
     const Size size = m_gamma->picture()->size();
     m_gamma->lookAt({0.5 * size.width, 0.5 * size.height},
                     std::min<double>(size.shorterSide(), kMultiples * longest));
-}
-
-void LatticeTool::fillTable() {
-    m_filling = true;
-    m_table->setRowCount(0);
-    if (m_analysis)
-        for (const LatticeCandidate& candidate : m_analysis->candidates) {
-            const int row = m_table->rowCount();
-            m_table->insertRow(row);
-            m_table->setItem(row, 0, cell(vectorText(candidate.lattice.v1, 1)));
-            m_table->setItem(row, 1, cell(vectorText(candidate.lattice.v2, 1)));
-            m_table->setItem(row, 2, cell(QString::number(candidate.goodness, 'f', 2)));
-            m_table->item(row, 2)->setToolTip(tr("Mean correlation %1 over %2 multiples of the vectors")
-                                                  .arg(candidate.correlation, 0, 'f', 2)
-                                                  .arg(candidate.multiples));
-            if (lattice() && same(*lattice(), candidate.lattice))
-                m_table->selectRow(row);
-        }
-    m_table->setEnabled(m_table->rowCount() > 0);
-    m_filling = false;
-}
-
-void LatticeTool::chooseRow(int row) {
-    if (!m_analysis || row < 0 || row >= static_cast<int>(m_analysis->candidates.size()))
-        return;
-    m_edited = false;
-    setLattice(m_analysis->candidates[static_cast<std::size_t>(row)].lattice);
 }
 
 /// A place for the arrows in the middle of the exemplar, on a multiple of the vectors.
@@ -351,7 +234,7 @@ void LatticeTool::setOrigin(Vec2 origin) {
     if (m_analysis)
         m_gamma->setLattice(lattice(),
                             {m_analysis->correlation.left() + 0.5, m_analysis->correlation.top() + 0.5});
-    showFields();
+    m_fields->setLattice(lattice(), origin);
     refreshUse();
 }
 
@@ -361,35 +244,21 @@ void LatticeTool::canvasEdited(LatticeCanvas* canvas, LatticeCanvas::Handle hand
     } else {
         m_edited = true;
         m_canvas->setLattice(canvas->lattice(), m_canvas->origin());
-        const QSignalBlocker blocker(m_table);
-        m_table->clearSelection();
+        m_table->chooseNone();
     }
     setOrigin(m_canvas->origin());
 }
 
 void LatticeTool::fieldsEdited() {
-    const auto value = [&](std::size_t i) { return m_fields[i]->value(); };
-    const Lattice typed{{value(0), value(1)}, {value(2), value(3)}};
-    const Vec2 origin{value(4), value(5)};
-    m_originMoved = m_originMoved || (origin - m_canvas->origin()).length() > kSame;
-    if (!lattice() || !same(typed, *lattice())) {
+    const std::optional<Lattice> typed = m_fields->lattice();
+    const Vec2 origin = m_fields->origin();
+    m_originMoved = m_originMoved || (origin - m_canvas->origin()).length() > kSameVectors;
+    if (!typed || !lattice() || !sameVectors(*typed, *lattice())) {
         m_edited = true;
-        const QSignalBlocker blocker(m_table);
-        m_table->clearSelection();
+        m_table->chooseNone();
     }
-    m_canvas->setLattice(typed.v1.length() + typed.v2.length() > 0 ? std::optional(typed) : std::nullopt,
-                         origin);
+    m_canvas->setLattice(typed, origin);
     setOrigin(origin);
-}
-
-void LatticeTool::showFields() {
-    m_filling = true;
-    const Lattice shown = lattice().value_or(Lattice{{0, 0}, {0, 0}});
-    const Vec2 origin = m_canvas->origin();
-    const std::array<double, 6> values = {shown.v1.x, shown.v1.y, shown.v2.x, shown.v2.y, origin.x, origin.y};
-    for (std::size_t i = 0; i < values.size(); ++i)
-        m_fields[i]->setValue(values[i]);
-    m_filling = false;
 }
 
 void LatticeTool::refit() {
@@ -451,8 +320,7 @@ void LatticeTool::refreshUse() {
     m_use->setEnabled(lattice() && m_exemplar && why.isEmpty());
     m_fit->setEnabled(lattice() && m_analysis && why.isEmpty());
     m_detect->setEnabled(m_exemplar != nullptr);
-    for (QDoubleSpinBox* field : m_fields)
-        field->setEnabled(m_exemplar != nullptr);
+    m_fields->setEnabled(m_exemplar != nullptr);
     const std::optional<Lattice> given = givenLattice(*method, m_inspector->values());
     QString text;
     if (!why.isEmpty())
@@ -463,7 +331,7 @@ void LatticeTool::refreshUse() {
         text = m_inspector->values().at("lattice") == Value(std::string("none"))
                    ? tr("%1 is set to use no lattice.").arg(title)
                    : tr("%1 looks for the lattice by itself.").arg(title);
-    else if (lattice() && same(*given, *lattice()))
+    else if (lattice() && sameVectors(*given, *lattice()))
         text = tr("✓ %1 uses this lattice.").arg(title);
     else
         text = tr("%1 uses another lattice: %2 and %3 px.")
@@ -485,20 +353,25 @@ void LatticeTool::sayVerdict() {
         text = tr("Open an exemplar first.");
     else if (!m_analysis)
         text = tr("Press Detect to look for the lattice, or give its vectors.");
+    else if (m_analysis->found() && m_analysis->candidates.front().lattice.rowsOnly())
+        text =
+            tr("%1 repeats itself in rows (confidence %2); what lies along them may come from anywhere in a "
+               "row.")
+                .arg(m_name, percentText(m_analysis->confidence));
     else if (m_analysis->found())
         text = tr("%1 repeats itself by this lattice (confidence %2).")
                    .arg(m_name, percentText(m_analysis->confidence));
     else if (m_analysis->candidates.empty())
         text =
             tr("Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. "
-               "If you see it repeat, give the vectors; if not, methods without a lattice suit it, such as "
-               "image quilting.")
+               "If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is "
+               "seen aslant; if not, methods without a lattice suit it, such as image quilting.")
                 .arg(m_name);
     else
         text =
-            tr("No lattice stands out in %1 (confidence %2). Choose one below, or drag the vectors to what "
-               "you see; if it does not repeat, methods without a lattice suit it, such as image "
-               "quilting.")
+            tr("No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you "
+               "see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, "
+               "methods without a lattice suit it, such as image quilting.")
                 .arg(m_name, percentText(m_analysis->confidence));
     m_verdict->setVisible(!text.isEmpty());
     m_verdict->setText(text);

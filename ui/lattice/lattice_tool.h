@@ -7,17 +7,16 @@
 
 #include <QWidget>
 
-#include <array>
 #include <optional>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
-class QTableWidget;
 
 namespace texloom::ui {
 
+class CandidateTable;
 class Inspector;
+class LatticeFields;
 class TaskBar;
 
 /// The workspace for the lattice of the exemplar that is looked at: what is found in the background, drawn
@@ -53,20 +52,15 @@ private:
     };
 
     QWidget* makePanel();
-    QWidget* makeFields();
     QWidget* makeButtons();
-    void makeTable();
     void connectCanvases();
     void followExemplar();
     void take(Detected detected);
     void lookAtVectors();
-    void fillTable();
-    void chooseRow(int row);
     void setLattice(const std::optional<Lattice>& lattice);
     void setOrigin(Vec2 origin);
     void canvasEdited(LatticeCanvas* canvas, LatticeCanvas::Handle handle);
     void fieldsEdited();
-    void showFields();
     void refit();
     void use();
     void refreshUse();
@@ -78,8 +72,8 @@ private:
     Inspector* m_inspector;
     LatticeCanvas* m_canvas;
     LatticeCanvas* m_gamma;
-    QTableWidget* m_table;
-    std::array<QDoubleSpinBox*, 6> m_fields{}; ///< both vectors and the origin, each right and down
+    CandidateTable* m_table;
+    LatticeFields* m_fields;
     QPushButton* m_detect = nullptr;
     QPushButton* m_fit = nullptr;
     QPushButton* m_use = nullptr;
@@ -91,7 +85,6 @@ private:
     std::shared_ptr<const LatticeAnalysis> m_analysis;
     QString m_failure;
     bool m_originMoved = false;
-    bool m_filling = false;
     bool m_edited = false; ///< by hand, since it was found or chosen
     Task<Detected> m_detection;
     Task<LatticeCandidate> m_fitting;

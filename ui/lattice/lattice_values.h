@@ -3,6 +3,8 @@
 #include "core/analysis/lattice.h"
 #include "core/methods/method.h"
 
+#include <QString>
+
 #include <optional>
 
 namespace texloom::ui {
@@ -16,5 +18,12 @@ Values latticeValues(const Method& method, const Lattice& lattice, const std::op
 
 /// The lattice that these settings of the method give; none where it finds one by itself or follows none.
 std::optional<Lattice> givenLattice(const Method& method, const Values& values);
+
+/// Vectors this near to each other, in pixels, are the same.
+inline constexpr double kSameVectors = 0.05;
+bool sameVectors(const Lattice& a, const Lattice& b);
+
+/// "120.25, 0.10".
+QString vectorText(Vec2 vector, int decimals = 2);
 
 } // namespace texloom::ui

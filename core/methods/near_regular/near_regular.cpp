@@ -14,6 +14,8 @@ namespace texloom::near_regular {
 
 namespace {
 
+/// Light more uneven than this shows as patches of different brightness.
+constexpr double kTooUneven = 0.5;
 constexpr int kSmallestExemplar = 8;
 constexpr int kSmallestBlock = 4;
 /// The source's block and border on its exemplars of 128 px: 40 and 10 px. Cuts find a better way in a wider
@@ -141,9 +143,6 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     return need;
 }
 
-/// Light more uneven than this shows as patches of different brightness.
-constexpr double kTooUneven = 0.5;
-
 /// Smaller blocks where the mask leaves no patch of the size that was chosen.
 int fittingMask(const Settings& settings, const Plan& plan) {
     int block = plan.block;
@@ -176,7 +175,30 @@ struct Prepared {
     Image image; ///< empty where the exemplar is sampled as it is
     Image mask;  ///< likewise
     std::optional<Rectification> change;
+    bool even = false; ///< slow changes of light were taken out
 };
+
+/// Changes over more pixels than this are of the light: one tile, or one block where there is no lattice.
+int lightWidth(const Settings& settings, const Plan& plan) {
+    const Vec2 tile = plan.from.extent();
+    const double longest = std::max(tile.x, tile.y);
+    const int block = blockFor(settings, plan.exemplar.size(), plan.from);
+    return static_cast<int>(std::ceil(plan.from.free() ? block : longest));
+}
+
+/// Whether the light is to be evened out; says so where the exemplar decides.
+bool lightGoes(const std::string& exemplar, const Settings& settings, const Plan& plan,
+               std::vector<std::string>& notes, const std::function<void()>& check) {
+    if (settings.flatten != EvenLight::Automatic)
+        return settings.flatten == EvenLight::Yes;
+    if (plan.from.free() || unevenness(plan.exemplar, lightWidth(settings, plan), check) <= kTooUneven)
+        return false;
+    notes.push_back(
+        fmt::format("The light of {} changes so much from place to place that patches would show, "
+                    "so it was evened out; flatten=no keeps it.",
+                    exemplar));
+    return true;
+}
 
 Prepared prepared(const Request& request, const Settings& settings, Plan& plan,
                   std::vector<std::string>& notes, JobContext& context) {
@@ -198,17 +220,10 @@ Prepared prepared(const Request& request, const Settings& settings, Plan& plan,
             }
         }
     }
-    const Vec2 tile = plan.from.extent();
-    const int block = blockFor(settings, plan.exemplar.size(), plan.from);
-    const int width = static_cast<int>(std::ceil(std::max({tile.x, tile.y, plan.from.free() ? block : 1.0})));
-    if (settings.flatten) {
-        result.image = flattened(plan.exemplar, width, check);
+    if (lightGoes(request.exemplars.front().name, settings, plan, notes, check)) {
+        result.image = flattened(plan.exemplar, lightWidth(settings, plan), check);
+        result.even = true;
         plan.exemplar = result.image;
-    } else if (!plan.from.free() && unevenness(plan.exemplar, width, check) > kTooUneven) {
-        notes.push_back(
-            fmt::format("The light of {} changes much from place to place, so that patches may show; "
-                        "“Even out the light” (flatten) takes that out.",
-                        request.exemplars.front().name));
     }
     return result;
 }
@@ -227,13 +242,26 @@ void mapBack(PositionMap& map, const Rectification& change, Size exemplar, JobCo
     }
 }
 
-void describe(const Plan& plan, Synthesis& result) {
+/// A lattice longer than the blocks.
+std::string longTiles(const Settings& settings, const Plan& plan) {
+    const Vec2 extent = plan.from.extent();
+    const int whole = static_cast<int>(std::ceil(std::max(extent.x, extent.y)));
+    const std::string works = whole <= largestBlock(settings, plan.exemplar.size())
+                                  ? fmt::format("blocks of {} px hold whole ones", whole)
+                                  : "“Regular tile” repeats whole ones";
+    const std::string tile =
+        plan.from.rowsOnly() ? fmt::format("The rows, {:.0f} px apart, are", plan.from.area())
+                             : fmt::format("The lattice's tile of {:.0f} × {:.0f} px is", extent.x, extent.y);
+    return fmt::format(
+        "{} larger than the blocks of {} px, so that new ones are pieced together from parts of "
+        "several; {}.",
+        tile, plan.block, works);
+}
+
+void describe(const Settings& settings, const Plan& plan, Synthesis& result) {
     const Vec2 extent = plan.from.extent();
     if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
-        result.notes.push_back(
-            fmt::format("The lattice's tile of {:.0f} × {:.0f} px is larger than the blocks of {} "
-                        "px, so that new tiles are pieced together from parts of several.",
-                        extent.x, extent.y, plan.block));
+        result.notes.push_back(longTiles(settings, plan));
     result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
     result.figures.push_back({TR("Lattice, first vector right"), plan.from.v1.x});
     result.figures.push_back({TR("Lattice, first vector down"), plan.from.v1.y});
@@ -249,16 +277,16 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     plan.exemplar = *exemplar.image;
     if (exemplar.mask)
         plan.mask = exemplar.mask->view().plane(0);
-    plan.from = latticeFor(settings, exemplar.name, plan.exemplar, result.notes, [&] { context.check(); });
+    plan.from = latticeFor(settings, exemplar.name, exemplar.image, result.notes, [&] { context.check(); });
     const Prepared sampled = prepared(request, settings, plan, result.notes, context);
     plan.to = closing(plan.from, request, result.notes);
     plan.block = std::min(blockFor(settings, plan.exemplar.size(), plan.from),
                           largestBlock(settings, plan.exemplar.size()));
     plan.block = fittingMask(settings, plan);
     plan.border = borderFor(settings, plan.block);
-    describe(plan, result);
+    describe(settings, plan, result);
     Filler(request, settings, plan, context).fill(result, 0.9);
-    result.mapKind = settings.join == Join::Cut && !settings.flatten ? MapKind::Exact : MapKind::Dominant;
+    result.mapKind = settings.join == Join::Cut && !sampled.even ? MapKind::Exact : MapKind::Dominant;
     if (sampled.change) {
         mapBack(result.map, *sampled.change, exemplar.image->size(), context);
         result.mapKind = MapKind::Estimated;
@@ -320,6 +348,8 @@ std::vector<Param> params() {
                      "brightness differs.")));
     all.push_back(
         field(&Settings::flatten, "flatten", TR("Even out the light"))
+            .choices(
+                {{"automatic", TR("Where patches would show")}, {"yes", TR("Always")}, {"no", TR("Never")}})
             .group(TR("Exemplar"))
             .help(TR("Takes slow changes of brightness out of the exemplar first, so that blocks from its "
                      "light and dark parts match; pixels change a little.")));

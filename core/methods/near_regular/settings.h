@@ -10,6 +10,9 @@ enum class Match { Difference, Correlation };
 /// How neighbouring blocks are joined: along minimum-error cuts, or by the source's linear blending.
 enum class Join { Cut, Blend };
 
+/// Whether slow changes of light are taken out of the exemplar first; automatic: where patches would show.
+enum class EvenLight { Automatic, Yes, No };
+
 /// Parameters of constrained random sampling and gap filling (López Recas 2011, section 4.2).
 struct Settings : LatticeSettings {
     double originX = 0,
@@ -19,8 +22,8 @@ struct Settings : LatticeSettings {
     int tolerance = 3;  ///< how far from the lattice a gap's patch may lie, in pixels
     Match match = Match::Difference;
     Join join = Join::Cut;
-    int blend = 4;        ///< width of the blended band in pixels
-    bool flatten = false; ///< takes slow changes of light out of the exemplar first
+    int blend = 4; ///< width of the blended band in pixels
+    EvenLight flatten = EvenLight::Automatic;
     bool rectify = false; ///< turns and shears the exemplar to whole-pixel vectors first
 };
 

@@ -39,11 +39,10 @@ Lattice withLength(const Lattice& lattice, Size exemplar) {
                      (exemplar.height - std::abs(other.y)) / std::max(1e-9, std::abs(step.y)));
         return std::max(1.0, std::floor(0.75 * room)) * step;
     };
-    constexpr double kFree = 1.5;
     Lattice longer = lattice;
-    if (lattice.v1.length() < kFree)
+    if (alongRows(lattice.v1))
         longer.v1 = stretched(lattice.v1, lattice.v2);
-    if (lattice.v2.length() < kFree)
+    if (alongRows(lattice.v2))
         longer.v2 = stretched(lattice.v2, longer.v1);
     return longer;
 }
@@ -73,8 +72,8 @@ public:
 private:
     void findLattice() {
         const auto check = [this] { m_context.check(); };
-        m_lattice =
-            latticeFor(m_settings, m_request.exemplars.front().name, m_exemplar, m_result.notes, check);
+        m_lattice = latticeFor(m_settings, m_request.exemplars.front().name,
+                               m_request.exemplars.front().image, m_result.notes, check);
         if (m_settings.lattice == LatticeSource::Given)
             m_lattice = m_settings.given(); // the very parallelogram that was asked for
         if (m_lattice.free())

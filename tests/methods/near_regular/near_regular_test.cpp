@@ -279,15 +279,21 @@ TEST(NearRegular, saysWhatItDoesWithoutALattice) {
     EXPECT_TRUE(run(blobs({64, 64}, 3), {90, 90}, {{"lattice", "none"}}).notes.empty());
 }
 
-TEST(NearRegular, saysWhereTheLightIsUneven) {
+TEST(NearRegular, evensOutTheLightWherePatchesWouldShow) {
     const Lattice lattice{{16, 0}, {0, 12}};
     const Image lit = regularTexture({192, 180}, 1, lattice, {0, 0, 6}, 5);
     const Image even = regularTexture({192, 180}, 1, lattice, {}, 5);
     EXPECT_GT(unevenness(lit, 16, [] {}), 0.5);
     EXPECT_LT(unevenness(even, 16, [] {}), 0.2);
     EXPECT_EQ(unevenness(texloom::test::constant({64, 64}, 2, 0.3F), 16, [] {}), 0);
-    EXPECT_THAT(run(lit, {100, 90}, {}).notes, testing::Contains(testing::HasSubstr("Even out the light")));
-    EXPECT_TRUE(run(lit, {100, 90}, {{"flatten", true}}).notes.empty());
+    const Synthesis evened = run(lit, {100, 90}, {});
+    EXPECT_THAT(evened.notes, testing::Contains(testing::HasSubstr("evened out")));
+    EXPECT_EQ(evened.mapKind, MapKind::Dominant);
+    EXPECT_TRUE(samePixels(evened.image, run(lit, {100, 90}, {{"flatten", "yes"}}).image));
+    const Synthesis kept = run(lit, {100, 90}, {{"flatten", "no"}});
+    EXPECT_TRUE(kept.notes.empty());
+    EXPECT_EQ(kept.mapKind, MapKind::Exact);
+    EXPECT_TRUE(run(lit, {100, 90}, {{"flatten", "yes"}}).notes.empty());
     EXPECT_TRUE(run(even, {100, 90}, {}).notes.empty());
 }
 
@@ -309,7 +315,7 @@ TEST(NearRegular, movesThePatternByTheOrigin) {
 
 TEST(NearRegular, saysWhatItsMapIsWorthWhereTheExemplarWasChanged) {
     const Image exemplar = regularTexture({128, 120}, 1, {{16.2, 1.3}, {-1.1, 13}}, {}, 5);
-    const Synthesis flat = run(exemplar, {150, 140}, {{"flatten", true}});
+    const Synthesis flat = run(exemplar, {150, 140}, {{"flatten", "yes"}});
     EXPECT_EQ(flat.mapKind, MapKind::Dominant);
     const Synthesis straight = run(exemplar, {150, 140}, {{"rectify", true}});
     EXPECT_EQ(straight.mapKind, MapKind::Estimated);

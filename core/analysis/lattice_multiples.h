@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/analysis/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom {
+
+/// Longest vector that is looked for, as a share of the exemplar: about two of it must fit.
+inline constexpr double kLongestVector = 0.55;
+/// Shortest vector that is told from the maximum of γ at 0, in pixels.
+inline constexpr double kShortestVector = 3.5;
+
+/// How many multiples of a lattice's vectors fit in the displacements of an exemplar at most.
+inline int ringsOf(Size exemplar, const Lattice& lattice) {
+    // Height of the parallelogram over each side: how many rows of the lattice fit in the reach.
+    const double longest = std::hypot(exemplar.width, exemplar.height);
+    const double height = lattice.area() / std::max(lattice.v1.length(), lattice.v2.length());
+    return static_cast<int>(std::ceil(longest / std::max(1.0, height)));
+}
+
+/// Visits the multiples a v1 + b v2 with |a|, |b| ≤ rings in one half plane, without 0, at which the exemplar
+/// overlaps itself by a few pixels: visit(a, b, point).
+template <class Visit> void eachMultiple(Size exemplar, const Lattice& lattice, int rings, Visit visit) {
+    constexpr int kMargin = 3;
+    for (int b = 0; b <= rings; ++b)
+        for (int a = b == 0 ? 1 : -rings; a <= rings; ++a) {
+            const Vec2 p = lattice.at(a, b);
+            if (std::abs(p.x) + kMargin < exemplar.width && std::abs(p.y) + kMargin < exemplar.height)
+                visit(a, b, p);
+        }
+}
+
+/// Whether an exemplar moved by this much overlaps itself by at least 85 % of the lattice's tile (section
+/// 3.3.1).
+inline bool significant(Size exemplar, const Lattice& lattice, Vec2 displacement) {
+    constexpr double kShare = 0.85;
+    const Size overlap{exemplar.width - static_cast<int>(std::lround(std::abs(displacement.x))),
+                       exemplar.height - static_cast<int>(std::lround(std::abs(displacement.y)))};
+    const Vec2 extent = lattice.extent();
+    if (overlap.width >= extent.x + 1 && overlap.height >= extent.y + 1)
+        return true;
+    if (static_cast<double>(overlap.area()) < kShare * lattice.area())
+        return false;
+    return tileCoverage(lattice, overlap) >= kShare;
+}
+
+} // namespace texloom

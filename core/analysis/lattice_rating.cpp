@@ -1,0 +1,123 @@
+#include "core/analysis/lattice_rating.h"
+
+#include "core/analysis/lattice_multiples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace texloom {
+
+namespace {
+
+constexpr double kAlpha = 1.12; // of eq. 3.22
+
+} // namespace
+
+double goodnessOf(double correlation, double multiples) {
+    return correlation <= 0 ? 0 : std::pow(correlation, kAlpha) * std::pow(multiples, kAlpha - 1);
+}
+
+double roughGoodness(const CorrelationPeaks& peaks, const Lattice& lattice) {
+    constexpr int kRings = 3;
+    constexpr double kNear = 0.8;
+    const Size size = peaks.size();
+    double sum = 0;
+    int count = 0;
+    eachMultiple(size, lattice, kRings, [&](int, int, Vec2 p) {
+        if (std::abs(p.x) < kNear * size.width && std::abs(p.y) < kNear * size.height) {
+            sum += peaks.height(p);
+            ++count;
+        }
+    });
+    const double all = std::max(1.0, 2.0 * static_cast<double>(size.area()) / lattice.area());
+    return count == 0 ? 0 : goodnessOf(sum / count, all);
+}
+
+LatticeCandidate rated(const CorrelationPeaks& peaks, const Lattice& lattice) {
+    LatticeCandidate candidate{lattice};
+    double sum = 0;
+    bool first = false, second = false;
+    eachMultiple(peaks.size(), lattice, ringsOf(peaks.size(), lattice), [&](int a, int b, Vec2 p) {
+        if (!significant(peaks.size(), lattice, p))
+            return;
+        sum += peaks.height(p);
+        ++candidate.multiples;
+        first = first || a != 0;
+        second = second || b != 0;
+    });
+    if (candidate.multiples > 0)
+        candidate.correlation = sum / candidate.multiples;
+    if (first && second)
+        candidate.goodness = goodnessOf(candidate.correlation, candidate.multiples);
+    return candidate;
+}
+
+double confidenceIn(const CorrelationPeaks& peaks, const LatticeCandidate& candidate) {
+    constexpr int kSteps = 4;
+    constexpr double kStep = 1.0 / kSteps;
+    double on = 0, off = 0, squares = 0;
+    int count = 0, between = 0;
+    const Lattice& lattice = candidate.lattice;
+    eachMultiple(peaks.size(), lattice, ringsOf(peaks.size(), lattice), [&](int a, int b, Vec2 p) {
+        if (!significant(peaks.size(), lattice, p))
+            return;
+        on += peaks.height(p);
+        ++count;
+        for (int i = 1; i < kSteps * kSteps; ++i) {
+            const int right = i % kSteps, down = i / kSteps;
+            const Vec2 beside = lattice.at(a + kStep * right, b + kStep * down);
+            if (!peaks.inside(beside, 2))
+                continue;
+            const double height = peaks.height(beside);
+            off += height;
+            squares += height * height;
+            ++between;
+        }
+    });
+    if (count == 0 || between == 0)
+        return 0;
+    on /= count;
+    off /= between;
+    const double contrast = std::max(0.0, (on - off) / (1 - std::min(0.99, off)));
+    const double scatter = std::sqrt(std::max(1e-12, squares / between - off * off));
+    const double times = contrast / 4 * std::max(0.0, (on - off) / scatter) * std::sqrt(candidate.multiples);
+    return contrast / (contrast + 0.1) * (1 - std::exp(-times * times));
+}
+
+PlaceEffect placeEffect(const CorrelationPeaks& peaks, const Lattice& lattice, Vec2 along, double distance) {
+    constexpr std::size_t kPlaces = 16;
+    constexpr int kEnough = 24; // rings
+    const Vec2 period = (lattice.area() / distance) * along;
+    std::array<double, kPlaces> means{}, squares{};
+    int count = 0;
+    const int rings = std::min(kEnough, ringsOf(peaks.size(), lattice));
+    eachMultiple(peaks.size(), lattice, rings, [&](int, int, Vec2 p) {
+        if (!significant(peaks.size(), lattice, p))
+            return;
+        ++count;
+        for (std::size_t i = 0; i < kPlaces; ++i) {
+            Vec2 at = p + (double(i) / kPlaces) * period;
+            if (!peaks.inside(at, 2))
+                at = at - period;
+            const double height = peaks.inside(at, 2) ? peaks.height(at) : 0;
+            means[i] += height;
+            squares[i] += height * height;
+        }
+    });
+    if (count < 2)
+        return {};
+    double mean = 0, within = 0, between = 0;
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+        means[i] /= count;
+        within += (squares[i] - count * means[i] * means[i]) / (count - 1) / kPlaces;
+        mean += means[i] / kPlaces;
+    }
+    for (const double place : means)
+        between += (place - mean) * (place - mean) / (kPlaces - 1);
+    const auto [lowest, highest] = std::minmax_element(means.begin(), means.end());
+    return {*highest > 0 ? 1 - *lowest / *highest : 0, count * between / std::max(1e-12, within)};
+}
+
+} // namespace texloom
