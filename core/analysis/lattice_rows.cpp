@@ -219,7 +219,7 @@ Row rowThrough(const CorrelationPeaks& peaks, Vec2 from, Vec2 along, double near
 }
 
 /// How sure it is that the rows repeat. @param tried number of distances of which this is the best.
-double confidenceIn(const CorrelationPeaks& peaks, Vec2 normal, const Rise& rise, int tried) {
+double confidenceInRows(const CorrelationPeaks& peaks, Vec2 normal, const Rise& rise, int tried) {
     constexpr double kVisible = 0.02, kUnlikely = 0.5, kNear = 0.25, kSure = 20;
     const Vec2 along{-normal.y, normal.x};
     const double own = rowThrough(peaks, {}, along, kNear).mean;
@@ -278,7 +278,7 @@ std::optional<Rows> findRows(const CorrelationPeaks& peaks) {
     const auto [rise, tried] = bestRise(profile, extent);
     if (tried == 0)
         return {};
-    Rows rows{{}, confidenceIn(peaks, normal, rise, tried), along, rise.distance};
+    Rows rows{{}, confidenceInRows(peaks, normal, rise, tried), along, rise.distance};
     // γ along the rows is looked at as it is at other lattices' points.
     constexpr double kApart = 4;
     rows.candidate = rated(peaks, {kApart * along, rise.distance * normal});

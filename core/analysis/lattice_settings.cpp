@@ -68,8 +68,8 @@ Finding findingIn(const std::shared_ptr<const Image>& exemplar, const std::funct
     if (const std::optional<Finding> known = findings.of(exemplar))
         return *known;
     const LatticeAnalysis analysis = analyzeLattice(*exemplar, check);
-    const Finding finding{exemplar, analysis.found() ? analysis.candidates.front().lattice : Lattice{},
-                          !analysis.candidates.empty(), analysis.confidence};
+    Finding finding{exemplar, analysis.found() ? analysis.candidates.front().lattice : Lattice{},
+                    !analysis.candidates.empty(), analysis.confidence};
     findings.add(finding);
     return finding;
 }
