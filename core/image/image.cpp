@@ -18,6 +18,19 @@ std::ptrdiff_t alignedRow(int width) {
     return (static_cast<std::ptrdiff_t>(width) + kAlignedFloats - 1) / kAlignedFloats * kAlignedFloats;
 }
 
+/// Memory for an image, not yet written to.
+float* allocated(Size size, int channels) {
+    if (size.empty() || channels < 1)
+        fail("An image of {} × {} px with {} channels has no pixels.", size.width, size.height, channels);
+    const std::uint64_t bytes = Image::bytesFor(size, channels);
+    try {
+        return static_cast<float*>(::operator new[](bytes, std::align_val_t{kAlignment}));
+    } catch (const std::bad_alloc&) {
+        fail("There is not enough memory for an image of {} × {} px with {} channels ({}).", size.width,
+             size.height, channels, byteText(bytes));
+    }
+}
+
 } // namespace
 
 void Image::AlignedDelete::operator()(float* data) const {
@@ -29,25 +42,20 @@ std::uint64_t Image::bytesFor(Size size, int channels) {
            static_cast<std::uint64_t>(channels) * sizeof(float);
 }
 
-Image::Image(Size size, int channels) : m_size(size), m_channels(channels) {
-    if (size.empty() || channels < 1)
-        fail("An image of {} × {} px with {} channels has no pixels.", size.width, size.height, channels);
-    m_rowStride = alignedRow(size.width);
-    m_planeStride = m_rowStride * size.height;
-    const std::uint64_t bytes = bytesFor(size, channels);
-    try {
-        m_data.reset(static_cast<float*>(::operator new[](bytes, std::align_val_t{kAlignment})));
-    } catch (const std::bad_alloc&) {
-        fail("There is not enough memory for an image of {} × {} px with {} channels ({}).", size.width,
-             size.height, channels, byteText(bytes));
-    }
-    std::fill_n(m_data.get(), bytes / sizeof(float), 0.0F);
+Image::Image(Size size, int channels)
+    : m_size(size), m_channels(channels), m_rowStride(alignedRow(size.width)),
+      m_planeStride(m_rowStride * size.height), m_data(allocated(size, channels)) {
+    std::fill_n(m_data.get(), m_planeStride * channels, 0.0F);
 }
 
-Image::Image(const ImageView& view) : Image(view.size(), view.channels) {
+Image::Image(const ImageView& view)
+    : m_size(view.size()), m_channels(view.channels), m_rowStride(alignedRow(view.width)),
+      m_planeStride(m_rowStride * view.height), m_data(allocated(view.size(), view.channels)) {
     for (int c = 0; c < m_channels; ++c)
-        for (int y = 0; y < height(); ++y)
-            std::copy_n(view.plane(c).row(y), width(), plane(c).row(y));
+        for (int y = 0; y < height(); ++y) {
+            float* end = std::copy_n(view.plane(c).row(y), width(), plane(c).row(y));
+            std::fill_n(end, m_rowStride - width(), 0.0F);
+        }
 }
 
 Image::Image(const Image& other) {

@@ -15,6 +15,8 @@ namespace texloom {
 
 namespace {
 
+constexpr std::size_t kBetweenChecks = 1 << 14;
+
 /// The value between pixels; beyond the border that of the border.
 float valueAt(const PlaneView& plane, const BlendCurve::Point& point) {
     const double x = std::clamp(point.x - 0.5, 0.0, plane.width - 1.0);
@@ -65,11 +67,23 @@ BlendBand::BlendBand(BlendCurve curve, Size size, int width, const Progress& pro
         progress(static_cast<double>(y) / size.height);
         for (int x = 0; x < size.width; ++x) {
             const BlendCurve::Place place = m_curve.placeOf({x + 0.5, y + 0.5});
-            if (place.across > 0)
-                m_beyond.push_back({x, y, place});
+            if (place.across > 0) {
+                if (m_beyond.empty() || m_beyond.back().y != y || m_beyond.back().last != x)
+                    m_beyond.push_back({y, x, x});
+                ++m_beyond.back().last;
+            }
             if (std::abs(place.across) < width)
                 m_band.push_back({x, y, place});
         }
+    }
+}
+
+template <class Visit>
+void BlendBand::everyPixel(const std::function<void()>& check, const Visit& visit) const {
+    for (std::size_t i = 0; i < m_band.size(); ++i) {
+        if (i % kBetweenChecks == 0)
+            check();
+        visit(m_band[i]);
     }
 }
 
@@ -90,10 +104,12 @@ BlendBand::Lines BlendBand::sample(const ImageView& image, int side, const Progr
     return lines;
 }
 
-void BlendBand::compose(const ImageView& second, Image& to) const {
-    for (const Pixel& pixel : m_beyond)
+void BlendBand::compose(const ImageView& second, Image& to, const std::function<void()>& check) const {
+    for (const auto& [y, first, last] : m_beyond) {
+        check();
         for (int c = 0; c < to.channels(); ++c)
-            to(pixel.x, pixel.y, c) = second(pixel.x, pixel.y, c);
+            std::copy_n(second.plane(c).row(y) + first, last - first, to.plane(c).row(y) + first);
+    }
 }
 
 void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to,
@@ -114,15 +130,17 @@ void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to,
         }
     }
     const BoundaryCut path = minimumErrorCut(error.view().plane(0), {0, 2 * reach + 1, 0, 0});
-    compose(second, to);
-    for (const Pixel& pixel : m_band) {
-        const int i = std::clamp(static_cast<int>(pixel.place.along / step), 0, length - 1);
-        // Pixels at the band's edge may lie up to half a row outside.
-        const int row = std::clamp(static_cast<int>(std::lround(pixel.place.across)), -reach, reach);
-        const ImageView& kept = path.keeps(i, row + reach) ? first : second;
-        for (int c = 0; c < to.channels(); ++c)
-            to(pixel.x, pixel.y, c) = kept(pixel.x, pixel.y, c);
-    }
+    compose(second, to, [&] { progress(1); });
+    everyPixel([&] { progress(1); },
+               [&](const Pixel& pixel) {
+                   const int i = std::clamp(static_cast<int>(pixel.place.along / step), 0, length - 1);
+                   // Pixels at the band's edge may lie up to half a row outside.
+                   const int row =
+                       std::clamp(static_cast<int>(std::lround(pixel.place.across)), -reach, reach);
+                   const ImageView& kept = path.keeps(i, row + reach) ? first : second;
+                   for (int c = 0; c < to.channels(); ++c)
+                       to(pixel.x, pixel.y, c) = kept(pixel.x, pixel.y, c);
+               });
 }
 
 std::vector<std::uint8_t> BlendBand::bandMask() const {
@@ -133,36 +151,52 @@ std::vector<std::uint8_t> BlendBand::bandMask() const {
     return mask;
 }
 
+std::vector<std::uint8_t> BlendBand::beyondMask() const {
+    std::vector<std::uint8_t> mask(static_cast<std::size_t>(m_size.area()), 0);
+    for (const auto& [y, first, last] : m_beyond)
+        std::fill_n(mask.begin() + static_cast<std::ptrdiff_t>(y) * m_size.width + first, last - first, 1);
+    return mask;
+}
+
 void BlendBand::preparePoisson() {
     m_region = std::make_shared<const PoissonRegion>(bandMask(), m_size);
 }
 
+std::vector<float> BlendBand::divergence(const ImageView& first, const ImageView& second,
+                                         const Progress& progress) const {
+    const std::vector<std::uint8_t> mask = beyondMask();
+    const auto beyond = [&](int x, int y) {
+        return mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size.width) +
+                    static_cast<std::size_t>(x)];
+    };
+    std::vector<float> sums;
+    for (int c = 0; c < first.channels; ++c)
+        everyPixel([&] { progress(0); },
+                   [&](const Pixel& pixel) {
+                       const int x = pixel.x, y = pixel.y;
+                       float& sum = sums.emplace_back(0.0F);
+                       for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+                           const int u = x + dx, v = y + dy;
+                           if (u < 0 || v < 0 || u >= m_size.width || v >= m_size.height)
+                               continue;
+                           // Across the curve, the mean of both gradients.
+                           const float share = 0.5F * static_cast<float>(beyond(x, y) + beyond(u, v));
+                           sum += (1 - share) * (first(u, v, c) - first(x, y, c)) +
+                                  share * (second(u, v, c) - second(x, y, c));
+                       }
+                   });
+    return sums;
+}
+
 void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& to,
                         const Progress& progress) const {
-    compose(second, to);
-    Image beyond(m_size, 1), divergence(m_size, to.channels());
-    for (const Pixel& pixel : m_beyond)
-        beyond(pixel.x, pixel.y, 0) = 1;
-    for (int c = 0; c < to.channels(); ++c) {
-        for (const auto& [x, y, place] : m_band) {
-            float sum = 0;
-            for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-                const int u = x + dx, v = y + dy;
-                if (u < 0 || v < 0 || u >= m_size.width || v >= m_size.height)
-                    continue;
-                // Across the curve, the mean of both gradients.
-                const float share = 0.5F * (beyond(x, y, 0) + beyond(u, v, 0));
-                sum += (1 - share) * (first(u, v, c) - first(x, y, c)) +
-                       share * (second(u, v, c) - second(x, y, c));
-            }
-            divergence(x, y, c) = sum;
-        }
-        progress(0);
-        if (m_region)
-            m_region->solve(divergence.view().plane(c), to.plane(c));
-    }
+    const std::vector<float> sums = divergence(first, second, progress);
+    compose(second, to, [&] { progress(0); });
     if (!m_region)
-        solvePoisson(bandMask(), divergence, to, progress);
+        return solvePoisson(bandMask(), sums, to, progress);
+    for (int c = 0; c < to.channels(); ++c)
+        m_region->solve(std::span(sums).subspan(static_cast<std::size_t>(c) * m_band.size(), m_band.size()),
+                        to.plane(c));
 }
 
 void BlendBand::change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
@@ -259,10 +293,13 @@ void BlendBand::midway(const ImageView& first, const ImageView& second, const Mi
         begin += part;
     }
     turnAll(true);
-    compose(second, to);
-    for (const Pixel& pixel : m_band)
-        for (int c = 0; c < channels; ++c)
-            to(pixel.x, pixel.y, c) += change(sides[pixel.place.across > 0 ? 1 : 0], pixel.place, c);
+    compose(second, to, [&] { progress(1); });
+    everyPixel([&] { progress(1); },
+               [&](const Pixel& pixel) {
+                   for (int c = 0; c < channels; ++c)
+                       to(pixel.x, pixel.y, c) +=
+                           change(sides[pixel.place.across > 0 ? 1 : 0], pixel.place, c);
+               });
 }
 
 Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
@@ -299,18 +336,21 @@ Image blend(const ImageView& first, const ImageView& second, const BlendCurve& c
 }
 
 std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options) {
-    constexpr std::uint64_t kPixel = 24, kEquation = 24 + 6 * sizeof(double);
+    // Lists may have grown to twice what they hold.
+    constexpr std::uint64_t kPixel = 2 * 24, kEquation = 130;
     const auto area = static_cast<std::uint64_t>(size.area());
+    const auto deep = static_cast<std::uint64_t>(channels);
     // Curves are no longer than the longer side, or a quarter of a circle of the shorter one's radius.
     const std::uint64_t length = 2 * static_cast<std::uint64_t>(size.longerSide());
-    const std::uint64_t lines = 2 * length * static_cast<std::uint64_t>(options.band + 1) *
-                                static_cast<std::uint64_t>(channels) * sizeof(float);
-    const std::uint64_t band = length * 2 * static_cast<std::uint64_t>(options.band);
-    std::uint64_t bytes = 2 * Image::bytesFor(size, channels) + 2 * (area + band) * kPixel;
+    const std::uint64_t lines =
+        2 * length * static_cast<std::uint64_t>(options.band + 1) * deep * sizeof(float);
+    const std::uint64_t band = std::min(area, length * 2 * static_cast<std::uint64_t>(options.band));
+    std::uint64_t bytes = 2 * Image::bytesFor(size, channels) + band * kPixel +
+                          static_cast<std::uint64_t>(size.height) * sizeof(std::uint64_t) * 4;
     if (options.method == BlendMethod::Cut)
         bytes += length * length * 2 * sizeof(float);
     else if (options.method == BlendMethod::Poisson)
-        bytes += Image::bytesFor(size, channels + 1) + area + band * kEquation;
+        bytes += 2 * area + band * (kEquation + 2 * deep * sizeof(float));
     else
         bytes += lines + (options.midway.color == BlendColor::Pca ? 2 * lines : 0);
     return bytes;

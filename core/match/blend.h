@@ -64,6 +64,10 @@ private:
         int x, y;
         BlendCurve::Place place;
     };
+    /// Pixels [first, last) of a row.
+    struct Run {
+        int y, first, last;
+    };
     /// Lines along the curve at distances 0 … width on one side, by distance, channel and length.
     struct Lines {
         int count = 0, channels = 0, length = 0;
@@ -78,7 +82,12 @@ private:
     int lineLength() const;
     Lines sample(const ImageView& image, int side, const Progress& progress) const;
     std::vector<std::uint8_t> bandMask() const;
-    void compose(const ImageView& second, Image& to) const;
+    std::vector<std::uint8_t> beyondMask() const;
+    /// Visits the pixels of the band.
+    template <class Visit> void everyPixel(const std::function<void()>& check, const Visit& visit) const;
+    void compose(const ImageView& second, Image& to, const std::function<void()>& check) const;
+    std::vector<float> divergence(const ImageView& first, const ImageView& second,
+                                  const Progress& progress) const;
     float change(Lines& changes, const BlendCurve::Place& place, int channel) const;
     static void change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
                        int channel, Propagation propagation, const Progress& progress);
@@ -86,8 +95,8 @@ private:
     BlendCurve m_curve;
     Size m_size;
     int m_width;
-    std::vector<Pixel> m_band;   ///< pixels nearer to the curve than the width
-    std::vector<Pixel> m_beyond; ///< pixels on the second side
+    std::vector<Pixel> m_band; ///< pixels nearer to the curve than the width, by rows
+    std::vector<Run> m_beyond; ///< pixels on the second side, by rows
     std::shared_ptr<const PoissonRegion> m_region;
 };
 

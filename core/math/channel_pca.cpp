@@ -1,6 +1,6 @@
 #include "core/math/channel_pca.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/math/pca.h"
 
 #include <algorithm>
 
@@ -38,21 +38,16 @@ Axes axesOf(const Eigen::MatrixXd& covariance) {
     const Eigen::Index channels = covariance.rows();
     if (channels == 0)
         return {Eigen::MatrixXd(0, 0), Eigen::MatrixXd(0, 0)};
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
-    const double least = kLeastShare * std::max(0.0, solver.eigenvalues()(channels - 1));
+    const CovarianceAxes all = covarianceAxes(covariance);
+    const double least = kLeastShare * std::max(0.0, all.variances(0));
     Eigen::Index count = 0;
-    while (count < channels && solver.eigenvalues()(channels - 1 - count) > least)
+    while (count < channels && all.variances(count) > least)
         ++count;
     Axes axes{Eigen::MatrixXd(count, channels), Eigen::MatrixXd(channels, count)};
     for (Eigen::Index i = 0; i < count; ++i) {
-        Eigen::VectorXd axis = solver.eigenvectors().col(channels - 1 - i);
-        Eigen::Index largest = 0;
-        axis.cwiseAbs().maxCoeff(&largest);
-        if (axis(largest) < 0)
-            axis = -axis;
-        const double deviation = std::sqrt(solver.eigenvalues()(channels - 1 - i));
-        axes.toComponents.row(i) = axis.transpose() / deviation;
-        axes.toChannels.col(i) = axis * deviation;
+        const double deviation = std::sqrt(all.variances(i));
+        axes.toComponents.row(i) = all.directions.col(i).transpose() / deviation;
+        axes.toChannels.col(i) = all.directions.col(i) * deviation;
     }
     return axes;
 }

@@ -2,7 +2,21 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+
 namespace texloom {
+
+CovarianceAxes covarianceAxes(const Eigen::MatrixXd& covariance) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+    CovarianceAxes axes{solver.eigenvectors().rowwise().reverse(), solver.eigenvalues().reverse()};
+    for (Eigen::Index i = 0; i < axes.directions.cols(); ++i) {
+        Eigen::Index largest = 0;
+        axes.directions.col(i).cwiseAbs().maxCoeff(&largest);
+        if (axes.directions(largest, i) < 0)
+            axes.directions.col(i) *= -1;
+    }
+    return axes;
+}
 
 PrincipalAxes principalAxes(std::span<const double> vectors, int dimension, int count) {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -11,20 +25,15 @@ PrincipalAxes principalAxes(std::span<const double> vectors, int dimension, int 
     const Eigen::RowVectorXd mean = data.colwise().mean();
     const Rows centred = data.rowwise() - mean;
     const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(samples);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+    const CovarianceAxes all = covarianceAxes(covariance);
 
     PrincipalAxes result;
     result.dimension = dimension;
     result.mean.assign(mean.data(), mean.data() + dimension);
     for (int i = 0; i < count; ++i) {
-        const Eigen::Index column = dimension - 1 - i;
-        Eigen::VectorXd axis = solver.eigenvectors().col(column);
-        Eigen::Index largest = 0;
-        axis.cwiseAbs().maxCoeff(&largest);
-        if (axis[largest] < 0)
-            axis = -axis;
-        result.axes.insert(result.axes.end(), axis.data(), axis.data() + dimension);
-        result.variances.push_back(std::max(0.0, solver.eigenvalues()[column]));
+        const double* axis = all.directions.col(i).data();
+        result.axes.insert(result.axes.end(), axis, axis + dimension);
+        result.variances.push_back(std::max(0.0, all.variances[i]));
     }
     return result;
 }

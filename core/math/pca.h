@@ -1,13 +1,22 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace texloom {
 
-/// The directions in which vectors vary most: eigenvectors of their covariance, by falling variance. Each
-/// direction's largest component is positive, so that it does not depend on the solver's whim.
+/// The eigenvectors of a covariance, one a column, by falling variance, and the variances. Each direction's
+/// largest component is positive, so that it does not depend on the solver's whim.
+struct CovarianceAxes {
+    Eigen::MatrixXd directions;
+    Eigen::VectorXd variances; ///< rounding may leave some a little below 0
+};
+CovarianceAxes covarianceAxes(const Eigen::MatrixXd& covariance);
+
+/// The directions in which vectors vary most: the first of their covariance's axes.
 struct PrincipalAxes {
     int dimension = 0;
     std::vector<double> mean;      ///< dimension

@@ -1,12 +1,14 @@
 #include "core/math/poisson.h"
 
 #include "core/math/fft.h"
+#include "core/math/multigrid.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace texloom {
 
@@ -67,12 +69,12 @@ PoissonRegion::~PoissonRegion() = default;
 PoissonRegion::PoissonRegion(PoissonRegion&&) noexcept = default;
 PoissonRegion& PoissonRegion::operator=(PoissonRegion&&) noexcept = default;
 
-void PoissonRegion::solve(const PlaneView& divergence, PlaneSpan values) const {
+void PoissonRegion::solve(std::span<const float> divergence, PlaneSpan values) const {
     const Factors& f = *m_factors;
     Eigen::VectorXd right(static_cast<Eigen::Index>(f.pixels.size()));
     for (std::size_t i = 0; i < f.pixels.size(); ++i) {
         const auto [x, y] = f.pixels[i];
-        double sum = -static_cast<double>(divergence(x, y));
+        double sum = -static_cast<double>(divergence[i]);
         for (const Step& step : kSteps)
             if (inside(x + step.x, y + step.y, f.size) && f.numberAt(x + step.x, y + step.y) < 0)
                 sum += static_cast<double>(values(x + step.x, y + step.y));
@@ -85,193 +87,151 @@ void PoissonRegion::solve(const PlaneView& divergence, PlaneSpan values) const {
 
 namespace {
 
-/// The equations of a region without its matrix, and the factor L of Gustafsson's modified incomplete
-/// factorisation, of which only the diagonal's inverse is kept: all other entries are −1.
+/// Conjugate gradients on the equations of a region, preconditioned by a cycle over grids.
 class IterativeRegion {
 public:
     IterativeRegion(const std::vector<std::uint8_t>& unknown, Size size, const std::function<void()>& check);
 
     /// @param progress told of the share of the digits that are right.
-    void solve(const PlaneView& divergence, PlaneSpan values, const std::function<void(double)>& progress);
+    void solve(std::span<const float> divergence, PlaneSpan values,
+               const std::function<void(double)>& progress);
+    std::size_t count() const { return m_pixels.size(); }
 
 private:
     using Vector = std::vector<double>;
 
-    struct Equation {
-        int x, y;
-        int left = -1, up = -1, right = -1, down = -1; ///< the neighbours' equations; −1: given or outside
-        int neighbours = 0;
-    };
-
-    void factorise();
-    /// to = A from
-    void multiply(const Vector& from, Vector& to) const;
-    /// to = (L Lᵗ)⁻¹ from
-    void precondition(const Vector& from, Vector& to) const;
+    /// Calls visit(i) for every equation.
     template <class Visit> void each(Visit visit) const;
     double product(const Vector& a, const Vector& b) const;
+    /// Right side less A f, and the largest value that is known.
+    double begin(std::span<const float> divergence, const PlaneView& values);
+    /// m_image = the cycle's answer to the residual
+    void precondition();
+    double worst() const;
 
-    Size m_size;
     const std::function<void()>& m_check;
-    std::vector<Equation> m_equations;
-    Vector m_inverse;
+    std::vector<Multigrid::Pixel> m_pixels;
+    std::optional<Multigrid> m_grids;
+    Vector m_f, m_residual, m_way, m_image;
 };
-
-constexpr std::size_t kBetweenChecks = 1 << 16;
 
 IterativeRegion::IterativeRegion(const std::vector<std::uint8_t>& unknown, Size size,
                                  const std::function<void()>& check)
-    : m_size(size), m_check(check) {
-    std::vector<int> above(static_cast<std::size_t>(size.width), -1), row = above;
+    : m_check(check) {
+    const auto isUnknown = [&](int x, int y) {
+        return unknown[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                       static_cast<std::size_t>(x)] != 0;
+    };
+    std::vector<std::uint8_t> given;
     for (int y = 0; y < size.height; ++y) {
         check();
-        std::fill(row.begin(), row.end(), -1);
         for (int x = 0; x < size.width; ++x) {
-            const auto column = static_cast<std::size_t>(x);
-            if (unknown[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + column] == 0)
+            if (!isUnknown(x, y))
                 continue;
-            const int own = static_cast<int>(m_equations.size());
-            row[column] = own;
-            Equation equation{x, y};
+            m_pixels.push_back({x, y});
+            std::uint8_t known = 0;
             for (const Step& step : kSteps)
-                equation.neighbours += inside(x + step.x, y + step.y, size) ? 1 : 0;
-            equation.left = x > 0 ? row[column - 1] : -1;
-            equation.up = above[column];
-            if (equation.left >= 0)
-                m_equations[static_cast<std::size_t>(equation.left)].right = own;
-            if (equation.up >= 0)
-                m_equations[static_cast<std::size_t>(equation.up)].down = own;
-            m_equations.push_back(equation);
+                if (inside(x + step.x, y + step.y, size) && !isUnknown(x + step.x, y + step.y))
+                    ++known;
+            given.push_back(known);
         }
-        above.swap(row);
     }
-    factorise();
+    m_grids.emplace(m_pixels, given, check);
+    for (Vector* vector : {&m_f, &m_residual, &m_way, &m_image}) {
+        check();
+        vector->assign(count() + 1, 0.0);
+    }
 }
 
 template <class Visit> void IterativeRegion::each(Visit visit) const {
-    for (std::size_t i = 0; i < m_equations.size(); ++i) {
-        if (i % kBetweenChecks == 0)
-            m_check();
-        visit(i, m_equations[i]);
-    }
-}
-
-void IterativeRegion::factorise() {
-    // Nearly all of what the factor leaves out goes to the diagonal, which keeps it positive.
-    constexpr double kModified = 0.97, kSafe = 0.25;
-    m_inverse.assign(m_equations.size(), 0);
-    each([&](std::size_t i, const Equation& equation) {
-        double diagonal = equation.neighbours;
-        const auto eliminate = [&](int before, int other) {
-            const double share = m_inverse[static_cast<std::size_t>(before)];
-            diagonal -= share * share * (1 + (other >= 0 ? kModified : 0));
-        };
-        if (equation.left >= 0)
-            eliminate(equation.left, m_equations[static_cast<std::size_t>(equation.left)].down);
-        if (equation.up >= 0)
-            eliminate(equation.up, m_equations[static_cast<std::size_t>(equation.up)].right);
-        m_inverse[i] = 1 / std::sqrt(diagonal < kSafe * equation.neighbours ? equation.neighbours : diagonal);
-    });
-}
-
-void IterativeRegion::multiply(const Vector& from, Vector& to) const {
-    each([&](std::size_t i, const Equation& equation) {
-        double sum = equation.neighbours * from[i];
-        for (const int neighbour : {equation.left, equation.up, equation.right, equation.down})
-            if (neighbour >= 0)
-                sum -= from[static_cast<std::size_t>(neighbour)];
-        to[i] = sum;
-    });
-}
-
-void IterativeRegion::precondition(const Vector& from, Vector& to) const {
-    const auto term = [&](int neighbour) {
-        const auto n = static_cast<std::size_t>(neighbour);
-        return neighbour < 0 ? 0.0 : m_inverse[n] * to[n];
-    };
-    each([&](std::size_t i, const Equation& equation) {
-        to[i] = (from[i] + term(equation.left) + term(equation.up)) * m_inverse[i];
-    });
-    for (std::size_t left = m_equations.size(); left > 0; --left) {
-        const std::size_t i = left - 1;
-        if (i % kBetweenChecks == 0)
-            m_check();
-        const auto after = [&](int neighbour) {
-            return neighbour < 0 ? 0.0 : to[static_cast<std::size_t>(neighbour)];
-        };
-        to[i] = (to[i] + m_inverse[i] * (after(m_equations[i].right) + after(m_equations[i].down))) *
-                m_inverse[i];
+    constexpr std::size_t kBetweenChecks = 1 << 16;
+    for (std::size_t first = 0; first < count(); first += kBetweenChecks) {
+        m_check();
+        for (std::size_t i = first, end = std::min(count(), first + kBetweenChecks); i < end; ++i)
+            visit(i);
     }
 }
 
 double IterativeRegion::product(const Vector& a, const Vector& b) const {
     double sum = 0;
-    each([&](std::size_t i, const Equation&) { sum += a[i] * b[i]; });
+    each([&](std::size_t i) { sum += a[i] * b[i]; });
     return sum;
 }
 
-void IterativeRegion::solve(const PlaneView& divergence, PlaneSpan values,
-                            const std::function<void(double)>& progress) {
-    constexpr int kMostSteps = 20'000;
-    constexpr double kPrecision = 1e-7;
-    const std::size_t count = m_equations.size();
-    Vector f(count), residual(count), way(count), step(count), image(count);
+double IterativeRegion::worst() const {
+    double most = 0;
+    each([&](std::size_t i) { most = std::max(most, std::abs(m_residual[i])); });
+    return most;
+}
+
+double IterativeRegion::begin(std::span<const float> divergence, const PlaneView& values) {
     double largest = 0;
-    each([&](std::size_t i, const Equation& equation) {
-        f[i] = static_cast<double>(values(equation.x, equation.y));
-        largest = std::max(largest, std::abs(f[i]));
+    each([&](std::size_t i) {
+        m_f[i] = static_cast<double>(values(m_pixels[i].x, m_pixels[i].y));
+        largest = std::max(largest, std::abs(m_f[i]));
     });
-    multiply(f, image);
-    each([&](std::size_t i, const Equation& equation) {
-        double right = -static_cast<double>(divergence(equation.x, equation.y));
-        const int neighbours[] = {equation.left, equation.right, equation.up, equation.down};
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int x = equation.x + kSteps[k].x, y = equation.y + kSteps[k].y;
-            if (neighbours[k] < 0 && inside(x, y, m_size)) {
-                right += static_cast<double>(values(x, y));
-                largest = std::max(largest, std::abs(static_cast<double>(values(x, y))));
+    const Size size{values.width, values.height};
+    m_grids->multiply(m_f, m_image);
+    each([&](std::size_t i) {
+        const auto [x, y] = m_pixels[i];
+        const Multigrid::Cell& cell = m_grids->cells()[i];
+        double right = -static_cast<double>(divergence[i]);
+        const int neighbours[] = {cell.left, cell.right, cell.up, cell.down};
+        for (std::size_t k = 0; k < 4; ++k)
+            if (const int u = x + kSteps[k].x, v = y + kSteps[k].y;
+                neighbours[k] == m_grids->count() && inside(u, v, size)) {
+                right += static_cast<double>(values(u, v));
+                largest = std::max(largest, std::abs(static_cast<double>(values(u, v))));
             }
-        }
-        residual[i] = right - image[i];
+        m_residual[i] = right - m_image[i];
     });
-    const auto worst = [&] {
-        double most = 0;
-        each([&](std::size_t i, const Equation&) { most = std::max(most, std::abs(residual[i])); });
-        return most;
-    };
-    const double first = worst(), wanted = kPrecision * std::max(largest, 1e-30);
+    return largest;
+}
+
+void IterativeRegion::precondition() {
+    each([&](std::size_t i) { m_grids->right()[i] = static_cast<float>(m_residual[i]); });
+    const std::vector<float>& solution = m_grids->precondition();
+    each([&](std::size_t i) { m_image[i] = static_cast<double>(solution[i]); });
+}
+
+void IterativeRegion::solve(std::span<const float> divergence, PlaneSpan values,
+                            const std::function<void(double)>& progress) {
+    constexpr int kMostSteps = 1000;
+    constexpr double kPrecision = 1e-7;
+    const double wanted = kPrecision * std::max(begin(divergence, values), 1e-30);
+    const double first = worst();
     double now = first, energy = 0;
     for (int n = 0; n < kMostSteps && now > wanted; ++n) {
-        precondition(residual, image);
-        const double next = product(residual, image);
+        precondition();
+        const double next = product(m_residual, m_image);
         const double share = n == 0 ? 0 : next / energy;
         energy = next;
-        each([&](std::size_t i, const Equation&) { way[i] = image[i] + share * way[i]; });
-        multiply(way, step);
-        const double length = energy / product(way, step);
-        each([&](std::size_t i, const Equation&) {
-            f[i] += length * way[i];
-            residual[i] -= length * step[i];
+        each([&](std::size_t i) { m_way[i] = m_image[i] + share * m_way[i]; });
+        m_grids->multiply(m_way, m_image);
+        const double length = energy / product(m_way, m_image);
+        each([&](std::size_t i) {
+            m_f[i] += length * m_way[i];
+            m_residual[i] -= length * m_image[i];
         });
         now = worst();
         progress(std::clamp(std::log(first / std::max(now, 1e-300)) / std::log(first / wanted), 0.0, 1.0));
     }
-    for (std::size_t i = 0; i < count; ++i)
-        values(m_equations[i].x, m_equations[i].y) = static_cast<float>(f[i]);
+    each([&](std::size_t i) { values(m_pixels[i].x, m_pixels[i].y) = static_cast<float>(m_f[i]); });
 }
 
 } // namespace
 
-void solvePoisson(const std::vector<std::uint8_t>& unknown, const ImageView& divergence, Image& values,
+void solvePoisson(const std::vector<std::uint8_t>& unknown, std::span<const float> divergence, Image& values,
                   const std::function<void(double)>& progress) {
     double done = 0;
     const std::function<void()> check = [&] { progress(done); };
     IterativeRegion region(unknown, values.size(), check);
-    for (int c = 0; c < divergence.channels; ++c)
-        region.solve(divergence.plane(c), values.plane(c), [&](double share) {
-            done = std::max(done, (c + share) / divergence.channels);
-            progress(done);
-        });
+    for (int c = 0; c < values.channels(); ++c)
+        region.solve(divergence.subspan(static_cast<std::size_t>(c) * region.count(), region.count()),
+                     values.plane(c), [&](double share) {
+                         done = std::max(done, (c + share) / values.channels());
+                         progress(done);
+                     });
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace texloom {
@@ -22,20 +23,21 @@ public:
     PoissonRegion& operator=(PoissonRegion&&) noexcept;
 
     /// Replaces the unknown pixels of `values`; the others stay, bit for bit.
-    /// @param divergence g, read at the unknown pixels.
-    void solve(const PlaneView& divergence, PlaneSpan values) const;
+    /// @param divergence g at the unknown pixels, by rows.
+    void solve(std::span<const float> divergence, PlaneSpan values) const;
 
 private:
     struct Factors;
     std::unique_ptr<Factors> m_factors;
 };
 
-/// The same for a region that is solved once, and may be large: by conjugate gradients with a modified
-/// incomplete Cholesky factor, until no residual is above 1e-7 of the values' range. The unknown pixels of
-/// `values` are where it starts.
-/// @param divergence g of each channel. @param progress called with 0 to 1 every few milliseconds; may throw.
+/// The same for a region that is solved once, and may be large: by conjugate gradients preconditioned by
+/// multigrid (see Multigrid), in a number of steps that hardly depends on the size, until no residual is
+/// above 1e-7 of the values' range. The unknown pixels of `values` are where it starts.
+/// @param divergence g at the unknown pixels by rows, one channel after another. @param progress called with
+/// 0 to 1 every few milliseconds; may throw.
 void solvePoisson(
-    const std::vector<std::uint8_t>& unknown, const ImageView& divergence, Image& values,
+    const std::vector<std::uint8_t>& unknown, std::span<const float> divergence, Image& values,
     const std::function<void(double)>& progress = [](double) {});
 
 /// The same with every pixel unknown and nothing flowing over the border, by cosine transforms: f is known up
