@@ -1,6 +1,7 @@
 #include "core/match/patch_distances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -39,9 +40,11 @@ void conjugateProduct(Complex* to, const Complex* b, std::ptrdiff_t count) {
     }
 }
 
-/// distances[i] = max(smallest, norm + squares[i] − scale × correlation[i]) in place of the correlation; the
-/// minimum is kept in lanes because a single running one does not vectorise.
-float finishRow(float* row, const float* squares, int count, float norm, float scale, float smallest) {
+/// distances[i] = factors[i] × max(smallest, norm + squares[i] − scale × correlation[i]) in place of the
+/// correlation, the factors being 1 if there are none; the minimum is kept in lanes because a single running
+/// one does not vectorise.
+float finishRow(float* row, const float* squares, const float* factors, int count, float norm, float scale,
+                float smallest) {
     constexpr int kLanes = 16;
     float minima[kLanes];
     std::fill_n(minima, kLanes, kInfinity);
@@ -50,11 +53,12 @@ float finishRow(float* row, const float* squares, int count, float norm, float s
         for (int lane = 0; lane < kLanes; ++lane) {
             const float distance = norm + squares[x + lane] - scale * row[x + lane];
             const float raised = distance > smallest ? distance : smallest;
-            row[x + lane] = raised;
-            minima[lane] = raised < minima[lane] ? raised : minima[lane];
+            const float found = factors ? factors[x + lane] * raised : raised;
+            row[x + lane] = found;
+            minima[lane] = found < minima[lane] ? found : minima[lane];
         }
     for (; x < count; ++x) {
-        row[x] = std::max(smallest, norm + squares[x] - scale * row[x]);
+        row[x] = std::max(smallest, norm + squares[x] - scale * row[x]) * (factors ? factors[x] : 1);
         minima[0] = std::min(minima[0], row[x]);
     }
     return *std::min_element(minima, minima + kLanes);
@@ -63,10 +67,10 @@ float finishRow(float* row, const float* squares, int count, float norm, float s
 } // namespace
 
 PatchDistances::PatchDistances(const ImageView& exemplar, const PlaneView& mask, std::vector<double> means,
-                               int patch)
+                               int patch, const ContrastBalance& balance)
     : m_size(exemplar.size()), m_channels(exemplar.channels),
       m_patch(patch), m_positions{exemplar.width - patch + 1, exemplar.height - patch + 1},
-      m_means(std::move(means)), m_fft(fftSize(exemplar.size())) {
+      m_means(std::move(means)), m_fft(fftSize(exemplar.size())), m_balance(balance) {
     FftBuffer<float> image(m_fft.imageSize());
     std::fill_n(image.data(), image.size(), 0.0F);
     for (int c = 0; c < m_channels; ++c) {
@@ -80,36 +84,55 @@ PatchDistances::PatchDistances(const ImageView& exemplar, const PlaneView& mask,
         for (int k = 0; k < m_fft.columns(); k += RealFft2d::kBlock)
             m_fft.forwardColumns(spectrum.data(), k, std::min(m_fft.columns(), k + RealFft2d::kBlock));
     }
-    tabulate(exemplar);
+    const auto value = [&](int x, int y, int c) {
+        return static_cast<double>(exemplar(x, y, c)) - m_means[static_cast<std::size_t>(c)];
+    };
+    m_squares = tabulated([&](int x, int y) {
+        double sum = 0;
+        for (int c = 0; c < m_channels; ++c)
+            sum += value(x, y, c) * value(x, y, c);
+        return sum;
+    });
+    for (int c = 0; c < m_channels && balances(); ++c)
+        m_sums.push_back(tabulated([&](int x, int y) { return value(x, y, c); }));
     m_allowed = m_positions.area();
     if (mask.data)
         forbid(mask);
 }
 
-void PatchDistances::tabulate(const ImageView& exemplar) {
+template <class Value> PatchDistances::Table PatchDistances::tabulated(const Value& value) const {
     const auto width = static_cast<std::size_t>(m_size.width) + 1;
-    m_table.assign(width * (static_cast<std::size_t>(m_size.height) + 1), 0.0);
+    Table table(width * (static_cast<std::size_t>(m_size.height) + 1), 0.0);
     for (int y = 0; y < m_size.height; ++y) {
         double row = 0;
         for (int x = 0; x < m_size.width; ++x) {
-            for (int c = 0; c < m_channels; ++c) {
-                const double value =
-                    static_cast<double>(exemplar(x, y, c)) - m_means[static_cast<std::size_t>(c)];
-                row += value * value;
-            }
+            row += value(x, y);
             const std::size_t at =
                 (static_cast<std::size_t>(y) + 1) * width + static_cast<std::size_t>(x) + 1;
-            m_table[at] = m_table[at - width] + row;
+            table[at] = table[at - width] + row;
         }
     }
+    return table;
 }
 
-double PatchDistances::tableSum(int x, int y, int width, int height) const {
+double PatchDistances::tableSum(const Table& table, int x, int y, int width, int height) const {
     const auto stride = static_cast<std::size_t>(m_size.width) + 1;
     const std::size_t top = static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
     const std::size_t bottom = top + static_cast<std::size_t>(height) * stride;
     const auto right = static_cast<std::size_t>(width);
-    return m_table[bottom + right] - m_table[bottom] - m_table[top + right] + m_table[top];
+    return table[bottom + right] - table[bottom] - table[top + right] + table[top];
+}
+
+double PatchDistances::shapeSum(const Table& table, const Footprint& shape, int x, int y) const {
+    const Size area{std::min(m_patch, shape.area.width), std::min(m_patch, shape.area.height)};
+    const Overlap& border = shape.border;
+    // What the border leaves free, as far as it lies in the area.
+    const int innerWidth = std::min(area.width, m_patch - border.right) - border.left;
+    const int innerHeight = std::min(area.height, m_patch - border.bottom) - border.top;
+    const double sum = tableSum(table, x, y, area.width, area.height);
+    return innerWidth > 0 && innerHeight > 0
+               ? sum - tableSum(table, x + border.left, y + border.top, innerWidth, innerHeight)
+               : sum;
 }
 
 void PatchDistances::forbid(const PlaneView& mask) {
@@ -142,27 +165,40 @@ void PatchDistances::prepare(const Footprint& shape) {
         if (known.footprint == shape)
             return;
     Image squares(m_positions, 1);
-    const Size area{std::min(m_patch, shape.area.width), std::min(m_patch, shape.area.height)};
-    const Overlap& border = shape.border;
-    // What the border leaves free, as far as it lies in the area.
-    const int innerWidth = std::max(0, std::min(area.width, m_patch - border.right) - border.left);
-    const int innerHeight = std::max(0, std::min(area.height, m_patch - border.bottom) - border.top);
     for (int y = 0; y < m_positions.height; ++y) {
         float* row = squares.plane(0).row(y);
-        for (int x = 0; x < m_positions.width; ++x) {
-            double sum = tableSum(x, y, area.width, area.height);
-            if (innerWidth > 0 && innerHeight > 0)
-                sum -= tableSum(x + border.left, y + border.top, innerWidth, innerHeight);
-            row[x] = forbidden(x, y) ? kInfinity : static_cast<float>(sum);
-        }
+        for (int x = 0; x < m_positions.width; ++x)
+            row[x] = forbidden(x, y) ? kInfinity : static_cast<float>(shapeSum(m_squares, shape, x, y));
     }
-    m_shapes.push_back({shape, std::move(squares)});
+    Image factors = balances() ? factorsOf(shape) : Image();
+    m_shapes.push_back({shape, std::move(squares), std::move(factors)});
 }
 
-const Image& PatchDistances::squaresOf(const Footprint& shape) const {
-    return std::find_if(m_shapes.begin(), m_shapes.end(),
-                        [&](const Shape& s) { return s.footprint == shape; })
-        ->squares;
+Image PatchDistances::factorsOf(const Footprint& shape) const {
+    // Contrast below this share of the usual does not make patches farther still.
+    constexpr double kLeast = 0.02;
+    double pixels = 0;
+    for (int y = 0; y < m_patch; ++y)
+        for (int x = 0; x < m_patch; ++x)
+            pixels += shape.contains(x, y, m_patch) ? 1 : 0;
+    const double usual = pixels * m_balance.variance;
+    Image factors(m_positions, 1);
+    for (int y = 0; y < m_positions.height; ++y)
+        for (int x = 0; x < m_positions.width; ++x) {
+            double contrast = shapeSum(m_squares, shape, x, y);
+            for (const Table& table : m_sums) {
+                const double sum = shapeSum(table, shape, x, y);
+                contrast -= sum * sum / pixels;
+            }
+            factors(x, y, 0) = static_cast<float>(
+                std::pow(std::max(0.0, contrast) / usual + kLeast, -0.5 * m_balance.share));
+        }
+    return factors;
+}
+
+const PatchDistances::Shape& PatchDistances::prepared(const Footprint& shape) const {
+    return *std::find_if(m_shapes.begin(), m_shapes.end(),
+                         [&](const Shape& s) { return s.footprint == shape; });
 }
 
 PatchDistances::Scratch PatchDistances::scratch() const {
@@ -218,22 +254,24 @@ void PatchDistances::compute(const ImageView& known, const Footprint& shape, flo
         correlateColumns(scratch, k, std::min(m_fft.columns(), k + RealFft2d::kBlock));
     }
     m_fft.backwardRows(scratch.spectra[0].data(), m_positions.height, scratch.distances.data(), check);
-    const Image& squares = squaresOf(shape);
+    const Shape& measured = prepared(shape);
     const auto scale = static_cast<float>(2.0 / static_cast<double>(m_fft.size().area()));
     for (int y = 0; y < m_positions.height; ++y)
-        scratch.rowMinima[static_cast<std::size_t>(y)] =
-            finishRow(scratch.distances.data() + y * m_fft.rowStride(), squares.plane(0).row(y),
-                      m_positions.width, static_cast<float>(norm), scale, smallest);
+        scratch.rowMinima[static_cast<std::size_t>(y)] = finishRow(
+            scratch.distances.data() + y * m_fft.rowStride(), measured.squares.view().plane(0).row(y),
+            measured.factors.empty() ? nullptr : measured.factors.view().plane(0).row(y), m_positions.width,
+            static_cast<float>(norm), scale, smallest);
 }
 
-std::uint64_t PatchDistances::bytesFor(Size exemplar, int channels, int patch, int shapes) {
+std::uint64_t PatchDistances::bytesFor(Size exemplar, int channels, int patch, int shapes, bool balanced) {
     const RealFft2d fft(fftSize(exemplar));
     const Size positions{exemplar.width - patch + 1, exemplar.height - patch + 1};
     const auto area = static_cast<std::uint64_t>((exemplar.width + 1LL) * (exemplar.height + 1LL));
-    return fft.imageSize() * sizeof(float) +
-           fft.spectrumSize() * sizeof(Complex) * static_cast<std::uint64_t>(channels) +
-           area * (sizeof(double) + sizeof(std::int32_t) + 1) +
-           Image::bytesFor(positions, 1) * static_cast<std::uint64_t>(shapes);
+    const auto deep = static_cast<std::uint64_t>(channels);
+    const std::uint64_t tables = 1 + (balanced ? deep : 0), images = balanced ? 2 : 1;
+    return fft.imageSize() * sizeof(float) + fft.spectrumSize() * sizeof(Complex) * deep +
+           area * (tables * sizeof(double) + sizeof(std::int32_t) + 1) +
+           images * Image::bytesFor(positions, 1) * static_cast<std::uint64_t>(shapes);
 }
 
 std::uint64_t PatchDistances::scratchBytesFor(Size exemplar, int channels) {

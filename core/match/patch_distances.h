@@ -42,6 +42,15 @@ struct Footprint {
     Size area{1 << 30, 1 << 30}; ///< nothing beyond it counts
 };
 
+/// How much distances count by the contrast of the exemplar's patch. Where nothing fits well, the least
+/// squared difference is that to the flattest patch, whatever it shows, and outputs grown by it fade. So
+/// distances are divided by the patch's own contrast on the compared pixels, which makes too much of it and
+/// too little equally far.
+struct ContrastBalance {
+    double share = 0;    ///< from 0, squared differences as they are, to 1, divided by the contrast
+    double variance = 0; ///< of an exemplar's pixel about its mean, over all channels: the unit of contrast
+};
+
 /// Squared distances between a partly known patch and all patches of an exemplar:
 /// D(m, n) = ‖P‖² − 2 Γ(P, I₀)(m, n) + Γ(Q, I₀²)(m, n) (Raad & Galerne, IPOL 2017, eq. 5), with one
 /// correlation by FFT. The exemplar's spectrum is computed once; Γ(Q, I₀²) comes from a summed-area table,
@@ -60,7 +69,8 @@ public:
     /// @param mask one channel of the exemplar's size, or {}: patches with a pixel where it is 0 are at
     /// infinite distance.
     /// @param means one per channel. @param patch side in pixels, at most the exemplar's shorter side.
-    PatchDistances(const ImageView& exemplar, const PlaneView& mask, std::vector<double> means, int patch);
+    PatchDistances(const ImageView& exemplar, const PlaneView& mask, std::vector<double> means, int patch,
+                   const ContrastBalance& balance = {});
 
     /// Number of patches in each direction; a patch is named by its top left pixel.
     Size positions() const { return m_positions; }
@@ -87,27 +97,34 @@ public:
     }
 
     /// Bytes that an object takes for `shapes` shapes, and one Scratch.
-    static std::uint64_t bytesFor(Size exemplar, int channels, int patch, int shapes);
+    static std::uint64_t bytesFor(Size exemplar, int channels, int patch, int shapes, bool balanced = false);
     static std::uint64_t scratchBytesFor(Size exemplar, int channels);
 
 private:
     struct Shape {
         Footprint footprint;
         Image squares; ///< Γ(Q, I₀²); infinite where the mask forbids the patch
+        Image factors; ///< of the distances, by contrast; empty if they stay as they are
     };
-    void tabulate(const ImageView& exemplar);
+    using Table = std::vector<double>; ///< summed area, (width + 1) × (height + 1)
+    bool balances() const { return m_balance.share > 0 && m_balance.variance > 0; }
+    /// @param value of a pixel.
+    template <class Value> Table tabulated(const Value& value) const;
+    Image factorsOf(const Footprint& shape) const;
     void forbid(const PlaneView& mask);
     double transform(const ImageView& known, const Footprint& shape, Scratch& scratch,
                      const std::function<void()>& check) const;
     void correlateColumns(Scratch& scratch, int first, int last) const;
-    const Image& squaresOf(const Footprint& shape) const;
+    const Shape& prepared(const Footprint& shape) const;
     bool forbidden(int x, int y) const {
         return !m_forbiddenPatches.empty() &&
                m_forbiddenPatches[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +
                                   static_cast<std::size_t>(x)] != 0;
     }
 
-    double tableSum(int x, int y, int width, int height) const;
+    double tableSum(const Table& table, int x, int y, int width, int height) const;
+    /// Sum of a table over the pixels of a shape at a position.
+    double shapeSum(const Table& table, const Footprint& shape, int x, int y) const;
 
     Size m_size;
     int m_channels;
@@ -116,7 +133,9 @@ private:
     std::vector<double> m_means;
     RealFft2d m_fft;
     std::vector<FftBuffer<std::complex<float>>> m_spectra;
-    std::vector<double> m_table; ///< summed-area table of the squares, (width + 1) × (height + 1)
+    ContrastBalance m_balance;
+    Table m_squares;           ///< of squares, over all channels
+    std::vector<Table> m_sums; ///< of each channel's values, for contrast
     std::vector<std::uint8_t> m_forbiddenPatches;
     std::int64_t m_allowed = 0;
     std::vector<Shape> m_shapes;

@@ -32,6 +32,23 @@ std::vector<double> commonMeans(std::span<const PatchSource> exemplars) {
     return means;
 }
 
+/// Of a pixel about the means, over all exemplars and channels.
+double commonVariance(std::span<const PatchSource> exemplars, const std::vector<double>& means) {
+    double squares = 0, pixels = 0;
+    for (const PatchSource& exemplar : exemplars) {
+        const ImageView& image = exemplar.image;
+        for (int c = 0; c < image.channels; ++c)
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) {
+                    const double value =
+                        static_cast<double>(image(x, y, c)) - means[static_cast<std::size_t>(c)];
+                    squares += value * value;
+                }
+        pixels += static_cast<double>(image.size().area());
+    }
+    return squares / pixels;
+}
+
 struct Ranked {
     float distance;
     PatchPosition position;
@@ -40,11 +57,13 @@ struct Ranked {
 
 } // namespace
 
-PatchSearch::PatchSearch(std::vector<PatchSource> exemplars, int patch, const std::function<void()>& check)
+PatchSearch::PatchSearch(std::vector<PatchSource> exemplars, int patch, const std::function<void()>& check,
+                         double balance)
     : m_exemplars(std::move(exemplars)), m_patch(patch), m_smallest(smallestDistance(m_exemplars)) {
     const std::vector<double> means = commonMeans(m_exemplars);
+    const ContrastBalance contrast{balance, balance > 0 ? commonVariance(m_exemplars, means) : 0};
     for (const PatchSource& exemplar : m_exemplars) {
-        m_distances.emplace_back(exemplar.image, exemplar.mask, means, patch);
+        m_distances.emplace_back(exemplar.image, exemplar.mask, means, patch, contrast);
         check();
     }
 }

@@ -23,8 +23,9 @@ public:
     using Scratch = std::vector<PatchDistances::Scratch>;
 
     /// @param exemplars must outlive the search. @param patch side in pixels. @param check called now and
-    /// then and may throw.
-    PatchSearch(std::vector<PatchSource> exemplars, int patch, const std::function<void()>& check);
+    /// then and may throw. @param balance see ContrastBalance::share.
+    PatchSearch(std::vector<PatchSource> exemplars, int patch, const std::function<void()>& check,
+                double balance = 0);
 
     int patch() const { return m_patch; }
     /// Patches that the masks allow, in all exemplars.

@@ -64,7 +64,7 @@ Image copied(const PositionMap& map, const Request& request, JobContext& context
     return image;
 }
 
-std::uint64_t patchSearchBytes(const Request& request, int patch, int threads) {
+std::uint64_t patchSearchBytes(const Request& request, int patch, int threads, bool balanced) {
     // On an axis that wraps overlaps differ by a pixel: at most seven kinds along a row, for five kinds of
     // row.
     constexpr int kShapes = 35;
@@ -72,7 +72,7 @@ std::uint64_t patchSearchBytes(const Request& request, int patch, int threads) {
     for (const Exemplar& exemplar : request.exemplars) {
         const Size size = exemplar.image->size();
         bytes +=
-            PatchDistances::bytesFor(size, request.channels(), patch, kShapes) +
+            PatchDistances::bytesFor(size, request.channels(), patch, kShapes, balanced) +
             static_cast<std::uint64_t>(threads) * PatchDistances::scratchBytesFor(size, request.channels());
     }
     return bytes;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/param.h"
+#include "core/base/text.h"
 #include "core/job/job_context.h"
 #include "core/match/patch_match.h"
 #include "core/methods/synthesis.h"
@@ -22,8 +24,17 @@ void checkPatchRequest(const Request& request, int patch);
 Image copied(const PositionMap& map, const Request& request, JobContext& context);
 
 /// Bytes of a PatchSearch over the request's exemplars with one Scratch a thread, for the shapes that a
-/// growing output compares.
-std::uint64_t patchSearchBytes(const Request& request, int patch, int threads);
+/// growing output compares. @param balanced whether it balances contrast.
+std::uint64_t patchSearchBytes(const Request& request, int patch, int threads, bool balanced = false);
+
+/// The parameter of methods that grow from the nearest patches: see ContrastBalance::share.
+template <class Settings> Param contrastField(double Settings::*member) {
+    return field(member, "contrast", TR("Contrast"))
+        .range(0, 1)
+        .group(TR("Advanced"))
+        .help(TR("How far flat patches are kept from winning where nothing fits well: 1 holds the exemplar's "
+                 "contrast; 0 compares as published, and outputs may fade."));
+}
 
 /// Rough time on one thread of comparing one patch with all others, in seconds.
 double patchSearchSeconds(const Request& request);

@@ -42,7 +42,8 @@ class Sampler {
 public:
     Sampler(const Request& request, const Settings& settings, JobContext& context)
         : m_request(request), m_settings(settings), m_context(context),
-          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_search(
+              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
           m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
           m_deviation(standardDeviation(request)) {}
 
@@ -142,7 +143,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     Estimate need;
     need.bytes =
         PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads) +
+        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0) +
         static_cast<std::uint64_t>(threads * (values * (neighbours + 8) + 4 * neighbours * neighbours) *
                                    sizeof(double));
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
@@ -204,7 +205,8 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(
              TR("White noise added to the model, in per cent of the exemplar's standard deviation: more lets "
-                "patches fit their neighbours less."))},
+                "patches fit their neighbours less.")),
+     contrastField(&Settings::contrast)},
     run, check, estimate);
 
 } // namespace texloom::conditional_gaussian

@@ -20,7 +20,8 @@ struct Settings {
     Model model = Model::Exact;
     double theta = 5; ///< θ in per cent of the exemplars' standard deviation
     Choose choose = Choose::Sample;
-    double sigma = 5; ///< σ in per cent of the exemplars' standard deviation
+    double sigma = 5;    ///< σ in per cent of the exemplars' standard deviation
+    double contrast = 1; ///< see ContrastBalance::share; 0 in the source
 
     /// At least 1, at most half the patch.
     int overlapPixels() const {

@@ -19,7 +19,8 @@ class Sampler {
 public:
     Sampler(const Request& request, const Settings& settings, JobContext& context)
         : m_request(request), m_settings(settings), m_context(context),
-          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_search(
+              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
           m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
           m_stitcher(settings.stitch, settings.patch) {}
 
@@ -89,7 +90,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     Estimate need;
     need.bytes =
         PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads);
+        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
                    patchSearchSeconds(request);
     addEstimatedMap(request, need.bytes, need.seconds);
@@ -131,7 +132,8 @@ const Method self = method<Settings>(
          .choices(patchStitchChoices())
          .group(TR("Advanced"))
          .help(TR("How a patch joins its neighbours: along the cut of least error, or blended over the "
-                  "overlap."))},
+                  "overlap.")),
+     contrastField(&Settings::contrast)},
     run, check, estimate);
 
 } // namespace texloom::locally_gaussian

@@ -13,6 +13,7 @@ struct Settings {
     int neighbours = 10;  ///< m: patches that a Gaussian is learnt from
     double overlap = 0.5; ///< o as a share of the patch
     PatchStitch stitch = PatchStitch::Cut;
+    double contrast = 1; ///< see ContrastBalance::share; 0 in the source
 
     /// At least 1, at most half the patch.
     int overlapPixels() const {

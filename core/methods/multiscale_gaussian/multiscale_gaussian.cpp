@@ -58,7 +58,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     }
     need.bytes = 4 * PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch,
                                            settings.overlapPixels()) +
-                 2 * patchSearchBytes(request, settings.patch, threads);
+                 2 * patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
     for (const Exemplar& exemplar : request.exemplars)
         need.bytes += 5 * Image::bytesFor(exemplar.image->size(), request.channels());
     addEstimatedMap(request, need.bytes, need.seconds);
@@ -134,8 +134,15 @@ const Method self = method<Settings>(
      field(&Settings::stitch, "stitch", TR("Stitch"))
          .choices(patchStitchChoices())
          .group(TR("Advanced"))
-         .help(TR("How patches join at all scales but the coarsest, which averages: along the cut of least "
-                  "error, blended, or pasted."))},
+         .help(
+             TR("How patches join at all scales but the coarsest: along the cut of least error, blended, or "
+                "pasted, as published.")),
+     field(&Settings::coarsest, "coarsest-stitch", TR("Coarsest stitch"))
+         .choices(patchStitchChoices())
+         .group(TR("Advanced"))
+         .help(TR("How patches join at the coarsest scale: the cut keeps contrast that the average, as "
+                  "published, loses.")),
+     contrastField(&Settings::contrast)},
     run, check, estimate);
 
 } // namespace texloom::multiscale_gaussian

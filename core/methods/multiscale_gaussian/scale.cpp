@@ -60,13 +60,15 @@ ScaleSampler::ScaleSampler(const std::vector<ExemplarScales>& exemplars, int sca
     : m_scale(scale), m_settings(settings), m_context(context),
       m_canvas(size, wrap, exemplars.front().front().image.channels(), settings.patch,
                settings.overlapPixels()),
-      m_search(sourcesOf(exemplars, scale, &ExemplarScale::image), settings.patch,
-               [&context] { context.check(); }),
-      m_stitcher(low.empty() ? PatchStitch::Average : settings.stitch, settings.patch) {
+      m_search(
+          sourcesOf(exemplars, scale, &ExemplarScale::image), settings.patch, [&context] { context.check(); },
+          settings.contrast),
+      m_stitcher(low.empty() ? settings.coarsest : settings.stitch, settings.patch) {
     if (low.empty())
         return;
-    m_lowSearch.emplace(sourcesOf(exemplars, scale, &ExemplarScale::low), settings.patch,
-                        [&context] { context.check(); });
+    m_lowSearch.emplace(
+        sourcesOf(exemplars, scale, &ExemplarScale::low), settings.patch, [&context] { context.check(); },
+        settings.contrast);
     m_low.emplace(size, wrap, low.channels(), settings.patch, settings.overlapPixels());
     m_low->fill(low);
     m_canvas.fill(low);

@@ -27,9 +27,8 @@ using ExemplarScales = std::vector<ExemplarScale>;
 /// @param check called now and then; may throw.
 ExemplarScales exemplarScales(const Exemplar& exemplar, int scales, const std::function<void()>& check);
 
-/// Synthesises one scale of the output: the coarsest as locally Gaussian synthesis with averaged overlaps,
-/// the others by adding samples of the high band to what the coarser scale gave (Raad, thesis 2016, algorithm
-/// 5).
+/// Synthesises one scale of the output: the coarsest as locally Gaussian synthesis, the others by adding
+/// samples of the high band to what the coarser scale gave (Raad, thesis 2016, algorithm 5).
 class ScaleSampler {
 public:
     /// @param scale 0 is the finest. @param size of the output at this scale. @param low v_k, the coarser

@@ -9,8 +9,11 @@ struct Settings {
     int patch = 20;      ///< side n in pixels, at every scale
     int neighbours = 20; ///< m: patches that a Gaussian is learnt from
     int scales = 3;      ///< K: the exemplar and its halves
-    /// How patches join at all scales but the coarsest, which averages. The source pastes them (None).
+    /// How patches join at all scales but the coarsest. The source pastes them (None).
     PatchStitch stitch = PatchStitch::Cut;
+    /// How they join at the coarsest scale. The source averages, which halves what patches differ in.
+    PatchStitch coarsest = PatchStitch::Cut;
+    double contrast = 1; ///< see ContrastBalance::share; 0 in the source
 
     int overlapPixels() const { return patch / 2; }
 };

@@ -155,6 +155,43 @@ TEST(PatchDistances, DoNotDependOnTheMeans) {
             ASSERT_NEAR(plain.distanceRow(a, n)[m], centred.distanceRow(b, n)[m], 1e-3);
 }
 
+TEST(PatchDistances, BalancedOnesAreDividedByTheContrastOfThePatch) {
+    const Image exemplar = noise({40, 28}, 3, 3), known = noise({9, 9}, 3, 4);
+    const std::vector<double> means = channelMeans(exemplar);
+    const Footprint shape = Overlap{3, 4, 0, 0};
+    PatchDistances plain(exemplar, {}, means, 9);
+    PatchDistances balanced(exemplar, {}, means, 9, {0.7, 0.2});
+    PatchDistances::Scratch a = plain.scratch(), b = balanced.scratch();
+    plain.prepare(shape);
+    balanced.prepare(shape);
+    plain.compute(known, shape, 0, a, [] {});
+    balanced.compute(known, shape, 0, b, [] {});
+    for (int n = 0; n < plain.positions().height; ++n) {
+        float least = HUGE_VALF;
+        for (int m = 0; m < plain.positions().width; ++m) {
+            double contrast = 0, pixels = 0;
+            for (int c = 0; c < 3; ++c) {
+                double sum = 0, squares = 0;
+                pixels = 0;
+                for (int y = 0; y < 9; ++y)
+                    for (int x = 0; x < 9; ++x)
+                        if (shape.contains(x, y, 9)) {
+                            const auto value = static_cast<double>(exemplar(m + x, n + y, c));
+                            ++pixels;
+                            sum += value;
+                            squares += value * value;
+                        }
+                contrast += squares - sum * sum / pixels;
+            }
+            const double factor = std::pow(contrast / (0.2 * pixels) + 0.02, -0.35);
+            const float found = balanced.distanceRow(b, n)[m];
+            ASSERT_NEAR(found, factor * static_cast<double>(plain.distanceRow(a, n)[m]), 1e-4);
+            least = std::min(least, found);
+        }
+        ASSERT_EQ(b.rowMinima[static_cast<std::size_t>(n)], least);
+    }
+}
+
 TEST(PatchDistances, ComeOutTheSameFromAUsedScratch) {
     const Image exemplar = noise({40, 28}, 3, 3);
     const Image known = noise({9, 9}, 3, 4);

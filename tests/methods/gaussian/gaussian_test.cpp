@@ -103,10 +103,46 @@ TEST(Gaussian, patchesTooLargeForTheCoarsestScaleAreNamed) {
 
 TEST(Gaussian, oneScaleIsLocallyGaussianWithAverages) {
     const Request request = requestFor(blobs({50, 50}, 3), {90, 70});
-    const Image one = made("multiscale-gaussian", request, {{"patch", 16}, {"scales", 1}, {"neighbours", 7}});
+    const Image one =
+        made("multiscale-gaussian", request,
+             {{"patch", 16}, {"scales", 1}, {"neighbours", 7}, {"coarsest-stitch", std::string("average")}});
     const Image other = made("locally-gaussian", request,
                              {{"patch", 16}, {"stitch", std::string("average")}, {"neighbours", 7}});
     EXPECT_LE(largestDifference(one, other), 1e-6);
+}
+
+/// The mean deviation of squares of 8 × 8 px.
+double localContrast(const Image& image) {
+    double total = 0, count = 0;
+    for (int top = 0; top + 8 <= image.height(); top += 8)
+        for (int left = 0; left + 8 <= image.width(); left += 8, ++count) {
+            double sum = 0, squares = 0;
+            for (int y = top; y < top + 8; ++y)
+                for (int x = left; x < left + 8; ++x) {
+                    const auto value = static_cast<double>(image(x, y, 0));
+                    sum += value / 64;
+                    squares += value * value / 64;
+                }
+            total += std::sqrt(std::max(0.0, squares - sum * sum));
+        }
+    return total / count;
+}
+
+TEST(Gaussian, outputsDoNotFadeWhereNothingFits) {
+    // Noise without any likeness, weaker in one half: the nearest patch is a weak one, whatever it shows.
+    Image exemplar = noise({96, 96}, 1);
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 48; ++x)
+            exemplar(x, y, 0) = 0.5F + 0.2F * (exemplar(x, y, 0) - 0.5F);
+    const Request request = requestFor(exemplar, {192, 192});
+    const double wanted = localContrast(exemplar);
+    for (const char* id : {"locally-gaussian", "multiscale-gaussian"}) {
+        const auto contrast = [&](double share) {
+            return localContrast(made(id, request, {{"patch", 16}, {"contrast", share}})) / wanted;
+        };
+        EXPECT_LT(contrast(0), 0.6) << id;
+        EXPECT_GT(contrast(1), 0.6) << id;
+    }
 }
 
 TEST(Gaussian, finerScalesKeepTheCoarseLayout) {
