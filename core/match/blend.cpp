@@ -304,9 +304,12 @@ void BlendBand::midway(const ImageView& first, const ImageView& second, const Mi
 
 Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
             const BlendOptions& options, JobContext& context) {
-    if (first.size() != second.size() || first.channels != second.channels)
-        failUsage("The images are {} × {} px with {} channels and {} × {} px with {}; they must be alike.",
-                  first.width, first.height, first.channels, second.width, second.height, second.channels);
+    if (first.size() != second.size())
+        failUsage("The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.",
+                  first.width, first.height, second.width, second.height);
+    if (first.channels != second.channels)
+        failUsage("The first image has {} channels, the second {}; they must have the same.", first.channels,
+                  second.channels);
     if (options.band < 2 || 2 * options.band > first.size().shorterSide())
         failUsage("The band of {} px must be from 2 px to half the images' shorter side, {} px.",
                   options.band, first.size().shorterSide() / 2);

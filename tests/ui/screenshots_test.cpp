@@ -320,6 +320,7 @@ private:
         QVERIFY(opened.wait());
         child<QAction>(window, "blend")->trigger();
         auto* blend = child<BlendWindow>(window, "blendWindow");
+        QTRY_VERIFY(!blend->message().isEmpty());
         shoot(*blend, "blend-sizes-differ");
         child<QComboBox>(*blend, "blendFirst")->setCurrentIndex(1);
         child<QComboBox>(*blend, "blendSecond")->setCurrentIndex(3);

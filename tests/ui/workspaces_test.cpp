@@ -351,9 +351,13 @@ private Q_SLOTS:
     void imagesOfTwoSizesAreNotBlended() {
         BlendWindow window({imageOf(m_bricks), imageOf(m_grain)});
         window.show();
-        QTRY_VERIFY2(window.message().contains(QStringLiteral("must be alike")),
+        QTRY_VERIFY2(window.message().contains(QStringLiteral("crop one to the size")),
                      qPrintable(window.message()));
         QVERIFY(!window.viewer(BlendWindow::CutWay)->picture());
+        QVERIFY(!child<QPushButton>(window, "blendSave")->isEnabled());
+        child<QComboBox>(window, "blendSecond")->setCurrentIndex(0);
+        QTRY_VERIFY2(window.message().contains(QStringLiteral("Both images are")),
+                     qPrintable(window.message()));
         BlendWindow empty({});
         QTRY_VERIFY(empty.message().contains(QStringLiteral("Open two images")));
     }

@@ -325,7 +325,7 @@ void BlendWindow::arrange() {
         m_grid->addWidget(shown[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
     const bool midway = m_cells[LinearWay].shown->isChecked() || m_cells[ProgressiveWay].shown->isChecked();
     m_color->setEnabled(midway);
-    m_save->setEnabled(!shown.empty());
+    offerToSave();
 }
 
 void BlendWindow::changed() {
@@ -341,6 +341,13 @@ void BlendWindow::blendNow() {
     const NamedImage* const second = chosen(1);
     if (first == nullptr || second == nullptr) {
         say(tr("Open two images of one size to blend."));
+        return;
+    }
+    if (first == second) {
+        m_task.cancel();
+        take({});
+        say(tr("Both images are “%1”. Open or choose another one of its size to blend it with.")
+                .arg(first->title));
         return;
     }
     if (!fetched())
@@ -393,6 +400,13 @@ void BlendWindow::take(const Pictures& pictures) {
         else if (pictures[i])
             viewer->setView(reference->view(), reference->fitted());
     }
+    offerToSave();
+}
+
+void BlendWindow::offerToSave() {
+    m_save->setEnabled(std::any_of(m_cells.begin(), m_cells.end(), [](const Cell& cell) {
+        return cell.shown->isChecked() && cell.viewer->picture() != nullptr;
+    }));
 }
 
 void BlendWindow::say(const QString& text) {

@@ -74,6 +74,7 @@ private:
     BlendOptions optionsOf(const Cell& cell) const;
     void changed();
     void arrange();
+    void offerToSave();
     void blendNow();
     void take(const Pictures& pictures);
     void say(const QString& text);
