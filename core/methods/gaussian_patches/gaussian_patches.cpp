@@ -22,6 +22,7 @@ struct Settings {
     int patch = 30;       ///< side n in pixels
     int neighbours = 10;  ///< m: patches that a Gaussian is learnt from
     double overlap = 0.5; ///< o as a share of the patch
+    double contrast = 1;  ///< see ContrastBalance::share; 0 in the source
 
     /// At least 1, at most half the patch.
     int overlapPixels() const {
@@ -35,7 +36,8 @@ class Replacer {
 public:
     Replacer(const Request& request, const Settings& settings, JobContext& context)
         : m_request(request), m_settings(settings), m_context(context),
-          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_search(
+              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
           m_guide(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
           m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()) {
     }
@@ -119,7 +121,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     Estimate need;
     need.bytes =
         2 * PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads);
+        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
                    patchSearchSeconds(request);
     addEstimatedMap(request, need.bytes, need.seconds);
@@ -155,7 +157,8 @@ const Method self = method<Settings>(
      field(&Settings::overlap, "overlap", TR("Overlap"))
          .range(0.02, 0.5)
          .symbol("o")
-         .help(TR("Share of the patch over which it fades into its neighbours."))},
+         .help(TR("Share of the patch over which it fades into its neighbours.")),
+     contrastField(&Settings::contrast)},
     run, check, estimate);
 
 } // namespace texloom::gaussian_patches

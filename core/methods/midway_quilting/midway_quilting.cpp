@@ -22,6 +22,7 @@ struct Settings {
     double tolerance = 0.1;
     Propagation propagation = Propagation::Linear;
     BlendColor color = BlendColor::Dct;
+    double contrast = 0; ///< see ContrastBalance::share
 
     /// At least 1, at most half the patch.
     int overlapPixels() const {
@@ -34,7 +35,8 @@ class MidwayQuilter {
 public:
     MidwayQuilter(const Request& request, const Settings& settings, JobContext& context)
         : m_request(request), m_settings(settings), m_context(context),
-          m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+          m_search(
+              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
           m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
           m_stitcher(PatchStitch::Midway, settings.patch, {settings.propagation, settings.color}) {}
 
@@ -109,7 +111,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     Estimate need;
     need.bytes =
         PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads) +
+        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0) +
         static_cast<std::uint64_t>(threads) * kScratchBytes;
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
                    patchSearchSeconds(request) * 1.5;
@@ -156,7 +158,8 @@ const Method self = method<Settings>(
      field(&Settings::color, "color", TR("Colour axes"))
          .choices({{"rgb", TR("Channels")}, {"dct", TR("Cosine")}, {"pca", TR("Principal axes")}})
          .group(TR("Advanced"))
-         .help(TR("Axes that are bent one by one; channels as they are may show false colours."))},
+         .help(TR("Axes that are bent one by one; channels as they are may show false colours.")),
+     contrastField(&Settings::contrast)},
     run, check, estimate);
 
 } // namespace texloom::midway_quilting
