@@ -90,10 +90,12 @@ void addBlend(CLI::App& app) {
         ->check(CLI::Range(0.0, 1.0));
     command->add_option("--band", options.blend.band, "Pixels to either side of the curve that may change")
         ->check(CLI::Range(2, 4096));
-    addChoice<BlendMethod>(
-        *command, "--method", options.blend.method,
-        {{"cut", BlendMethod::Cut}, {"poisson", BlendMethod::Poisson}, {"midway", BlendMethod::Midway}},
-        "cut, poisson or midway; midway if not given");
+    addChoice<BlendMethod>(*command, "--method", options.blend.method,
+                           {{"cut", BlendMethod::Cut},
+                            {"poisson", BlendMethod::Poisson},
+                            {"midway", BlendMethod::Midway},
+                            {"edge", BlendMethod::Edge}},
+                           "cut, poisson, midway or edge, which blends nothing; midway if not given");
     addChoice<Propagation>(*command, "--propagation", options.blend.midway.propagation,
                            {{"linear", Propagation::Linear}, {"progressive", Propagation::Progressive}},
                            "How midway fades out: linear or progressive");

@@ -143,6 +143,10 @@ void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to,
                });
 }
 
+void BlendBand::edge(const ImageView& second, Image& to, const Progress& progress) const {
+    compose(second, to, [&] { progress(0); });
+}
+
 std::vector<std::uint8_t> BlendBand::bandMask() const {
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(m_size.area()), 0);
     for (const Pixel& pixel : m_band)
@@ -333,6 +337,9 @@ Image blend(const ImageView& first, const ImageView& second, const BlendCurve& c
     case BlendMethod::Midway:
         band.midway(first, second, options.midway, result, progress);
         break;
+    case BlendMethod::Edge:
+        band.edge(second, result, progress);
+        break;
     }
     context.progress(1);
     return result;
@@ -354,7 +361,7 @@ std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options
         bytes += length * length * 2 * sizeof(float);
     else if (options.method == BlendMethod::Poisson)
         bytes += 2 * area + band * (kEquation + 2 * deep * sizeof(float));
-    else
+    else if (options.method == BlendMethod::Midway)
         bytes += lines + (options.midway.color == BlendColor::Pca ? 2 * lines : 0);
     return bytes;
 }

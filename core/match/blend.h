@@ -15,7 +15,8 @@ namespace texloom {
 enum class BlendMethod {
     Cut,     ///< along the path of least error within the band (Efros & Freeman 2001)
     Poisson, ///< with the gradients of both (Pérez, Gangnet & Blake 2003)
-    Midway   ///< both deformed until they agree (Raad, thesis 2016, chapter 4)
+    Midway,  ///< both deformed until they agree (Raad, thesis 2016, chapter 4)
+    Edge     ///< not at all: as they are on either side of the curve, to compare with
 };
 
 /// How midway blending fades the deformation out towards the border of the band: the deformation itself falls
@@ -48,6 +49,8 @@ public:
     void cut(
         const ImageView& first, const ImageView& second, Image& to,
         const Progress& progress = [](double) {}) const;
+    void edge(
+        const ImageView& second, Image& to, const Progress& progress = [](double) {}) const;
     void poisson(
         const ImageView& first, const ImageView& second, Image& to,
         const Progress& progress = [](double) {}) const;

@@ -1585,6 +1585,10 @@
         <translation>Midway, fortschreitend</translation>
     </message>
     <message>
+        <source>Not blended</source>
+        <translation>Nicht überblendet</translation>
+    </message>
+    <message>
         <source>Show the cur&amp;ve and its band</source>
         <translation>K&amp;urve und Streifen zeigen</translation>
     </message>

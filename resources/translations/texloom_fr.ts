@@ -1585,6 +1585,10 @@
         <translation>Midway, progressif</translation>
     </message>
     <message>
+        <source>Not blended</source>
+        <translation>Sans fondu</translation>
+    </message>
+    <message>
         <source>Show the cur&amp;ve and its band</source>
         <translation>Montrer la cour&amp;be et sa bande</translation>
     </message>

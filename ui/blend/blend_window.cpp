@@ -47,9 +47,11 @@ QString titleOf(BlendWindow::Way way) {
     case BlendWindow::LinearWay:
         return BlendWindow::tr("Midway, linear");
     case BlendWindow::ProgressiveWay:
+        return BlendWindow::tr("Midway, progressive");
+    case BlendWindow::EdgeWay:
         break;
     }
-    return BlendWindow::tr("Midway, progressive");
+    return BlendWindow::tr("Not blended");
 }
 
 void share(ImageViewer* from, ImageViewer* to) {
@@ -185,7 +187,8 @@ void BlendWindow::makeCells() {
         {{BlendMethod::Cut, Propagation::Linear},
          {BlendMethod::Poisson, Propagation::Linear},
          {BlendMethod::Midway, Propagation::Linear},
-         {BlendMethod::Midway, Propagation::Progressive}}};
+         {BlendMethod::Midway, Propagation::Progressive},
+         {BlendMethod::Edge, Propagation::Linear}}};
     for (std::size_t i = 0; i < kWays; ++i) {
         const QString title = titleOf(static_cast<Way>(i));
         auto* viewer = new CurveViewer(this);
@@ -193,7 +196,7 @@ void BlendWindow::makeCells() {
         viewer->setPlaceholder(tr("Choose two images of one size."));
         auto* shown = new QCheckBox(title, this);
         shown->setObjectName(QStringLiteral("blendWay%1").arg(i));
-        shown->setChecked(true);
+        shown->setChecked(i != EdgeWay);
         m_cells[i] = {ways[i].first, ways[i].second, viewer, shown};
         connect(shown, &QCheckBox::toggled, this, [this] {
             arrange();
@@ -320,7 +323,7 @@ void BlendWindow::arrange() {
         if (cell.shown->isChecked())
             shown.push_back(cell.viewer);
     }
-    const int columns = shown.size() > 1 ? 2 : 1;
+    const int columns = shown.size() > 4 ? 3 : shown.size() > 1 ? 2 : 1;
     for (std::size_t i = 0; i < shown.size(); ++i)
         m_grid->addWidget(shown[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
     const bool midway = m_cells[LinearWay].shown->isChecked() || m_cells[ProgressiveWay].shown->isChecked();

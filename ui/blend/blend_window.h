@@ -33,8 +33,8 @@ class BlendWindow : public QDialog {
 
 public:
     /// The ways that can stand side by side.
-    enum Way { CutWay, PoissonWay, LinearWay, ProgressiveWay };
-    static constexpr std::size_t kWays = 4;
+    enum Way { CutWay, PoissonWay, LinearWay, ProgressiveWay, EdgeWay };
+    static constexpr std::size_t kWays = 5;
 
     /// @param images to choose from, beside files; the first two are chosen.
     explicit BlendWindow(const std::vector<NamedImage>& images, QWidget* parent = nullptr);

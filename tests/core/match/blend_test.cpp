@@ -28,7 +28,8 @@ Image blended(const ImageView& first, const ImageView& second, const BlendCurve&
 }
 
 std::vector<BlendOptions> ways() {
-    std::vector<BlendOptions> all = {{BlendMethod::Cut, kBand, {}}, {BlendMethod::Poisson, kBand, {}}};
+    std::vector<BlendOptions> all = {
+        {BlendMethod::Cut, kBand, {}}, {BlendMethod::Poisson, kBand, {}}, {BlendMethod::Edge, kBand, {}}};
     for (const Propagation propagation : {Propagation::Linear, Propagation::Progressive})
         for (const BlendColor color : {BlendColor::Rgb, BlendColor::Dct, BlendColor::Pca})
             all.push_back({BlendMethod::Midway, kBand, {propagation, color}});
@@ -63,6 +64,18 @@ TEST(Blend, anImageWithItselfStaysAsItIs) {
                         << x << "," << y << " method " << static_cast<int>(way.method) << " colour "
                         << static_cast<int>(way.midway.color);
         }
+}
+
+TEST(Blend, anEdgeLeavesBothAsTheyAre) {
+    const Image a = blobs(kSize, 3, 1), b = blobs(kSize, 3, 2);
+    for (const BlendCurve& curve : curves()) {
+        const Image result = blended(a, b, curve, {BlendMethod::Edge, kBand, {}});
+        for (int y = 0; y < kSize.height; ++y)
+            for (int x = 0; x < kSize.width; ++x) {
+                const double across = curve.placeOf({x + 0.5, y + 0.5}).across;
+                ASSERT_EQ(result(x, y, 1), (across > 0 ? b : a)(x, y, 1)) << x << "," << y;
+            }
+    }
 }
 
 /// Stripes across the curve, those of the second picture shifted.
