@@ -34,6 +34,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QToolButton>
 
 using namespace texloom;
@@ -331,6 +332,10 @@ private:
         child<QCheckBox>(*blend, "blendWay3")->setChecked(false);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend-circular");
+        child<QCheckBox>(*blend, "blendWay4")->setChecked(true);
+        child<QSpinBox>(*blend, "blendBand")->setValue(400);
+        QTRY_VERIFY(!blend->message().isEmpty());
+        shoot(*blend, "blend-band-too-wide");
         blend->close();
         child<QAction>(window, "variance")->trigger();
         auto* variance = child<VarianceDialog>(window, "varianceDialog");

@@ -116,6 +116,8 @@ void Plot::setData(const PlotData& data) {
     m_data = data;
     setAccessibleName(data.title);
     m_table->setAccessibleName(data.title);
+    m_numbers->setEnabled(!data.empty());
+    m_copy->setEnabled(!data.empty());
     draw();
     fillTable();
 }
@@ -151,7 +153,7 @@ void Plot::draw() {
     } else {
         across = new QValueAxis;
     }
-    const Limits shown = m_data.logarithmicX ? powersAround(x) : x;
+    const Limits shown = m_data.logarithmicX ? powersAround(m_data.empty() ? Limits{1, 1} : x) : x;
     across->setRange(shown.low, shown.high);
     across->setTitleText(m_data.xTitle);
     auto* up = new QValueAxis;
@@ -159,6 +161,12 @@ void Plot::draw() {
     up->setTitleText(m_data.yTitle);
     chart->addAxis(across, Qt::AlignBottom);
     chart->addAxis(up, Qt::AlignLeft);
+    for (QAbstractAxis* axis : {across, static_cast<QAbstractAxis*>(up)}) {
+        // Nothing to read yet.
+        axis->setLabelsVisible(!m_data.empty());
+        axis->setGridLineVisible(!m_data.empty());
+        axis->setMinorGridLineVisible(!m_data.empty());
+    }
     const double width = std::max(1.0, fontMetrics().lineWidth() * 1.75);
     for (std::size_t i = 0; i < m_data.series.size(); ++i) {
         auto* line = new QLineSeries;
