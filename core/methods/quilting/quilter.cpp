@@ -10,7 +10,8 @@ namespace texloom::quilting {
 
 Quilter::Quilter(const Request& request, const Settings& settings, JobContext& context)
     : m_request(request), m_settings(settings), m_context(context),
-      m_search(patchSources(request), settings.patch, [&context] { context.check(); }),
+      m_search(
+          patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
       m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
       m_map(m_canvas.image().size(), request.exemplarSizes()),
       m_cutCosts(static_cast<std::size_t>(m_canvas.grid().count()), 0.0) {}

@@ -17,7 +17,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     need.bytes =
         PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
         PositionMap::bytesFor({request.size.width + settings.patch, request.size.height + settings.patch}) +
-        patchSearchBytes(request, settings.patch, threads);
+        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
                    patchSearchSeconds(request);
     return need;
@@ -68,7 +68,8 @@ const Method self = method<Settings>(
          .unit("px")
          .when("stitch", std::string("smooth-cut"))
          .group(TR("Advanced"))
-         .help(TR("How far the smoothed cut blends to either side."))},
+         .help(TR("How far the smoothed cut blends to either side.")),
+     contrastField(&Settings::contrast)},
     run, check, estimate);
 
 } // namespace texloom::quilting

@@ -14,7 +14,8 @@ struct Settings {
     double overlap = 0.25;  ///< w_o as a share of the patch
     double tolerance = 0.1; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
     Stitch stitch = Stitch::Cut;
-    int softness = 3; ///< half the width in pixels over which a smooth cut blends
+    int softness = 3;    ///< half the width in pixels over which a smooth cut blends
+    double contrast = 0; ///< see ContrastBalance::share
 
     /// w_o in pixels: at least 1, at most half the patch.
     int overlapPixels() const {
