@@ -1,6 +1,7 @@
 #include "core/match/boundary_cut.h"
 #include "core/match/patch_distances.h"
 #include "core/math/fft.h"
+#include "core/math/poisson.h"
 #include "tests/support/textures.h"
 
 #include <benchmark/benchmark.h>
@@ -53,6 +54,21 @@ void cutOfOnePatch(benchmark::State& state) {
         benchmark::DoNotOptimize(minimumErrorCut(error.view().plane(0), overlap));
 }
 BENCHMARK(cutOfOnePatch)->ArgsProduct({{32, 64, 128}, {0, 1}})->Unit(benchmark::kMicrosecond);
+
+/// Argument: rows of a band across 1000 pixels. The cost grows as the number of pixels.
+void poissonOfOneBand(benchmark::State& state) {
+    constexpr int kSide = 1000;
+    const auto rows = static_cast<std::size_t>(state.range(0));
+    std::vector<std::uint8_t> unknown(std::size_t{kSide} * kSide, 0);
+    std::fill_n(unknown.begin() + kSide, rows * kSide, 1);
+    const std::vector<float> divergence(rows * kSide, 0.01F);
+    const Image before = noise({kSide, kSide}, 1);
+    for (auto _ : state) {
+        Image values = before;
+        solvePoisson(unknown, divergence, values);
+    }
+}
+BENCHMARK(poissonOfOneBand)->Arg(50)->Arg(200)->Arg(800)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace texloom::bench
