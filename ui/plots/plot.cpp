@@ -161,12 +161,12 @@ void Plot::draw() {
     up->setTitleText(m_data.yTitle);
     chart->addAxis(across, Qt::AlignBottom);
     chart->addAxis(up, Qt::AlignLeft);
-    for (QAbstractAxis* axis : {across, static_cast<QAbstractAxis*>(up)}) {
-        // Nothing to read yet.
-        axis->setLabelsVisible(!m_data.empty());
-        axis->setGridLineVisible(!m_data.empty());
-        axis->setMinorGridLineVisible(!m_data.empty());
-    }
+    if (m_data.empty())
+        for (QAbstractAxis* axis : {across, static_cast<QAbstractAxis*>(up)}) {
+            axis->setLabelsVisible(false);
+            axis->setGridLineVisible(false);
+            axis->setMinorGridLineVisible(false);
+        }
     const double width = std::max(1.0, fontMetrics().lineWidth() * 1.75);
     for (std::size_t i = 0; i < m_data.series.size(); ++i) {
         auto* line = new QLineSeries;
