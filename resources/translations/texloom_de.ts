@@ -1641,8 +1641,8 @@
         <translation> px</translation>
     </message>
     <message>
-        <source>How far from the curve, on either side, pixels may change.</source>
-        <translation>Wie weit von der Kurve sich Pixel beiderseits ändern dürfen.</translation>
+        <source>How far from the curve, on either side, pixels may change: up to half the images' shorter side.</source>
+        <translation>Wie weit von der Kurve, zu beiden Seiten, sich Pixel ändern dürfen: bis zur Hälfte der kürzeren Bildseite.</translation>
     </message>
     <message>
         <source>&amp;Band</source>

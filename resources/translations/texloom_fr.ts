@@ -1641,8 +1641,8 @@
         <translation> px</translation>
     </message>
     <message>
-        <source>How far from the curve, on either side, pixels may change.</source>
-        <translation>Jusqu’à quelle distance de la courbe, de chaque côté, les pixels peuvent changer.</translation>
+        <source>How far from the curve, on either side, pixels may change: up to half the images' shorter side.</source>
+        <translation>À quelle distance de la courbe, de part et d’autre, les pixels peuvent changer : jusqu’à la moitié du petit côté des images.</translation>
     </message>
     <message>
         <source>&amp;Band</source>

@@ -26,6 +26,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTableWidget>
 
 using namespace texloom;
@@ -331,6 +332,7 @@ private Q_SLOTS:
         QVERIFY(window.blending());
         QTRY_VERIFY_WITH_TIMEOUT(!window.blending(), kPatience);
         QVERIFY(samePixels(window.viewer(BlendWindow::CutWay)->picture()->values(), cut(images, 0.25)));
+        QCOMPARE(child<QSpinBox>(window, "blendBand")->maximum(), 100); // of 220 × 200 px
 
         CurveViewer* const viewer = window.viewer(BlendWindow::LinearWay);
         const auto point = [&](double y) { return viewer->view().toWidget({110, y}).toPoint(); };

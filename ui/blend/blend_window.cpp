@@ -114,7 +114,8 @@ QWidget* BlendWindow::makeOptions() {
     m_band->setRange(2, kLargestBand);
     m_band->setValue(BlendOptions{}.band);
     m_band->setSuffix(tr(" px"));
-    m_band->setToolTip(tr("How far from the curve, on either side, pixels may change."));
+    m_band->setToolTip(tr("How far from the curve, on either side, pixels may change: up to half the images' "
+                          "shorter side."));
     form->addRow(tr("&Band"), m_band);
     m_color->setObjectName(QStringLiteral("blendColor"));
     m_color->addItem(tr("As they are (RGB)"), static_cast<int>(BlendColor::Rgb));
@@ -331,10 +332,20 @@ void BlendWindow::arrange() {
     offerToSave();
 }
 
-void BlendWindow::changed() {
+void BlendWindow::showCurve() {
     const auto shape = static_cast<BlendCurve::Shape>(m_shape->currentIndex());
     for (const Cell& cell : m_cells)
         cell.viewer->setCurve(shape, m_position->value() / 100, m_band->value());
+}
+
+void BlendWindow::limitBand(int shorterSide) {
+    const QSignalBlocker blocker(m_band);
+    m_band->setMaximum(std::max(m_band->minimum(), shorterSide / 2));
+    showCurve();
+}
+
+void BlendWindow::changed() {
+    showCurve();
     m_use->hide();
     m_soon.start();
 }
@@ -355,6 +366,7 @@ void BlendWindow::blendNow() {
     }
     if (!fetched())
         return;
+    limitBand(std::min(first->file.image->size().shorterSide(), second->file.image->size().shorterSide()));
     std::vector<std::pair<std::size_t, BlendOptions>> wanted;
     for (std::size_t i = 0; i < kWays; ++i)
         if (m_cells[i].shown->isChecked())

@@ -72,6 +72,9 @@ private:
     /// Whether both images are at hand; asks for one that is not.
     bool fetched();
     BlendOptions optionsOf(const Cell& cell) const;
+    void showCurve();
+    /// Keeps the band within what images with this shorter side allow.
+    void limitBand(int shorterSide);
     void changed();
     void arrange();
     void offerToSave();

@@ -153,7 +153,7 @@ void Plot::draw() {
     } else {
         across = new QValueAxis;
     }
-    const Limits shown = m_data.logarithmicX ? powersAround(m_data.empty() ? Limits{1, 1} : x) : x;
+    const Limits shown = m_data.logarithmicX ? powersAround(x) : x;
     across->setRange(shown.low, shown.high);
     across->setTitleText(m_data.xTitle);
     auto* up = new QValueAxis;
@@ -161,12 +161,8 @@ void Plot::draw() {
     up->setTitleText(m_data.yTitle);
     chart->addAxis(across, Qt::AlignBottom);
     chart->addAxis(up, Qt::AlignLeft);
-    if (m_data.empty())
-        for (QAbstractAxis* axis : {across, static_cast<QAbstractAxis*>(up)}) {
-            axis->setLabelsVisible(false);
-            axis->setGridLineVisible(false);
-            axis->setMinorGridLineVisible(false);
-        }
+    across->setVisible(!m_data.empty());
+    up->setVisible(!m_data.empty());
     const double width = std::max(1.0, fontMetrics().lineWidth() * 1.75);
     for (std::size_t i = 0; i < m_data.series.size(); ++i) {
         auto* line = new QLineSeries;
