@@ -24,6 +24,12 @@ void fillTo(std::vector<T>& values, std::size_t count, const T& value, const Mul
     }
 }
 
+/// The weights of a cell's links to its neighbours.
+float linksOf(const std::vector<Multigrid::Cell>& cells, const Multigrid::Cell& cell) {
+    return cell.toRight + cell.toDown + cells[static_cast<std::size_t>(cell.left)].toRight +
+           cells[static_cast<std::size_t>(cell.up)].toDown;
+}
+
 } // namespace
 
 template <class Visit> void Multigrid::each(const Level& level, Visit visit) const {
@@ -43,7 +49,7 @@ template <class Visit> void Multigrid::eachBackwards(const Level& level, Visit v
     }
 }
 
-Multigrid::Multigrid(const std::vector<Pixel>& pixels, const std::vector<std::uint8_t>& given, Check check)
+Multigrid::Multigrid(const std::vector<Pixel>& pixels, const std::vector<float>& given, Check check)
     : m_check(std::move(check)) {
     Level finest;
     link(finest, pixels);
@@ -51,9 +57,8 @@ Multigrid::Multigrid(const std::vector<Pixel>& pixels, const std::vector<std::ui
         Cell& cell = finest.cells[i];
         cell.toRight = cell.right < static_cast<int>(pixels.size()) ? 1 : 0;
         cell.toDown = cell.down < static_cast<int>(pixels.size()) ? 1 : 0;
-        cell.toGiven = given[i];
     }
-    finish(finest);
+    finish(finest, given);
     std::vector<Pixel> places = pixels;
     for (int side = 1; finest.cells.size() > kFewest; side *= 2) {
         Level coarser = coarsened(finest, places, side);
@@ -113,27 +118,27 @@ Multigrid::Level Multigrid::coarsened(Level& finer, std::vector<Pixel>& pixels, 
     link(level, places);
     // Cells are twice as far apart and their links twice as many: half the sum. Those to given pixels grow
     // less far, from the middle of a cell to that of a pixel.
-    const float given = static_cast<float>(side + 1) / static_cast<float>(2 * side + 1);
+    const float farther = static_cast<float>(side + 1) / static_cast<float>(2 * side + 1);
+    std::vector<float> given(places.size(), 0);
     each(finer, [&](std::size_t i, const Cell& cell) {
         const int parent = finer.parents[i];
-        Cell& to = level.cells[static_cast<std::size_t>(parent)];
-        to.toGiven += given * cell.toGiven;
+        const auto number = static_cast<std::size_t>(parent);
+        given[number] += farther * std::max(0.0F, cell.diagonal - linksOf(finer.cells, cell));
         if (cell.toRight > 0 && finer.parents[static_cast<std::size_t>(cell.right)] != parent)
-            to.toRight += 0.5F * cell.toRight;
+            level.cells[number].toRight += 0.5F * cell.toRight;
         if (cell.toDown > 0 && finer.parents[static_cast<std::size_t>(cell.down)] != parent)
-            to.toDown += 0.5F * cell.toDown;
+            level.cells[number].toDown += 0.5F * cell.toDown;
     });
-    finish(level);
+    finish(level, given);
     pixels = std::move(places);
     return level;
 }
 
-void Multigrid::finish(Level& level) const {
+void Multigrid::finish(Level& level, const std::vector<float>& given) const {
     std::vector<Cell>& cells = level.cells;
     each(level, [&](std::size_t i, const Cell& cell) {
-        const float sum = cell.toRight + cell.toDown + cells[static_cast<std::size_t>(cell.left)].toRight +
-                          cells[static_cast<std::size_t>(cell.up)].toDown + cell.toGiven;
-        cells[i].inverse = sum > 0 ? 1 / sum : 0;
+        cells[i].diagonal = linksOf(cells, cell) + given[i];
+        cells[i].inverse = cell.diagonal > 0 ? 1 / cell.diagonal : 0;
     });
     fillTo(level.right, cells.size(), 0.0F, m_check);
     fillTo(level.values, cells.size(), 0.0F, m_check);
@@ -142,9 +147,9 @@ void Multigrid::finish(Level& level) const {
 void Multigrid::multiply(const std::vector<double>& from, std::vector<double>& to) const {
     each(m_levels.front(), [&](std::size_t i, const Cell& cell) {
         const auto value = [&](int neighbour) { return from[static_cast<std::size_t>(neighbour)]; };
-        // All weights are 1, and so the diagonal is a whole number.
+        // All weights are 1.
         const double sum = value(cell.left) + value(cell.right) + value(cell.up) + value(cell.down);
-        to[i] = static_cast<double>(static_cast<int>(1 / cell.inverse + 0.5F)) * from[i] - sum;
+        to[i] = static_cast<double>(cell.diagonal) * from[i] - sum;
     });
 }
 

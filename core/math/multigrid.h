@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -19,8 +18,8 @@ public:
     struct Cell {
         int left = 0, up = 0, right = 0, down = 0;
         float toRight = 0, toDown = 0; ///< weights of these links; 1 at the finest level
-        float toGiven = 0;             ///< weight of the links to given values
-        float inverse = 0;             ///< of the diagonal, the sum of all weights
+        float diagonal = 0;            ///< the sum of all weights, those of links to given values among them
+        float inverse = 0;             ///< of the diagonal
     };
     struct Pixel {
         int x, y;
@@ -28,7 +27,7 @@ public:
 
     /// @param pixels by rows. @param given how many neighbours of each are given. @param check called every
     /// few milliseconds, here and in precondition(); may throw.
-    Multigrid(const std::vector<Pixel>& pixels, const std::vector<std::uint8_t>& given, Check check);
+    Multigrid(const std::vector<Pixel>& pixels, const std::vector<float>& given, Check check);
 
     int count() const { return static_cast<int>(m_levels.front().cells.size()) - 1; }
     /// The finest level, with a last cell that stands for all that are not there.
@@ -53,7 +52,8 @@ private:
     void link(Level& level, const std::vector<Pixel>& pixels) const;
     /// Adds the level above `finer`. @param pixels of the finer level; become those of the new one.
     Level coarsened(Level& finer, std::vector<Pixel>& pixels, int side) const;
-    void finish(Level& level) const;
+    /// @param given weights of the cells' links to given values.
+    void finish(Level& level, const std::vector<float>& given) const;
     void smoothForwards(Level& level) const;
     void smoothBackwards(Level& level) const;
     void descend(std::size_t number);

@@ -122,18 +122,18 @@ IterativeRegion::IterativeRegion(const std::vector<std::uint8_t>& unknown, Size 
         return unknown[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                        static_cast<std::size_t>(x)] != 0;
     };
-    std::vector<std::uint8_t> given;
+    std::vector<float> given;
     for (int y = 0; y < size.height; ++y) {
         check();
         for (int x = 0; x < size.width; ++x) {
             if (!isUnknown(x, y))
                 continue;
             m_pixels.push_back({x, y});
-            std::uint8_t known = 0;
+            int known = 0;
             for (const Step& step : kSteps)
                 if (inside(x + step.x, y + step.y, size) && !isUnknown(x + step.x, y + step.y))
                     ++known;
-            given.push_back(known);
+            given.push_back(static_cast<float>(known));
         }
     }
     m_grids.emplace(m_pixels, given, check);
