@@ -334,10 +334,6 @@
         <translation>Wie oft die Vorlage halbiert wird, plus eins: mehr erhalten größere Strukturen.</translation>
     </message>
     <message>
-        <source>How patches join at all scales but the coarsest, which averages: along the cut of least error, blended, or pasted.</source>
-        <translation>Wie Patches auf allen Skalen außer der gröbsten, die mittelt, aneinander anschließen: entlang des besten Schnitts, überblendet oder eingesetzt.</translation>
-    </message>
-    <message>
         <source>How phases line up from one scale to the next: lit edges against shaded ones.</source>
         <translation>Wie Phasen von einer Skala zur nächsten zueinander stehen: beleuchtete gegen beschattete Kanten.</translation>
     </message>
@@ -1313,6 +1309,26 @@
         <source>Where patches would show</source>
         <translation>Wo Flicken sichtbar würden</translation>
     </message>
+    <message>
+        <source>Coarsest stitch</source>
+        <translation>Gröbste Naht</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>Wie weit flaue Patches davon abgehalten werden zu gewinnen, wo nichts gut passt: 1 hält den Kontrast der Vorlage; 0 vergleicht wie veröffentlicht, und Ergebnisse können verflachen.</translation>
+    </message>
+    <message>
+        <source>How patches join at all scales but the coarsest: along the cut of least error, blended, or pasted, as published.</source>
+        <translation>Wie Patches auf allen Skalen außer der gröbsten aneinander anschließen: entlang des besten Schnitts, überblendet oder, wie veröffentlicht, eingesetzt.</translation>
+    </message>
+    <message>
+        <source>How patches join at the coarsest scale: the cut keeps contrast that the average, as published, loses.</source>
+        <translation>Wie Patches auf der gröbsten Skala aneinander anschließen: Der Schnitt behält Kontrast, den das Mittel, wie veröffentlicht, verliert.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1641,7 +1657,7 @@
         <translation> px</translation>
     </message>
     <message>
-        <source>How far from the curve, on either side, pixels may change: up to half the images' shorter side.</source>
+        <source>How far from the curve, on either side, pixels may change: up to half the images&apos; shorter side.</source>
         <translation>Wie weit von der Kurve, zu beiden Seiten, sich Pixel ändern dürfen: bis zur Hälfte der kürzeren Bildseite.</translation>
     </message>
     <message>
@@ -1743,6 +1759,10 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>„%1“ wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Both images are “%1”. Open or choose another one of its size to blend it with.</source>
+        <translation>Beide Bilder sind „%1“. Öffnen oder wählen Sie ein anderes in dieser Größe, um es damit zu überblenden.</translation>
     </message>
 </context>
 <context>

@@ -334,10 +334,6 @@
         <translation>Nombre de réductions de moitié de l’échantillon, plus une : davantage garde de plus grandes structures.</translation>
     </message>
     <message>
-        <source>How patches join at all scales but the coarsest, which averages: along the cut of least error, blended, or pasted.</source>
-        <translation>Comment les patchs se joignent à toutes les échelles sauf la plus grossière, qui fait la moyenne : le long de la coupe d’erreur minimale, fondus ou collés.</translation>
-    </message>
-    <message>
         <source>How phases line up from one scale to the next: lit edges against shaded ones.</source>
         <translation>Alignement des phases d’une échelle à l’autre : contours éclairés contre contours ombrés.</translation>
     </message>
@@ -1313,6 +1309,26 @@
         <source>Where patches would show</source>
         <translation>Là où des pièces se verraient</translation>
     </message>
+    <message>
+        <source>Coarsest stitch</source>
+        <translation>Couture grossière</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Contraste</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>À quel point les patchs plats sont empêchés de gagner là où rien ne convient : 1 tient le contraste de l’échantillon ; 0 compare comme publié, et les résultats peuvent s’affadir.</translation>
+    </message>
+    <message>
+        <source>How patches join at all scales but the coarsest: along the cut of least error, blended, or pasted, as published.</source>
+        <translation>Comment les patchs se joignent à toutes les échelles sauf la plus grossière : le long de la coupe d’erreur minimale, fondus, ou collés, comme publié.</translation>
+    </message>
+    <message>
+        <source>How patches join at the coarsest scale: the cut keeps contrast that the average, as published, loses.</source>
+        <translation>Comment les patchs se joignent à l’échelle la plus grossière : la coupe garde le contraste que la moyenne, publiée, perd.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -1641,7 +1657,7 @@
         <translation> px</translation>
     </message>
     <message>
-        <source>How far from the curve, on either side, pixels may change: up to half the images' shorter side.</source>
+        <source>How far from the curve, on either side, pixels may change: up to half the images&apos; shorter side.</source>
         <translation>À quelle distance de la courbe, de part et d’autre, les pixels peuvent changer : jusqu’à la moitié du petit côté des images.</translation>
     </message>
     <message>
@@ -1743,6 +1759,10 @@
     <message>
         <source>Reading “%1”…</source>
         <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>Both images are “%1”. Open or choose another one of its size to blend it with.</source>
+        <translation>Les deux images sont « %1 ». Ouvrez ou choisissez-en une autre de même taille pour les fondre.</translation>
     </message>
 </context>
 <context>
