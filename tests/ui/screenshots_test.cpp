@@ -281,10 +281,6 @@ private:
         QSignalSpy finished(window.controller(), &RunController::finished);
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
         shoot(window, "lattice-used");
-        window.openFiles({bundledNamed(QStringLiteral("gravel"))});
-        QVERIFY(opened.wait());
-        QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
-        shoot(window, "no-lattice");
         window.openFiles({bundledNamed(QStringLiteral("riveted_metal"))});
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
@@ -292,6 +288,7 @@ private:
         window.openFiles({bundledNamed(QStringLiteral("gravel"))});
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
+        shoot(window, "no-lattice");
         window.inspector()->resetAll();
         window.startRun(true);
         QVERIFY(finished.wait(60'000));
