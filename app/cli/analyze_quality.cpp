@@ -1,6 +1,8 @@
 #include "app/cli/analyze_quality.h"
 
 #include "app/cli/console.h"
+#include "core/analysis/estimated_map.h"
+#include "core/analysis/map_pictures.h"
 #include "core/analysis/map_usage.h"
 #include "core/analysis/seam.h"
 #include "core/base/error.h"
@@ -30,19 +32,32 @@ void checkChannels(const ExemplarFile& result, const std::vector<ExemplarFile>& 
                       result.image->channels(), exemplar.name(), exemplar.image->channels());
 }
 
-std::vector<Figure> measured(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
+/// Distances, and the innovation by an estimated map, which is made alike for every texture: those of methods
+/// that copy and of those that do not can be compared by it.
+std::vector<Figure> compared(const ImageView& result, const std::vector<ExemplarFile>& exemplars,
+                             JobContext& context) {
     std::vector<ImageView> images;
-    for (const ExemplarFile& exemplar : exemplars)
+    std::vector<PatchSource> sources;
+    for (const ExemplarFile& exemplar : exemplars) {
         images.push_back(*exemplar.image);
-    Job<TextureDistance> job(
-        {}, [&](JobContext& context) { return textureDistance(*result.image, images, context); });
+        sources.push_back({*exemplar.image, {}});
+    }
+    std::vector<Figure> figures = distanceFigures(textureDistance(result, images, context));
+    const PositionMap map = estimatedMap(result, sources, {}, context);
+    figures.push_back({"Innovation, estimated", innovation(map, [&context] { context.check(); })});
+    return figures;
+}
+
+std::vector<Figure> measured(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
+    Job<std::vector<Figure>> job(
+        {}, [&](JobContext& context) { return compared(*result.image, exemplars, context); });
     follow(job, true);
-    Outcome<TextureDistance> outcome = job.take();
+    Outcome<std::vector<Figure>> outcome = job.take();
     if (std::holds_alternative<Cancelled>(outcome))
         throw Cancelled{};
     if (const auto* failure = std::get_if<Failure>(&outcome))
         throw Error(failure->message);
-    std::vector<Figure> figures = distanceFigures(std::get<TextureDistance>(outcome));
+    std::vector<Figure> figures = std::get<std::vector<Figure>>(std::move(outcome));
     const SeamScore seam = seamScore(*result.image, checkInterrupt);
     figures.push_back({"Seam, left to right", seam.x});
     figures.push_back({"Seam, top to bottom", seam.y});

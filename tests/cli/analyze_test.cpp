@@ -71,5 +71,18 @@ TEST_F(AnalyzeLattice, RefusesWhatItCannotRead) {
     EXPECT_EQ(run({"tiles.png", "--picture", "gamma.doc"}).status, 2);
 }
 
+TEST(AnalyzeQuality, MeasuresInnovationOfAnyTextureAlike) {
+    const TemporaryFolder folder;
+    writeImage(folder / "exemplar.png", blobs({64, 60}, 3), {});
+    writeImage(folder / "other.png", blobs({64, 60}, 3, 9), {});
+    const auto innovation = [&](const char* result) {
+        const Ended ended = runCli({"analyze", "quality", result, "exemplar.png", "--json"}, folder.path());
+        EXPECT_EQ(ended.status, 0) << ended.err;
+        return Json::parse(ended.out).at("Innovation, estimated").get<double>();
+    };
+    EXPECT_EQ(innovation("exemplar.png"), 0);
+    EXPECT_GT(innovation("other.png"), 0.3);
+}
+
 } // namespace
 } // namespace texloom::test
