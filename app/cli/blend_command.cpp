@@ -43,7 +43,10 @@ Image blended(const ExemplarFile& first, const ExemplarFile& second, const Blend
 }
 
 void run(const BlendCommand& command) {
-    const ExemplarFile first = loadExemplar(command.first), second = loadExemplar(command.second);
+    const ExemplarFile first = loadExemplar(command.first);
+    checkInterrupt();
+    const ExemplarFile second = loadExemplar(command.second);
+    checkInterrupt();
     const Size size = first.image->size();
     if (2 * command.blend.band > size.shorterSide())
         failUsage("--band {}: it goes up to half the images' shorter side, {} px.", command.blend.band,
