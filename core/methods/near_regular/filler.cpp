@@ -120,8 +120,12 @@ void Filler::readBorder(const Gap& gap, Workspace& work) const {
                               : from.column > gap.cell.column ? right
                               : from.row < gap.cell.row       ? top
                                                               : bottom;
+            // Where the blocks beside a gap stand wide, the nearest that they have.
+            const Point begin = corner(from);
+            const int fromX = std::clamp(at.x + x, begin.x, begin.x + patch - 1) + by.x;
+            const int fromY = std::clamp(at.y + y, begin.y, begin.y + patch - 1) + by.y;
             for (int c = 0; c < m_plan.exemplar.channels; ++c)
-                work.known(x, y, c) = m_plan.exemplar(at.x + x + by.x, at.y + y + by.y, c);
+                work.known(x, y, c) = m_plan.exemplar(fromX, fromY, c);
         }
     }
 }
