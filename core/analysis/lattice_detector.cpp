@@ -123,7 +123,8 @@ std::vector<Lattice> Search::likelyPairs() const {
 }
 
 void Search::addUnlike(const Lattice& lattice) {
-    if (std::none_of(m_lattices.begin(), m_lattices.end(),
+    if (std::min(lattice.v1.length(), lattice.v2.length()) >= kShortestVector &&
+        std::none_of(m_lattices.begin(), m_lattices.end(),
                      [&](const Lattice& known) { return known.like(lattice, kSame); }))
         m_lattices.push_back(lattice);
 }
@@ -230,9 +231,11 @@ std::optional<LatticeCandidate> smallestTile(const CorrelationPeaks& peaks,
                      [](const LatticeCandidate& a, const LatticeCandidate& b) {
                          return a.lattice.area() < b.lattice.area();
                      });
-    for (const LatticeCandidate& candidate : candidates)
+    for (const LatticeCandidate& candidate : candidates) {
+        peaks.check();
         if (confidenceIn(peaks, candidate) >= kTrusted)
             return candidate;
+    }
     return {};
 }
 

@@ -32,15 +32,21 @@ template <class Visit> void eachMultiple(Size exemplar, const Lattice& lattice, 
         }
 }
 
+/// Whether an exemplar moved by this much overlaps itself by a rectangle round the lattice's tile.
+inline bool overlapHoldsTile(Size exemplar, const Lattice& lattice, Vec2 displacement) {
+    const Vec2 extent = lattice.extent();
+    return exemplar.width - std::round(std::abs(displacement.x)) >= extent.x + 1 &&
+           exemplar.height - std::round(std::abs(displacement.y)) >= extent.y + 1;
+}
+
 /// Whether an exemplar moved by this much overlaps itself by at least 85 % of the lattice's tile (section
 /// 3.3.1).
 inline bool significant(Size exemplar, const Lattice& lattice, Vec2 displacement) {
     constexpr double kShare = 0.85;
+    if (overlapHoldsTile(exemplar, lattice, displacement))
+        return true;
     const Size overlap{exemplar.width - static_cast<int>(std::lround(std::abs(displacement.x))),
                        exemplar.height - static_cast<int>(std::lround(std::abs(displacement.y)))};
-    const Vec2 extent = lattice.extent();
-    if (overlap.width >= extent.x + 1 && overlap.height >= extent.y + 1)
-        return true;
     if (static_cast<double>(overlap.area()) < kShare * lattice.area())
         return false;
     return tileCoverage(lattice, overlap) >= kShare;

@@ -13,6 +13,28 @@ namespace {
 
 constexpr double kAlpha = 1.12; // of eq. 3.22
 
+/// Significant multiples for means that need not be of all: the nearest, and where there are many, those that
+/// need no counting.
+std::vector<Vec2> someMultiples(Size exemplar, const Lattice& lattice) {
+    constexpr int kRings = 24;
+    constexpr int kMany = 24;
+    const int rings = std::min(kRings, ringsOf(exemplar, lattice));
+    std::vector<Vec2> sure, all;
+    int first = 0, second = 0; // of those that are sure, how many are multiples of each vector
+    eachMultiple(exemplar, lattice, rings, [&](int a, int b, Vec2 p) {
+        all.push_back(p);
+        if (!overlapHoldsTile(exemplar, lattice, p))
+            return;
+        sure.push_back(p);
+        first += a != 0 ? 1 : 0;
+        second += b != 0 ? 1 : 0;
+    });
+    if (std::min(first, second) >= kMany)
+        return sure;
+    std::erase_if(all, [&](Vec2 p) { return !significant(exemplar, lattice, p); });
+    return all;
+}
+
 } // namespace
 
 double goodnessOf(double correlation, double multiples) {
@@ -60,14 +82,12 @@ double confidenceIn(const CorrelationPeaks& peaks, const LatticeCandidate& candi
     double on = 0, off = 0, squares = 0;
     int count = 0, between = 0;
     const Lattice& lattice = candidate.lattice;
-    eachMultiple(peaks.size(), lattice, ringsOf(peaks.size(), lattice), [&](int a, int b, Vec2 p) {
-        if (!significant(peaks.size(), lattice, p))
-            return;
+    for (const Vec2 p : someMultiples(peaks.size(), lattice)) {
         on += peaks.height(p);
         ++count;
         for (int i = 1; i < kSteps * kSteps; ++i) {
             const int right = i % kSteps, down = i / kSteps;
-            const Vec2 beside = lattice.at(a + kStep * right, b + kStep * down);
+            const Vec2 beside = p + lattice.at(kStep * right, kStep * down);
             if (!peaks.inside(beside, 2))
                 continue;
             const double height = peaks.height(beside);
@@ -75,7 +95,7 @@ double confidenceIn(const CorrelationPeaks& peaks, const LatticeCandidate& candi
             squares += height * height;
             ++between;
         }
-    });
+    }
     if (count == 0 || between == 0)
         return 0;
     on /= count;
@@ -88,15 +108,11 @@ double confidenceIn(const CorrelationPeaks& peaks, const LatticeCandidate& candi
 
 PlaceEffect placeEffect(const CorrelationPeaks& peaks, const Lattice& lattice, Vec2 along, double distance) {
     constexpr std::size_t kPlaces = 16;
-    constexpr int kEnough = 24; // rings
     const Vec2 period = (lattice.area() / distance) * along;
     std::array<double, kPlaces> means{}, squares{};
-    int count = 0;
-    const int rings = std::min(kEnough, ringsOf(peaks.size(), lattice));
-    eachMultiple(peaks.size(), lattice, rings, [&](int, int, Vec2 p) {
-        if (!significant(peaks.size(), lattice, p))
-            return;
-        ++count;
+    const std::vector<Vec2> multiples = someMultiples(peaks.size(), lattice);
+    const auto count = static_cast<double>(multiples.size());
+    for (const Vec2 p : multiples)
         for (std::size_t i = 0; i < kPlaces; ++i) {
             Vec2 at = p + (double(i) / kPlaces) * period;
             if (!peaks.inside(at, 2))
@@ -105,7 +121,6 @@ PlaceEffect placeEffect(const CorrelationPeaks& peaks, const Lattice& lattice, V
             means[i] += height;
             squares[i] += height * height;
         }
-    });
     if (count < 2)
         return {};
     double mean = 0, within = 0, between = 0;

@@ -281,6 +281,7 @@ private:
         QSignalSpy finished(window.controller(), &RunController::finished);
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
         shoot(window, "lattice-used");
+        window.inspector()->resetAll();
         window.openFiles({bundledNamed(QStringLiteral("riveted_metal"))});
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
@@ -289,7 +290,6 @@ private:
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
         shoot(window, "no-lattice");
-        window.inspector()->resetAll();
         window.startRun(true);
         QVERIFY(finished.wait(60'000));
         window.results()->setTab(ResultView::ResultTab);

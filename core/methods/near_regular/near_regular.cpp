@@ -245,7 +245,7 @@ void mapBack(PositionMap& map, const Rectification& change, Size exemplar, JobCo
 /// A lattice longer than the blocks.
 std::string longTiles(const Settings& settings, const Plan& plan) {
     const Vec2 extent = plan.from.extent();
-    const int whole = static_cast<int>(std::ceil(std::max(extent.x, extent.y)));
+    const int whole = static_cast<int>(std::lround(std::max(extent.x, extent.y)));
     const std::string works = whole <= largestBlock(settings, plan.exemplar.size())
                                   ? fmt::format("blocks of {} px hold whole ones", whole)
                                   : "“Regular tile” repeats whole ones";

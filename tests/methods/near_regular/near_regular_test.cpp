@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -19,6 +20,7 @@ namespace texloom::near_regular {
 namespace {
 
 using test::blobs;
+using test::coursesTexture;
 using test::noise;
 using test::regularTexture;
 
@@ -231,6 +233,32 @@ TEST(NearRegular, keepsTheCoursesFarAwayWithVectorsBetweenPixels) {
     EXPECT_LE(std::abs(at), 1);
 }
 
+TEST(NearRegular, keepsRowsWhereOnlyRowsRepeat) {
+    constexpr int kDistance = 24;
+    const Image exemplar = coursesTexture({168, 168}, 1, {1, 0}, kDistance, {.colourChange = 0.5}, 4);
+    const Synthesis result = run(exemplar, {220, 600}, {});
+    EXPECT_TRUE(result.notes.empty());
+    const auto brightness = [](const Image& image, int y) {
+        double sum = 0;
+        for (int x = 0; x < image.width(); ++x)
+            sum += static_cast<double>(image(x, y, 0));
+        return sum / image.width();
+    };
+    const auto found = std::find_if(result.figures.begin(), result.figures.end(), [](const Figure& figure) {
+        return figure.name == "Lattice, second vector down";
+    });
+    ASSERT_NE(found, result.figures.end());
+    EXPECT_NEAR(found->value, kDistance, 0.2);
+    std::set<double> different;
+    for (int course = 0; course < 24; ++course) {
+        const auto at = [&](double part) { return static_cast<int>((course + part) * found->value); };
+        const double stones = brightness(result.image, at(0.5));
+        EXPECT_GT(stones - brightness(result.image, at(0)), 0.1) << course;
+        different.insert(stones);
+    }
+    EXPECT_GT(different.size(), 20U);
+}
+
 TEST(NearRegular, blendsAsTheSourceSays) {
     const Image exemplar = noise({64, 64}, 1);
     constexpr int kBlock = 16, kBand = 4;
@@ -300,7 +328,10 @@ TEST(NearRegular, evensOutTheLightWherePatchesWouldShow) {
 TEST(NearRegular, saysWhereTheTileIsLargerThanTheBlock) {
     const Image exemplar = regularTexture({128, 128}, 1, {{40, 0}, {0, 36}}, {}, 5);
     EXPECT_THAT(run(exemplar, {200, 200}, {{"block", 20}}).notes,
-                testing::Contains(testing::HasSubstr("blocks of 20 px")));
+                testing::Contains(testing::AllOf(testing::HasSubstr("blocks of 20 px"),
+                                                 testing::HasSubstr("blocks of 40 px hold whole ones"))));
+    EXPECT_THAT(run(exemplar, {200, 200}, {{"lattice", "given"}, {"v1-x", 110.0}, {"v2-y", 108.0}}).notes,
+                testing::Contains(testing::HasSubstr("“Regular tile” repeats whole ones")));
 }
 
 TEST(NearRegular, movesThePatternByTheOrigin) {
