@@ -64,6 +64,7 @@ Json toJson(const Method& method) {
                  {"startsFromImage", info.startsFromImage},
                  {"usesMask", info.usesMask},
                  {"severalExemplars", info.severalExemplars},
+                 {"weighsExemplars", info.weighsExemplars},
                  {"copiesPixels", info.copiesPixels},
                  {"makesRegions", info.makesRegions},
                  {"parameters", Json::array()}};
@@ -182,6 +183,11 @@ void attach(RunInput& input, const SynthOptions& options) {
                   options.masks.size(), count);
     for (std::size_t i = 0; i < options.masks.size(); ++i)
         input.exemplars[i].mask = loadMask(options.masks[i]);
+    if (!options.weights.empty() && options.weights.size() != count)
+        failUsage("{} weights were given for {} exemplars; every one needs its own, or none has any.",
+                  options.weights.size(), count);
+    for (std::size_t i = 0; i < options.weights.size(); ++i)
+        input.exemplars[i].weight = options.weights[i];
     if (options.companions.size() % count != 0)
         failUsage("{} companion maps were given for {} exemplars; every exemplar needs the same number.",
                   options.companions.size(), count);

@@ -34,6 +34,7 @@ struct SynthOptions {
     std::string region; ///< "x,y,width,height", or empty for all
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
+    std::vector<double> weights; ///< of the exemplars, in order; empty: all alike
     std::optional<std::filesystem::path> initial;
     OutputOptions out;
 };

@@ -80,6 +80,13 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                     "Image of the exemplar's size; where it is black nothing is copied")
         ->take_all()
         ->allow_extra_args(false);
+    command
+        .add_option(
+            "--weight", options.weights,
+            "How much an exemplar counts beside the others, 0.01 to 100, in their order; 2: as though "
+            "it were given twice")
+        ->take_all()
+        ->allow_extra_args(false);
     command.add_option("--space", options.exemplarSpace,
                        "Colour space of the exemplars; what the file says if not given");
 }

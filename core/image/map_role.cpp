@@ -96,6 +96,10 @@ std::string_view mapRoleId(MapRole role) {
     return mapRoles()[static_cast<std::size_t>(role)].id;
 }
 
+const std::string& mapRoleTitle(MapRole role) {
+    return mapRoles()[static_cast<std::size_t>(role)].title;
+}
+
 MapRole mapRoleFrom(std::string_view id) {
     std::vector<std::string> known;
     for (const MapRoleInfo& info : mapRoles()) {

@@ -32,6 +32,7 @@ struct MapRoleInfo {
 /// All of them, in the order of the enumeration.
 const std::vector<MapRoleInfo>& mapRoles();
 std::string_view mapRoleId(MapRole role);
+const std::string& mapRoleTitle(MapRole role);
 /// @throws UsageError that lists the known ids.
 MapRole mapRoleFrom(std::string_view id);
 

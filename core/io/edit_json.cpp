@@ -1,7 +1,5 @@
 #include "core/io/edit_json.h"
 
-#include <cmath>
-
 namespace texloom {
 
 using Json = JsonField::Json;
@@ -9,12 +7,6 @@ using Json = JsonField::Json;
 namespace {
 
 constexpr std::size_t kMostEdits = 256;
-
-double numberFrom(const JsonField& field) {
-    if (!field.json().is_number() || !std::isfinite(field.json().get<double>()))
-        field.wrong("a number");
-    return field.json().get<double>();
-}
 
 int wholeAt(const JsonField& field, std::size_t index) {
     return field.at(index).whole();
@@ -67,8 +59,8 @@ RectifyEdit rectifyFrom(const JsonField& field) {
     corners.needArray(4, 4);
     for (std::size_t i = 0; i < 4; ++i) {
         corners.at(i).needArray(2, 2);
-        edit.corners[i] = {numberFrom(corners.at(i).at(std::size_t{0})),
-                           numberFrom(corners.at(i).at(std::size_t{1}))};
+        edit.corners[i] = {corners.at(i).at(std::size_t{0}).number(),
+                           corners.at(i).at(std::size_t{1}).number()};
     }
     if (field.has("size")) {
         const JsonField size = field.at("size");
@@ -85,11 +77,11 @@ FlattenEdit flattenFrom(const JsonField& field) {
         field.at("flatten").wrong(R"("smooth" or "polynomial")");
     edit.model = model == "smooth" ? FlattenEdit::Model::Smooth : FlattenEdit::Model::Polynomial;
     if (field.has("width"))
-        edit.width = numberFrom(field.at("width"));
+        edit.width = field.at("width").number();
     if (field.has("order"))
         edit.order = field.at("order").whole();
     if (field.has("strength"))
-        edit.strength = numberFrom(field.at("strength"));
+        edit.strength = field.at("strength").number();
     return edit;
 }
 
@@ -101,7 +93,7 @@ ExemplarEdit editFrom(const JsonField& field) {
     }
     if (field.has("rotate")) {
         field.only({"rotate"});
-        return RotateEdit{numberFrom(field.at("rotate"))};
+        return RotateEdit{field.at("rotate").number()};
     }
     if (field.has("flip")) {
         field.only({"flip"});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <cstdint>
 
 namespace texloom {
@@ -56,6 +57,12 @@ std::string JsonField::text() const {
     if (!m_json.is_string())
         wrong("text");
     return m_json.get<std::string>();
+}
+
+double JsonField::number() const {
+    if (!m_json.is_number() || !std::isfinite(m_json.get<double>()))
+        wrong("a number");
+    return m_json.get<double>();
 }
 
 int JsonField::whole() const {

@@ -35,6 +35,8 @@ public:
 
     std::string text() const;
     int whole() const;
+    /// A finite number.
+    double number() const;
     /// A number, text, true or false.
     Value value() const;
     /// An object of such values.

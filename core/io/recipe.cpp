@@ -57,13 +57,15 @@ Json exemplarJson(const RecipeExemplar& exemplar, const fs::path& folder) {
         json["companions"].push_back(fileJson(companion, folder));
     if (!exemplar.edits.empty())
         json["edits"] = texloom::toJson(exemplar.edits);
+    if (exemplar.weight != 1)
+        json["weight"] = exemplar.weight;
     return json;
 }
 
 RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
     RecipeExemplar exemplar;
     exemplar.image = fileFrom(field, folder);
-    field.only({"file", "space", "sha1", "mask", "companions", "edits"});
+    field.only({"file", "space", "sha1", "mask", "companions", "edits", "weight"});
     if (field.has("mask"))
         exemplar.mask = fileFrom(field.at("mask"), folder);
     if (field.has("companions")) {
@@ -74,6 +76,8 @@ RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
     }
     if (field.has("edits"))
         exemplar.edits = editsFrom(field.at("edits"));
+    if (field.has("weight"))
+        exemplar.weight = field.at("weight").number();
     return exemplar;
 }
 

@@ -30,6 +30,7 @@ struct RecipeExemplar {
     std::optional<RecipeFile> mask;
     std::vector<RecipeFile> companions;
     ExemplarEdits edits = {}; ///< made in order, on mask and companions, too
+    double weight = 1;        ///< see Exemplar::weight
 };
 
 /// A method that takes up what the one before it made.

@@ -14,6 +14,7 @@ namespace texloom {
 struct PatchSource {
     ImageView image;
     PlaneView mask; ///< one channel of the image's size, or {}: no patch with a pixel where it is 0 is found
+    double weight = 1; ///< how much more often than those of others its patches are to be drawn
 };
 
 /// One patch that was found.

@@ -86,6 +86,39 @@ PatchPosition PatchSearch::nth(std::int64_t n) const {
     return {};
 }
 
+PatchPosition PatchSearch::drawn(double uniform) const {
+    double whole = 0;
+    for (std::size_t e = 0; e < m_distances.size(); ++e)
+        whole += m_exemplars[e].weight * static_cast<double>(m_distances[e].allowed());
+    double left = uniform * whole;
+    std::int64_t before = 0;
+    for (std::size_t e = 0; e + 1 < m_distances.size(); ++e) {
+        const double own = m_exemplars[e].weight * static_cast<double>(m_distances[e].allowed());
+        if (left < own)
+            return nth(before + static_cast<std::int64_t>(left / m_exemplars[e].weight));
+        left -= own;
+        before += m_distances[e].allowed();
+    }
+    return nth(std::min(before + static_cast<std::int64_t>(left / m_exemplars.back().weight), allowed() - 1));
+}
+
+PatchPosition PatchSearch::drawn(const std::vector<PatchPosition>& candidates, const Random& random, int x,
+                                 int y) const {
+    const double weight = m_exemplars.front().weight;
+    const bool alike = std::all_of(m_exemplars.begin(), m_exemplars.end(),
+                                   [=](const PatchSource& one) { return one.weight == weight; });
+    if (alike)
+        return candidates[random.below(static_cast<std::uint32_t>(candidates.size()), x, y)];
+    double whole = 0;
+    for (const PatchPosition& candidate : candidates)
+        whole += weightOf(candidate);
+    double left = random.uniform(x, y) * whole;
+    for (const PatchPosition& candidate : candidates)
+        if ((left -= weightOf(candidate)) < 0)
+            return candidate;
+    return candidates.back();
+}
+
 void PatchSearch::prepare(const Footprint& shape) {
     for (PatchDistances& distances : m_distances)
         distances.prepare(shape);

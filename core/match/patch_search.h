@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/job/random.h"
 #include "core/match/patch_distances.h"
 #include "core/match/patch_match.h"
 
@@ -32,10 +33,11 @@ public:
     std::int64_t allowed() const;
     /// The nth patch that the masks allow: exemplar by exemplar, row by row.
     PatchPosition nth(std::int64_t n) const;
-    /// The patch that a uniform number in [0, 1) draws.
-    PatchPosition drawn(double uniform) const {
-        return nth(static_cast<std::int64_t>(uniform * static_cast<double>(allowed())));
-    }
+    /// The patch that a uniform number in [0, 1) draws, each as likely as its exemplar weighs.
+    PatchPosition drawn(double uniform) const;
+    /// One of the candidates, each as likely as its exemplar weighs, by the random number at (x, y).
+    PatchPosition drawn(const std::vector<PatchPosition>& candidates, const Random& random, int x,
+                        int y) const;
     std::vector<ImageView> pixels(std::span<const PatchPosition> positions) const {
         std::vector<ImageView> views;
         for (const PatchPosition& position : positions)
@@ -63,6 +65,10 @@ public:
     std::vector<PatchPosition> nearest(int count, const Scratch& scratch) const;
 
 private:
+    double weightOf(const PatchPosition& position) const {
+        return m_exemplars[static_cast<std::size_t>(position.exemplar)].weight;
+    }
+
     std::vector<PatchSource> m_exemplars;
     int m_patch;
     float m_smallest; ///< distances below it count as it

@@ -26,6 +26,9 @@ void checkExemplars(const MethodInfo& info, const Request& request) {
         if (exemplar.image->size().longerSide() >= Source::kNone)
             failUsage("{} is {} × {} px; an exemplar's sides go up to {} px.", exemplar.name,
                       exemplar.image->width(), exemplar.image->height(), Source::kNone - 1);
+        if (!(exemplar.weight >= Exemplar::kLeastWeight && exemplar.weight <= Exemplar::kMostWeight))
+            failUsage("The weight of {} is {}; it goes from {} to {}.", exemplar.name, exemplar.weight,
+                      Exemplar::kLeastWeight, Exemplar::kMostWeight);
         if (exemplar.mask && !info.usesMask)
             failUsage("{} does not use an exemplar mask.", info.title);
         if (exemplar.mask && exemplar.mask->size() != exemplar.image->size())

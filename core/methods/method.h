@@ -21,6 +21,7 @@ struct MethodInfo {
     bool startsFromImage = false; ///< uses Request::initial
     bool usesMask = false;        ///< uses Exemplar::mask
     bool severalExemplars = false;
+    bool weighsExemplars = false; ///< uses Exemplar::weight where there are several
     /// Its pixels come from the exemplar, and its map says from where: companion maps are laid out by the
     /// map. For other methods they are further channels of the exemplar, made together with the rest.
     bool copiesPixels = false;

@@ -34,8 +34,8 @@ void checkWrap(bool wraps, int length, const char* side, int patch) {
 std::vector<PatchSource> patchSources(const Request& request) {
     std::vector<PatchSource> sources;
     for (const Exemplar& exemplar : request.exemplars)
-        sources.push_back(
-            {exemplar.image->view(), exemplar.mask ? exemplar.mask->view().plane(0) : PlaneView{}});
+        sources.push_back({exemplar.image->view(),
+                           exemplar.mask ? exemplar.mask->view().plane(0) : PlaneView{}, exemplar.weight});
     return sources;
 }
 

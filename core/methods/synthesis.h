@@ -17,6 +17,11 @@ struct Exemplar {
     std::shared_ptr<const Image> image; ///< colours in the working space, or data
     /// One channel of the exemplar's size, or none: pixels where it is 0 are never copied.
     std::shared_ptr<const Image> mask;
+    /// How much it counts beside the other exemplars, from kLeastWeight to kMostWeight: one of weight 2
+    /// counts as though it were given twice. Only methods that say so (MethodInfo::weighsExemplars) heed it.
+    double weight = 1;
+
+    static constexpr double kLeastWeight = 0.01, kMostWeight = 100;
 };
 
 /// All that a method is given: an immutable copy of the input.

@@ -5,6 +5,7 @@
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 #include "core/methods/method.h"
+#include "core/session/combinations.h"
 #include "core/session/name_template.h"
 #include "core/session/session.h"
 
@@ -39,11 +40,11 @@ struct Run {
     std::vector<std::string> maps;
     bool sidecar = true;
 
-    std::size_t combinations() const {
-        std::size_t count = 1;
+    Combinations combinations() const {
+        std::vector<std::size_t> lengths;
         for (const Axis& axis : axes)
-            count *= axis.values.size();
-        return count;
+            lengths.push_back(axis.values.size());
+        return {lengths, Combinations::Fastest::Last};
     }
 };
 
@@ -165,19 +166,19 @@ NameWords wordsFor(const Recipe& recipe, std::size_t index) {
             {"index", std::to_string(index)}};
 }
 
-/// The item for one combination of a run's values.
-BatchItem itemFor(const Run& run, std::size_t combination, std::size_t number, const fs::path& folder) {
+/// The item for one combination of a run's values, `chosen` by axis.
+BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std::size_t>& chosen,
+                  std::size_t number, const fs::path& folder) {
     BatchItem item{run.recipe, run.problem, {}, {}, {}, {}, run.depth, run.space, run.sidecar};
     NameWords swept;
-    std::size_t rest = combination;
-    for (auto axis = run.axes.rbegin(); axis != run.axes.rend(); ++axis) {
-        const Json& value = axis->values[rest % axis->values.size()];
-        rest /= axis->values.size();
-        swept[axis->name] = nameText(value);
-        item.cell = axis->name + "=" + nameText(value) + (item.cell.empty() ? "" : ", ") + item.cell;
+    for (std::size_t i = 0; i < run.axes.size(); ++i) {
+        const std::string& name = run.axes[i].name;
+        const Json& value = run.axes[i].values[chosen[i]];
+        swept[name] = nameText(value);
+        item.cell += (item.cell.empty() ? "" : ", ") + name + "=" + nameText(value);
         try {
             if (item.problem.empty())
-                set(item.recipe, axis->name, value);
+                set(item.recipe, name, value);
         } catch (const Error& error) {
             item.problem = error.what();
         }
@@ -239,13 +240,11 @@ Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
     Batch batch;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const Run run = runFrom(runs.at(i), folder);
-        std::size_t room = kMostRuns - batch.items.size();
-        for (const Axis& axis : run.axes)
-            room /= axis.values.size();
-        if (room == 0)
+        const Combinations combinations = run.combinations();
+        if (combinations.count() > kMostRuns - batch.items.size())
             failUsage("The batch holds more than {} runs; divide it.", grouped(kMostRuns));
-        for (std::size_t k = 0; k < run.combinations(); ++k)
-            batch.items.push_back(itemFor(run, k, batch.items.size() + 1, folder));
+        for (std::size_t k = 0; k < combinations.count(); ++k)
+            batch.items.push_back(itemFor(run, k, combinations.at(k), batch.items.size() + 1, folder));
     }
     checkOutputs(batch.items);
     return batch;

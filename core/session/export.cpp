@@ -115,10 +115,23 @@ WriteOptions dataOptions(const Result& result, const ExportOptions& options, Dep
     return write;
 }
 
+/// The depth of a companion file: as asked for, else as the preset says, else its source's own; where the
+/// format has it.
+Depth companionDepth(const ExportOptions& options, const std::string& word, std::optional<Depth> preset,
+                     Depth own, const fs::path& path) {
+    const std::vector<Depth> held = depthsFor(path);
+    const auto holds = [&](Depth depth) { return std::find(held.begin(), held.end(), depth) != held.end(); };
+    if (const auto asked = options.depths.find(word); asked != options.depths.end() && holds(asked->second))
+        return asked->second;
+    const bool whole =
+        own == Depth::Bits8 || own == Depth::Bits16; // a preset lessens no file of real numbers
+    return preset && whole && holds(*preset) ? *preset : own;
+}
+
 void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
-                    const fs::path& path) {
-    const Depth depth = depthLike(result.plan.companions.front()[index], path);
-    writeImage(path, companionImage(result, options, index), dataOptions(result, options, depth, path));
+                    const ExportEntry& entry) {
+    writeImage(entry.path, companionImage(result, options, index),
+               dataOptions(result, options, *entry.depth, entry.path));
 }
 
 /// The companion that holds this; a normal map of either direction counts. None if there is none.
@@ -132,22 +145,19 @@ std::optional<std::size_t> companionFor(const Result& result, MapRole role) {
 }
 
 void writePacked(const Result& result, const ExportOptions& options, const PresetFile& file,
-                 const fs::path& path) {
+                 const ExportEntry& entry) {
     Image packed(result.synthesis.image.size(), static_cast<int>(file.channels.size()));
-    Depth depth = Depth::Bits8;
     for (int c = 0; c < packed.channels(); ++c) {
         const PackedChannel& channel = file.channels[static_cast<std::size_t>(c)];
         const auto index = companionFor(result, channel.role);
         const Image map = index ? result.companion(*index) : Image();
-        if (index && depthLike(result.plan.companions.front()[*index], path) != Depth::Bits8)
-            depth = Depth::Bits16;
         for (int y = 0; y < packed.height(); ++y)
             for (int x = 0; x < packed.width(); ++x) {
                 const float value = index ? map(x, y, 0) : channel.otherwise;
                 packed(x, y, c) = channel.inverted ? 1 - value : value;
             }
     }
-    writeImage(path, packed, dataOptions(result, options, depth, path));
+    writeImage(entry.path, packed, dataOptions(result, options, *entry.depth, entry.path));
 }
 
 /// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
@@ -209,38 +219,47 @@ std::vector<Step> companionSteps(const Result& result, const ExportOptions& opti
     const std::vector<ExemplarFile>& companions = result.plan.companions.front();
     Names names(result, options);
     std::set<std::size_t> used;
-    const auto addWhole = [&](std::size_t i, const std::string& word) {
+    const auto addWhole = [&](std::size_t i, const std::string& word, std::optional<Depth> preset) {
         const fs::path path = names.next(word, extensionFor(companions[i]));
+        const Depth depth = companionDepth(options, word, preset, depthLike(companions[i], path), path);
+        const MapRole role = companions[i].role;
+        const ExportEntry entry{path, role == MapRole::Other ? TR("companion map") : mapRoleTitle(role),
+                                false, word, depth};
         used.insert(i);
-        steps.push_back({{path, "companion map " + companions[i].name(), false},
-                         [&result, &options, i, path] { writeCompanion(result, options, i, path); }});
+        steps.push_back(
+            {entry, [&result, &options, i, entry] { writeCompanion(result, options, i, entry); }});
     };
     for (const PresetFile& file : findExportPreset(options.preset).files) {
         if (const auto index = companionFor(result, file.role)) {
-            addWhole(*index, file.word);
+            addWhole(*index, file.word, file.depth);
         } else if (anyOf(result, file, used)) {
             const fs::path path = names.next(file.word, ".png");
-            steps.push_back({{path, TR("packed companion maps"), false},
-                             [&result, &options, &file, path] { writePacked(result, options, file, path); }});
+            const Depth depth = companionDepth(options, file.word, file.depth, Depth::Bits8, path);
+            const ExportEntry entry{path, TR("packed companion maps"), false, file.word, depth};
+            steps.push_back(
+                {entry, [&result, &options, &file, entry] { writePacked(result, options, file, entry); }});
         }
     }
     for (std::size_t i = 0; i < companions.size(); ++i)
         if (!used.contains(i))
             addWhole(
                 i,
-                companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()).substr(1));
+                companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()).substr(1),
+                {});
     return steps;
 }
 
 std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
     std::vector<Step> steps;
-    steps.push_back({{options.image, "result", false}, [&] { writeResult(result, options); }});
+    steps.push_back(
+        {{options.image, TR("result"), false, "", options.depth}, [&] { writeResult(result, options); }});
     for (const fs::path& map : options.maps) {
         if (!hasMap(result))
             failUsage("{} copies no pixels, so that it has no position map.",
                       result.plan.lastMethod().info().title);
         steps.push_back(
-            {{map, map.extension() == ".exr" ? "position map (STMap)" : "position map (16-bit)", false},
+            {{map, map.extension() == ".exr" ? TR("position map (STMap)") : TR("position map (16-bit)"),
+              false},
              [&result, &options, map] {
                  writePositionMap(map, result.synthesis.map, result.plan.recipe.toJson(folderOf(map)),
                                   options.check);
@@ -250,8 +269,8 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
         steps.push_back(std::move(step));
     if (options.sidecar) {
         const fs::path path = beside(options.image, "", ".json");
-        steps.push_back(
-            {{path, "recipe", false}, [&result, &options, path] { writeSidecar(result, options, path); }});
+        steps.push_back({{path, TR("recipe"), false},
+                         [&result, &options, path] { writeSidecar(result, options, path); }});
     }
     for (Step& step : steps)
         step.entry.exists = fs::exists(step.entry.path);

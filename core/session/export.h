@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,6 +27,8 @@ struct ExportOptions {
     std::string pattern;
     /// Where green points in normal maps: NormalGl or NormalDx; Other for the preset's way.
     MapRole normals = MapRole::Other;
+    /// Depths of companion files, by ExportEntry::word, where not as the preset says.
+    std::map<std::string, Depth> depths;
     /// Where this is given, files that are there and not among these are refused, not replaced.
     std::optional<std::set<std::filesystem::path>> mayReplace;
     std::function<void()> check; ///< called all the while; what it throws ends the export
@@ -36,6 +39,8 @@ struct ExportEntry {
     std::filesystem::path path;
     std::string content; ///< "result", "position map (STMap)", "recipe", …
     bool exists = false;
+    std::string word = {};           ///< of companion maps: $map of their name
+    std::optional<Depth> depth = {}; ///< of pictures
 };
 
 /// The words that templates of a result's names know: $name, $method, $seed, $w, $h, $size, $place (of a

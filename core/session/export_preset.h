@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/image/map_role.h"
+#include "core/io/image_file.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,7 @@ struct PresetFile {
     std::string word; ///< $map in its name
     MapRole role;     ///< of a map as it is; Other for packed ones
     std::vector<PackedChannel> channels = {};
+    std::optional<Depth> depth = {}; ///< of whole numbers, where not as the map's own file has
 };
 
 /// How a program wants the files of a material: their names, which maps share a file, and where green points.

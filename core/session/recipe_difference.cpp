@@ -116,6 +116,14 @@ std::string editsText(const Recipe& recipe) {
     return listText(counts);
 }
 
+/// How much each exemplar counts.
+std::string weightsText(const Recipe& recipe) {
+    std::vector<std::string> weights;
+    for (const RecipeExemplar& exemplar : recipe.exemplars)
+        weights.push_back(numberText(exemplar.weight));
+    return listText(weights);
+}
+
 bool sameEdits(const Recipe& first, const Recipe& second) {
     return std::equal(first.exemplars.begin(), first.exemplars.end(), second.exemplars.begin(),
                       second.exemplars.end(),
@@ -133,6 +141,8 @@ std::vector<RecipeDifference> differences(const Recipe& first, const Recipe& sec
         const std::string after = editsText(second);
         table.add(TR("Edits of exemplars"), before, before == after ? after + " (other ones)" : after);
     }
+    if (first.exemplars.size() > 1 && first.exemplars.size() == second.exemplars.size())
+        table.add(TR("Weights of exemplars"), weightsText(first), weightsText(second));
     table.add(TR("Size"), sizeText(first.size), sizeText(second.size));
     table.add(TR("Wraps"), wrapText(first.wrap), wrapText(second.wrap));
     table.add(TR("Seed"), std::to_string(first.seed), std::to_string(second.seed));

@@ -72,7 +72,7 @@ Request requestFor(const RunInput& input, bool stacks) {
     for (const RunExemplar& exemplar : input.exemplars) {
         request.exemplars.push_back({exemplar.image.name(),
                                      stacks ? withCompanions(exemplar) : exemplar.image.image,
-                                     exemplar.mask ? exemplar.mask->image : nullptr});
+                                     exemplar.mask ? exemplar.mask->image : nullptr, exemplar.weight});
     }
     if (stacks)
         request.companionChannels = request.channels() - input.exemplars.front().image.image->channels();
@@ -193,6 +193,19 @@ void unstack(Result& result, const RunPlan& plan) {
     }
 }
 
+/// What a method that takes all exemplars alike gets to see.
+Request withoutWeights(Request request) {
+    for (Exemplar& exemplar : request.exemplars)
+        exemplar.weight = 1;
+    return request;
+}
+
+bool weighed(const Request& request) {
+    return std::any_of(request.exemplars.begin(), request.exemplars.end(), [&](const Exemplar& exemplar) {
+        return exemplar.weight != request.exemplars.front().weight;
+    });
+}
+
 Result runPlan(const RunPlan& plan, JobContext& context) {
     Result result;
     Request request = plan.request;
@@ -201,7 +214,12 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
         context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
         if (i > 0)
             request.initial = std::make_shared<const Image>(std::move(result.synthesis.image));
-        result.synthesis = step.method->run(request, step.settings, context);
+        const bool ignores = weighed(request) && !step.method->info().weighsExemplars;
+        result.synthesis =
+            step.method->run(ignores ? withoutWeights(request) : request, step.settings, context);
+        if (ignores)
+            result.synthesis.notes.emplace_back(
+                TR("The method takes all exemplars alike, so that their weights had no effect."));
     }
     unstack(result, plan);
     for (const StageTime& stage : context.stageTimes())
@@ -322,12 +340,14 @@ RecipeExemplar recipeExemplar(const RunExemplar& exemplar) {
     for (const ExemplarFile& companion : exemplar.companions)
         entry.companions.push_back(companionFile(companion));
     entry.edits = exemplar.edits;
+    entry.weight = exemplar.weight;
     return entry;
 }
 
 RunExemplar loadFiles(const RecipeExemplar& entry,
                       const std::function<void(const std::filesystem::path&)>& changed) {
     RunExemplar exemplar;
+    exemplar.weight = entry.weight;
     exemplar.image = loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space), changed);
     if (entry.mask)
         exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path), changed);

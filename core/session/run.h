@@ -21,6 +21,7 @@ struct RunExemplar {
     std::vector<ExemplarFile> companions; ///< of the exemplar's size; they get the result's layout
     /// What was done to the files' pixels to make the images here; see edited().
     ExemplarEdits edits = {};
+    double weight = 1; ///< see Exemplar::weight
     /// The files as they were before the edits; null where there are none.
     std::shared_ptr<const RunExemplar> source = nullptr;
 

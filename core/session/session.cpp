@@ -118,9 +118,11 @@ Recipe runOf(const Session& session) {
     Recipe recipe = session.settings;
     bool several = findMethod(recipe.method).info().severalExemplars;
     bool masks = findMethod(recipe.method).info().usesMask;
+    bool weights = findMethod(recipe.method).info().weighsExemplars;
     for (const RecipeStep& step : recipe.then) {
         several = several && findMethod(step.method).info().severalExemplars;
         masks = masks && findMethod(step.method).info().usesMask;
+        weights = weights && findMethod(step.method).info().weighsExemplars;
     }
     recipe.exemplars.clear();
     for (std::size_t i = 0; i < session.settings.exemplars.size(); ++i)
@@ -128,6 +130,8 @@ Recipe runOf(const Session& session) {
             recipe.exemplars.push_back(session.settings.exemplars[i]);
             if (!masks)
                 recipe.exemplars.back().mask.reset();
+            if (!weights)
+                recipe.exemplars.back().weight = 1;
         }
     if (recipe.exemplars.empty())
         failUsage("The session has no exemplar in use.");

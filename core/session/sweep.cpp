@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/session/combinations.h"
 
 #include <algorithm>
 #include <climits>
@@ -70,26 +71,27 @@ std::vector<Value> valuesIn(std::string_view text, bool whole,
     return values;
 }
 
-std::string titleOf(const Param& parameter, const Value& value) {
-    std::string text = toText(value);
+SweepCell::Part partOf(const Param& parameter, const Value& value) {
+    SweepCell::Part part{parameter.title(), toText(value), parameter.unit()};
+    if (const bool* on = std::get_if<bool>(&value))
+        part.value = *on ? TR("on") : TR("off");
     for (const Choice& choice : parameter.choices())
-        if (choice.id == text)
-            text = choice.title;
-    const std::string unit = parameter.unit().empty() ? "" : " " + parameter.unit();
-    return fmt::format("{} {}{}", parameter.title(), text, unit);
+        if (choice.id == part.value)
+            part.value = choice.title;
+    return part;
 }
 
 /// Sets one axis's value. @return what a label says of it.
-std::string apply(const SweepAxis& axis, const Value& value, RunInput& input) {
+SweepCell::Part apply(const SweepAxis& axis, const Value& value, RunInput& input) {
     if (axis.parameter.empty()) {
         input.seed = static_cast<std::uint64_t>(std::get<int>(value));
-        return fmt::format("seed {}", input.seed);
+        return {TR("Seed"), std::to_string(input.seed), ""};
     }
     const bool first = axis.step == 0;
     Values& settings = first ? input.settings : input.then.at(axis.step - 1).parameters;
     settings[axis.parameter] = value;
     const std::string& method = first ? input.method : input.then.at(axis.step - 1).method;
-    return titleOf(findMethod(method).param(axis.parameter), value);
+    return partOf(findMethod(method).param(axis.parameter), value);
 }
 
 } // namespace
@@ -109,23 +111,21 @@ std::vector<Value> sweepSeeds(std::string_view text) {
 }
 
 std::vector<SweepCell> sweepCells(const RunInput& input, const std::vector<SweepAxis>& axes, bool varySeed) {
-    std::size_t count = 1;
+    std::vector<std::size_t> lengths;
     for (const SweepAxis& axis : axes)
-        count *= axis.values.size();
-    if (count > kMostSweepCells)
-        failUsage("These are {} runs; a sweep has at most {}.", count, kMostSweepCells);
+        lengths.push_back(axis.values.size());
+    const Combinations combinations(lengths, Combinations::Fastest::First);
+    if (combinations.count() > kMostSweepCells)
+        failUsage("These are {} runs; a sweep has at most {}.", combinations.count(), kMostSweepCells);
     std::vector<SweepCell> cells;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < combinations.count(); ++i) {
         SweepCell& cell = cells.emplace_back();
         cell.input = input;
         if (varySeed)
             cell.input.seed += i;
-        std::size_t rest = i;
-        for (const SweepAxis& axis : axes) {
-            const std::string text = apply(axis, axis.values[rest % axis.values.size()], cell.input);
-            cell.label += (cell.label.empty() ? "" : " · ") + text;
-            rest /= axis.values.size();
-        }
+        const std::vector<std::size_t> chosen = combinations.at(i);
+        for (std::size_t axis = 0; axis < axes.size(); ++axis)
+            cell.parts.push_back(apply(axes[axis], axes[axis].values[chosen[axis]], cell.input));
     }
     return cells;
 }

@@ -18,7 +18,11 @@ struct SweepAxis {
 
 /// One run of a sweep.
 struct SweepCell {
-    std::string label; ///< "patch 16 px · overlap 0.25": what is particular to it
+    /// One value that it has, as texts to be translated apart: "Patch size", "16", "px".
+    struct Part {
+        std::string title, value, unit;
+    };
+    std::vector<Part> parts; ///< what is particular to it, by axis
     RunInput input;
 };
 

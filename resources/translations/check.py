@@ -7,7 +7,13 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-PLACEHOLDER = re.compile(r"%[0-9n]+|<[^>]+>|\\$[a-z]+")
+PLACEHOLDER = re.compile(r"%[0-9n]+|<[^>]+>|\\$[a-z]+|\{[^}]*\}")
+
+
+def placeholders(text):
+    """Those of sentences may be numbered in a translation, from 0, to change their order."""
+    found = [re.sub(r"^\{.*", "{}", one) for one in PLACEHOLDER.findall(text)]
+    return sorted(found)
 
 
 def main():
@@ -21,7 +27,7 @@ def main():
                 text = translation.text or ""
                 if translation.get("type") == "unfinished" or not text:
                     wrong.append(f"{file}: no translation of {source!r}")
-                elif sorted(PLACEHOLDER.findall(source)) != sorted(PLACEHOLDER.findall(text)):
+                elif placeholders(source) != placeholders(text):
                     wrong.append(f"{file}: other placeholders in {text!r} than in {source!r}")
         sources.append(known)
     if any(known != sources[0] for known in sources):

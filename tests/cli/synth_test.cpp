@@ -167,6 +167,15 @@ TEST_F(Cli, LearnsFromSeveralExemplars) {
     EXPECT_EQ(json("out.json").at("exemplars").size(), 2U);
 }
 
+TEST_F(Cli, WeighsExemplars) {
+    writeImage(m_folder / "moss.png", blobs({40, 40}, 3, 4), {});
+    run({"synth", "quilting", "bark.png", "moss.png", "--weight", "1", "--weight", "50", "--set", "patch=12",
+         "--set", "tolerance=10", "--size", "64", "-o", "out.png"});
+    EXPECT_EQ(json("out.json").at("exemplars").at(1).at("weight"), 50);
+    run({"run", "out.json", "-o", "again.png"});
+    EXPECT_TRUE(samePixels(image("out.png"), image("again.png")));
+}
+
 TEST_F(Cli, WritesTheDepthThatWasAsked) {
     for (const auto& [depth, file, expected] : {std::tuple{"16", "a.png", "16-bit"},
                                                 {"8", "a.tif", "8-bit"},

@@ -302,6 +302,31 @@ TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
     }
 }
 
+TEST_P(Conformance, exemplarsCountAsMuchAsTheyWeigh) {
+    if (!method().info().weighsExemplars)
+        GTEST_SKIP() << "skipped: " << GetParam() << " takes all exemplars alike";
+    Request request = requestFor({64, 64}, 3, {160, 150});
+    request.exemplars.push_back({"another", shared(blobs({60, 70}, 3, 2)), nullptr});
+    const auto weighed = [&](double first, double second) {
+        request.exemplars.front().weight = first;
+        request.exemplars.back().weight = second;
+        return runWith(method(), request, 2);
+    };
+    const Synthesis plain = weighed(1, 1), first = weighed(20, 0.5), second = weighed(0.5, 20);
+    EXPECT_TRUE(samePixels(plain.image, weighed(3, 3).image));
+    EXPECT_FALSE(samePixels(first.image, second.image));
+    if (!method().info().copiesPixels)
+        return;
+    const auto pixelsOfFirst = [](const PositionMap& map) {
+        int count = 0;
+        for (int y = 0; y < map.height(); ++y)
+            for (int x = 0; x < map.width(); ++x)
+                count += map.at(x, y).exemplar == 0;
+        return count;
+    };
+    EXPECT_GT(pixelsOfFirst(first.map), pixelsOfFirst(second.map));
+}
+
 TEST_P(Conformance, sizesThatMakeNoSenseAreRefused) {
     for (const Size size : {Size{0, 10}, Size{10, 0}, Size{-3, 5}, Size{200000, 200000}})
         EXPECT_THROW(runWith(method(), requestFor({64, 64}, 3, size), 1), UsageError);

@@ -231,7 +231,7 @@ private Q_SLOTS:
     void contactSheetHasAllPicturesAndLabels() {
         std::vector<CompareItem> items = threeItems();
         items.push_back({QStringLiteral("none"), nullptr, QStringLiteral("The patch is too large."), {}});
-        const QImage sheet = contactSheet(items, 2, 96, QFont());
+        const QImage sheet = contactSheet(items, QString(), 2, 96, QFont());
         QCOMPARE(sheet.pixelColor(4 + 48, 4 + 48), QColor(Qt::red));
         QCOMPARE(sheet.pixelColor(4 + 96 + 4 + 48, 4 + 48), QColor(Qt::blue));
         int dark = 0;
@@ -327,7 +327,7 @@ private Q_SLOTS:
         QTRY_COMPARE(queue->waiting(), 6);
         const CompareView* const compare = window.workbench()->compare();
         QCOMPARE(compare->columns(), 3);
-        QCOMPARE(compare->items()[4].label, QStringLiteral("Patch size 10 px · seed 6"));
+        QCOMPARE(compare->items()[4].label, QStringLiteral("Patch size 10 px · Seed 6"));
         const int before = window.workbench()->history()->rowCount();
         queue->setPaused(false);
         QTRY_COMPARE_WITH_TIMEOUT(window.workbench()->history()->rowCount(), before + 6, kPatience);

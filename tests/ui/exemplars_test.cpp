@@ -13,6 +13,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
 #include <QListWidget>
@@ -127,6 +128,31 @@ private Q_SLOTS:
             list->item(0)->setCheckState(Qt::Unchecked);
         QCOMPARE(m_window->input(false).exemplars.size(), 1U);
         QCOMPARE(m_window->input(false).exemplars.front().image.name(), std::string("second"));
+    }
+
+    void weightsAreSetUndoneAndSaidWhereTheyHaveNoEffect() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("oak.png"), {64, 64})));
+        auto* weight = child<QDoubleSpinBox>(*m_window, "exemplarWeight");
+        QVERIFY(weight->isHidden()); // one exemplar needs none
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        m_window->openFiles({writeTexture(m_folder, QStringLiteral("ash.png"), {64, 64}, 2)});
+        QVERIFY(opened.wait());
+        QVERIFY(!weight->isHidden() && weight->isEnabled());
+        weight->setValue(2.5);
+        QTRY_COMPARE(m_window->input(false).exemplars.back().weight, 2.5);
+        auto* list = child<QListWidget>(*m_window, "exemplarList");
+        QVERIFY2(list->item(1)->text().contains(QStringLiteral("2")), qPrintable(list->item(1)->text()));
+        child<QAction>(*m_window, "undo")->trigger();
+        QTRY_COMPARE(m_window->input(false).exemplars.back().weight, 1.0);
+        QCOMPARE(weight->value(), 1.0);
+        child<QAction>(*m_window, "redo")->trigger();
+        QTRY_COMPARE(weight->value(), 2.5);
+        auto* method = child<QComboBox>(*m_window, "method");
+        for (const char* alike : {"patchmatch", "random-phase"}) {
+            method->setCurrentIndex(method->findData(QLatin1String(alike)));
+            QVERIFY(!weight->isEnabled() && !weight->toolTip().isEmpty());
+            QCOMPARE(m_window->input(false).exemplars.back().weight, 1.0);
+        }
     }
 
     void colourSpaceIsReadAnew() {

@@ -5,6 +5,7 @@
 #include "ui/exemplar/companion_list.h"
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
+#include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
@@ -20,6 +21,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDir>
 #include <QDropEvent>
 #include <QFile>
@@ -31,9 +33,14 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTimer>
 #include <QToolButton>
 #include <QUndoStack>
 #include <QUrl>
+
+#include <sys/resource.h>
+
+#include <csignal>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -330,6 +337,65 @@ private Q_SLOTS:
         m_window->inspector()->output()->setSeed(5);
         QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("make room")));
         QVERIFY(m_window->messages()->text().contains(QStringLiteral("crash would lose it")));
+    }
+
+    void aFullDiskLeavesTheFormerCopyAndSaysSo() {
+        Document* const document = m_window->document();
+        document->setRecoveryDelay(std::chrono::milliseconds(10));
+        m_window->inspector()->output()->setSeed(5);
+        QTRY_VERIFY(!document->recoveryFile().isEmpty() && QFile::exists(document->recoveryFile()));
+        const auto kept = [&] { return readSession(toPath(document->recoveryFile())).settings.seed; };
+        QTRY_COMPARE(kept(), 5U);
+        const auto former = std::signal(SIGXFSZ, SIG_IGN);
+        rlimit limit{};
+        QCOMPARE(getrlimit(RLIMIT_FSIZE, &limit), 0);
+        const rlimit tight{64, limit.rlim_max};
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &tight), 0);
+        m_window->inspector()->output()->setSeed(6);
+        QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("make room")));
+        QCOMPARE(kept(), 5U);
+        QCOMPARE(setrlimit(RLIMIT_FSIZE, &limit), 0);
+        std::signal(SIGXFSZ, former);
+        QTRY_COMPARE(kept(), 6U); // as soon as there is room again
+    }
+
+    void whatWasMadeByHandIsNotClosedWithoutAsking() {
+        openBark(false);
+        m_window->inspector()->output()->setSeed(9);
+        QVERIFY(m_window->document()->mayClose()); // its settings are with its result
+        m_window->store()->setEdits(m_window->store()->current()->id, {RotateEdit{90}}, {});
+        QTRY_VERIFY((current() == Size{48, 64}));
+        QString asked;
+        const auto answer = [&](QMessageBox::StandardButton button) {
+            QTimer::singleShot(0, this, [&asked, button] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                asked = box->text();
+                box->button(button)->click();
+            });
+        };
+        answer(QMessageBox::Cancel);
+        QVERIFY(!m_window->document()->mayClose());
+        QVERIFY2(asked.contains(QStringLiteral("Results are kept")), qPrintable(asked));
+        answer(QMessageBox::Discard);
+        QVERIFY(m_window->document()->mayClose());
+    }
+
+    void masksThatNobodyNamesAreRemovedInTime() {
+        openBark(false);
+        m_window->store()->paintMask(m_window->store()->current()->id, Image({64, 48}, 1), true);
+        QTRY_VERIFY(m_window->store()->current()->exemplar.mask);
+        const QString named = toQString(m_window->store()->current()->exemplar.mask->path);
+        const QString old = ownFolder() + QStringLiteral("/old_mask.png");
+        QVERIFY(QFile::copy(named, old));
+        for (const QString& path : {named, old}) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadWrite));
+            QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(-9),
+                                     QFileDevice::FileModificationTime));
+        }
+        removeOldMasks({m_window->session().settings}, m_folder->filePath(QStringLiteral("recovery")));
+        QVERIFY(QFile::exists(named));
+        QVERIFY(!QFile::exists(old));
     }
 
     void anOrderlyEndLeavesNothingToRecover() {

@@ -6,9 +6,13 @@
 #include "ui/window/appearance.h"
 #include "ui/window/text.h"
 
+#include <QAccessible>
+#include <QLabel>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -53,6 +57,39 @@ bool openAndFinish(MainWindow& window, const QString& path) {
     QSignalSpy finished(window.controller(), &RunController::finished);
     window.openFiles({path});
     return finished.wait(60'000);
+}
+
+QString cutText(const QWidget& window) {
+    for (const auto* button : window.findChildren<QAbstractButton*>()) {
+        const auto* tool = qobject_cast<const QToolButton*>(button);
+        const bool iconOnly = tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly;
+        if (button->isVisible() && !button->text().isEmpty() && !iconOnly &&
+            button->width() < button->minimumSizeHint().width())
+            return button->text();
+    }
+    for (const auto* label : window.findChildren<QLabel*>()) {
+        const QSize whole = label->minimumSizeHint();
+        const bool cut = label->wordWrap()
+                             ? label->height() < label->heightForWidth(label->width())
+                             : label->width() < whole.width() || label->height() < whole.height();
+        if (label->isVisible() && label->width() > 0 && !label->text().isEmpty() && cut)
+            return label->text();
+    }
+    return {};
+}
+
+QStringList namelessControls(const QWidget& window) {
+    QStringList nameless;
+    for (QWidget* widget : window.findChildren<QWidget*>()) {
+        const bool takesFocus = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisibleTo(&window);
+        if (!takesFocus || widget->focusProxy() != nullptr)
+            continue;
+        const QAccessibleInterface* const told = QAccessible::queryAccessibleInterface(widget);
+        if (told == nullptr || told->text(QAccessible::Name).isEmpty())
+            nameless += QStringLiteral("%1 %2").arg(QLatin1String(widget->metaObject()->className()),
+                                                    widget->objectName());
+    }
+    return nameless;
 }
 
 } // namespace texloom::ui

@@ -24,6 +24,12 @@ QString writeTexture(const QTemporaryDir& folder, const QString& name, Size size
 /// Brings the window to the state in which a first exemplar has been opened and its quick run has ended.
 bool openAndFinish(MainWindow& window, const QString& path);
 
+/// The first text in a window that has less room than it asks for; empty if all are whole.
+QString cutText(const QWidget& window);
+
+/// Names of the widgets in a window that take the focus but that a screen reader could not tell.
+QStringList namelessControls(const QWidget& window);
+
 /// The child of this type and name. The test ends if there is none.
 template <class Widget> Widget* child(const QObject& parent, const char* name) {
     auto* found = parent.findChild<Widget*>(QLatin1String(name));

@@ -1,6 +1,7 @@
 #include "ui/compare/compare_bar.h"
 
 #include "ui/window/icons.h"
+#include "ui/window/shortcuts.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -9,6 +10,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QToolBar>
 #include <QToolButton>
@@ -27,9 +29,7 @@ QAction* make(QWidget* window, const char* name, const QString& text, const QKey
     action->setObjectName(QLatin1String(name));
     action->setShortcut(key);
     action->setCheckable(true);
-    action->setToolTip(
-        key.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, key.toString(QKeySequence::NativeText)));
-    action->setStatusTip(action->toolTip());
+    setHelp(action, help);
     if (iconName != nullptr)
         action->setIcon(icon(QLatin1String(iconName)));
     window->addAction(action);
@@ -50,11 +50,12 @@ CompareActions::CompareActions(QWidget* window)
                   tr("Compare two pictures in one place, one after the other"), "toggle")),
       difference(make(window, "compareDifference", tr("&Difference"), Qt::Key_D,
                       tr("Show what two pictures differ in"), "difference")),
-      exemplar(make(window, "compareExemplar", tr("E&xemplar"), {}, tr("Show the exemplar among the results"),
-                    nullptr)),
+      exemplar(make(window, "compareExemplar", tr("E&xemplar"), {},
+                    tr("Show the exemplars of the results beside them"), nullptr)),
       link(make(window, "compareLink", tr("&Link views"), {},
                 tr("Zoom and move all pictures together; those moved apart before stay apart as they are"),
                 "link")),
+      exemplars(new QMenu(tr("Open e&xemplars"), window)),
       sheet(make(window, "contactSheet", tr("&Contact sheet…"), {},
                  tr("Write all pictures with their labels into one PNG file"), "export")) {
     auto* modes = new QActionGroup(window);
@@ -127,6 +128,10 @@ QWidget* CompareBar::makeModes(const CompareActions& actions) {
         bar->addAction(action);
         auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
         button->setFocusPolicy(Qt::StrongFocus);
+        if (action == actions.exemplar) {
+            button->setPopupMode(QToolButton::MenuButtonPopup);
+            button->setMenu(actions.exemplars);
+        }
         if (action == actions.link || action == actions.sheet) {
             button->setToolButtonStyle(Qt::ToolButtonIconOnly);
             button->setAccessibleName(action->text().remove(QLatin1Char('&')));

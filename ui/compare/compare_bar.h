@@ -9,6 +9,7 @@ class QAction;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QMenu;
 
 namespace texloom::ui {
 
@@ -28,6 +29,7 @@ struct CompareActions {
     QAction* difference;
     QAction* exemplar; ///< whether the exemplar is among the pictures
     QAction* link;
+    QMenu* exemplars; ///< every open exemplar, to be shown or not; filled by whoever knows them
     QAction* sheet;
 };
 

@@ -2,6 +2,7 @@
 
 #include "ui/viewers/image_viewer.h"
 #include "ui/window/elided_label.h"
+#include "ui/window/icons.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -16,7 +17,7 @@ CompareCell::CompareCell(QWidget* parent)
     : QWidget(parent), m_label(new ElidedLabel(this)), m_use(new QToolButton(this)),
       m_viewer(new ImageViewer(this)) {
     m_label->setElideMode(Qt::ElideRight);
-    m_use->setText(tr("Use"));
+    setIconButton(m_use, QStringLiteral("reset"), tr("Restore settings"));
     m_use->setToolTip(
         tr("Bring the settings of this result into the form (Return); Run then makes it in full size"));
     m_use->setFocusPolicy(Qt::StrongFocus);
@@ -39,7 +40,7 @@ CompareCell::CompareCell(QWidget* parent)
 void CompareCell::setItem(const CompareItem& item) {
     m_label->setFullText(item.label);
     m_use->setVisible(!item.key.empty());
-    m_use->setAccessibleName(tr("Use the settings of %1").arg(item.label));
+    m_use->setAccessibleName(tr("Restore the settings of %1").arg(item.label));
     m_viewer->setAccessibleName(item.label);
     m_viewer->setPlaceholder(item.message);
     m_viewer->setPicture(item.picture);

@@ -14,8 +14,10 @@ struct CompareItem {
     QString label; ///< "Image quilting · seed 1 · 512 × 512"
     /// What is shown; null until it is there.
     std::shared_ptr<const DisplayPicture> picture;
-    QString message; ///< said while there is no picture, such as why there will be none
-    std::string key; ///< of the result, whose settings can be taken over; empty for others
+    QString message;  ///< said while there is no picture, such as why there will be none
+    std::string key;  ///< of the result, whose settings can be taken over; empty for others
+    int run = 0;      ///< of the queue, while it is not there yet
+    int exemplar = 0; ///< of the store
 };
 
 } // namespace texloom::ui

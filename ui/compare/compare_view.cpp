@@ -96,8 +96,9 @@ void CompareView::makeChannelKeys() {
             Qt::WidgetWithChildrenShortcut);
 }
 
-void CompareView::setItems(std::vector<CompareItem> items, int columns) {
+void CompareView::setItems(std::vector<CompareItem> items, int columns, const QString& heading) {
     m_items = std::move(items);
+    m_heading = heading;
     m_looked.assign(m_items.size(), nullptr);
     const int count = static_cast<int>(m_items.size());
     m_columns = columns > 0 ? columns : std::max(1, static_cast<int>(std::ceil(std::sqrt(count))));

@@ -28,11 +28,13 @@ public:
     explicit CompareView(const CompareActions& actions, QWidget* parent = nullptr);
 
     /// Shows these. @param columns of the grid; 0 for a grid about as wide as high.
-    void setItems(std::vector<CompareItem> items, int columns = 0);
+    /// @param heading what they have in common, for a contact sheet.
+    void setItems(std::vector<CompareItem> items, int columns = 0, const QString& heading = {});
     /// Another picture, label or message for one of them.
     void setItem(int index, const CompareItem& item);
     const std::vector<CompareItem>& items() const { return m_items; }
     int columns() const { return m_columns; }
+    const QString& heading() const { return m_heading; }
     /// Number of pictures that are there.
     int pictures() const;
 
@@ -79,6 +81,7 @@ private:
     std::vector<std::shared_ptr<const DisplayPicture>> m_looked; ///< in the bar's look, where it is not plain
     CompareMode m_mode = CompareMode::Grid;
     int m_columns = 1;
+    QString m_heading;
     int m_last = 0;       ///< the cell that had the focus last
     bool m_other = false; ///< whether Toggle shows the second
     int m_request = 0;

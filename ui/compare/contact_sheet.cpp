@@ -17,11 +17,13 @@ struct SheetLayout {
     int line;
     int margin;
     int columns;
+    int top; ///< height of the heading
 
     int cellWidth() const { return side + margin; }
     int cellHeight() const { return side + line * 2 + margin; }
     QRect pictureAt(int index) const {
-        return {margin + index % columns * cellWidth(), margin + index / columns * cellHeight(), side, side};
+        return {margin + index % columns * cellWidth(), top + margin + index / columns * cellHeight(), side,
+                side};
     }
     QRect labelAt(int index) const {
         const QRect picture = pictureAt(index);
@@ -46,21 +48,37 @@ void paintCell(QPainter& painter, const CompareItem& item, const QRect& place) {
     painter.drawImage(target, level);
 }
 
+/// Where the heading goes: over the sheet's whole width, in as many lines as it takes.
+QRect headingPlace(const QString& heading, const QFontMetrics& metrics, int width, int margin) {
+    if (heading.isEmpty())
+        return {};
+    return metrics.boundingRect(QRect(margin, margin, width - 2 * margin, metrics.height()),
+                                Qt::AlignLeft | Qt::TextWordWrap, heading);
+}
+
 } // namespace
 
-QImage contactSheet(const std::vector<CompareItem>& items, int columns, int side, const QFont& font) {
+QImage contactSheet(const std::vector<CompareItem>& items, const QString& heading, int columns, int side,
+                    const QFont& font) {
     QFont labels = font;
     labels.setPixelSize(std::max(12, side / 24));
     const QFontMetrics metrics(labels);
     const int count = static_cast<int>(items.size());
-    const SheetLayout layout{side, metrics.height(), std::max(4, side / 24), std::min(columns, count)};
+    QFont large = labels;
+    large.setBold(true);
+    SheetLayout layout{side, metrics.height(), std::max(4, side / 24), std::min(columns, count), 0};
+    const int width = layout.margin + layout.columns * layout.cellWidth();
+    const QRect headed = headingPlace(heading, QFontMetrics(large), width, layout.margin);
+    layout.top = heading.isEmpty() ? 0 : headed.bottom() + 1;
     const int rows = (count + layout.columns - 1) / layout.columns;
-    QImage sheet(layout.margin + layout.columns * layout.cellWidth(),
-                 layout.margin + rows * layout.cellHeight(), QImage::Format_RGB32);
+    QImage sheet(width, layout.top + layout.margin + rows * layout.cellHeight(), QImage::Format_RGB32);
     if (sheet.isNull())
         fail("A sheet of {} × {} pictures of {} px is too large; compare fewer.", layout.columns, rows, side);
     sheet.fill(Qt::white);
     QPainter painter(&sheet);
+    painter.setFont(large);
+    painter.setPen(Qt::black);
+    painter.drawText(headed, Qt::AlignLeft | Qt::TextWordWrap, heading);
     painter.setFont(labels);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     for (int i = 0; i < count; ++i) {

@@ -12,16 +12,21 @@ namespace texloom::ui {
 
 GridRun::GridRun(JobQueue* queue, const ResultHistory* history, CompareView* view, QObject* parent)
     : QObject(parent), m_queue(queue), m_history(history), m_view(view) {
-    connect(view, &CompareView::replaced, this, [this] { m_cells.clear(); });
+    connect(view, &CompareView::replaced, this, [this] {
+        std::set<int> shown;
+        for (const CompareItem& item : m_view->items())
+            shown.insert(item.run);
+        std::erase_if(m_open, [&](int id) { return !shown.contains(id); });
+    });
     connect(queue, &JobQueue::started, this, [this](int id) { say(id, tr("Under way…")); });
     connect(queue, &JobQueue::previewed, this, &GridRun::showPreview);
     connect(queue, &JobQueue::failed, this, [this](const QueuedJob& job) {
         say(job.id, job.problem);
-        m_cells.erase(job.id);
+        m_open.erase(job.id);
     });
     connect(queue, &JobQueue::stopped, this, [this](const QueuedJob& job) {
         say(job.id, tr("Stopped."));
-        m_cells.erase(job.id);
+        m_open.erase(job.id);
     });
 }
 
@@ -38,10 +43,11 @@ GridRun::Planned GridRun::planned(const GridEntry& entry, const std::vector<Resu
     return planned;
 }
 
-void GridRun::start(std::vector<GridEntry> entries, std::vector<CompareItem> first, int columns, bool quick,
-                    bool cheapestFirst) {
-    m_cells.clear();
-    const auto plan = [entries = std::move(entries), earlier = m_history->entries(), cheapestFirst] {
+void GridRun::start(std::vector<GridEntry> entries, std::vector<CompareItem> first,
+                    const GridLayout& layout) {
+    m_open.clear();
+    const auto plan = [entries = std::move(entries), earlier = m_history->entries(),
+                       cheapestFirst = layout.cheapestFirst] {
         std::vector<Planned> all;
         for (const GridEntry& entry : entries)
             all.push_back(planned(entry, earlier));
@@ -52,58 +58,70 @@ void GridRun::start(std::vector<GridEntry> entries, std::vector<CompareItem> fir
     };
     inBackground(
         this, plan,
-        [this, first = std::move(first), columns, quick, request = ++m_request](std::vector<Planned> all) {
+        [this, first = std::move(first), layout, request = ++m_request](std::vector<Planned> all) {
             if (request == m_request)
-                showAndQueue(std::move(all), first, columns, quick);
+                showAndQueue(std::move(all), first, layout);
         },
         [](const QString&) {});
 }
 
-void GridRun::showAndQueue(std::vector<Planned> planned, std::vector<CompareItem> first, int columns,
-                           bool quick) {
+void GridRun::showAndQueue(std::vector<Planned> planned, std::vector<CompareItem> first,
+                           const GridLayout& layout) {
     std::vector<CompareItem> items = std::move(first);
-    const int before = static_cast<int>(items.size());
-    for (const Planned& run : planned)
+    int id = m_queue->nextId();
+    for (const Planned& run : planned) {
         items.push_back({run.label, nullptr, run.plan ? tr("Waiting…") : run.refusal, {}});
-    m_view->setItems(std::move(items), columns);
-    for (std::size_t i = 0; i < planned.size(); ++i)
-        if (planned[i].plan) {
-            const double seconds = planned[i].seconds;
-            // The cell must be known before the queue tells that the run began.
-            m_cells[m_queue->nextId()] = before + static_cast<int>(i);
-            m_queue->add(std::move(*planned[i].plan), quick, false, JobQueue::Place::Last, seconds);
+        if (run.plan)
+            items.back().run = id++;
+    }
+    m_view->setItems(std::move(items), layout.columns, layout.heading);
+    for (Planned& run : planned)
+        if (run.plan) {
+            // It must be known before the queue tells that the run began.
+            m_open.insert(m_queue->nextId());
+            m_queue->add(std::move(*run.plan), layout.quick, false, JobQueue::Place::Last, run.seconds);
         }
     Q_EMIT queued();
 }
 
+/// The view's cell of a run that is open; −1 where it shows something else by now.
+int GridRun::cellOf(int id) const {
+    if (!m_open.contains(id))
+        return -1;
+    const std::vector<CompareItem>& items = m_view->items();
+    const auto found =
+        std::find_if(items.begin(), items.end(), [=](const CompareItem& item) { return item.run == id; });
+    return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
 void GridRun::say(int id, const QString& message) {
-    const auto cell = m_cells.find(id);
-    if (cell == m_cells.end())
+    const int cell = cellOf(id);
+    if (cell < 0)
         return;
-    CompareItem item = m_view->items()[static_cast<std::size_t>(cell->second)];
+    CompareItem item = m_view->items()[static_cast<std::size_t>(cell)];
     item.message = message;
     item.picture = nullptr;
-    m_view->setItem(cell->second, item);
+    m_view->setItem(cell, item);
 }
 
 void GridRun::showPreview(int id, const RunPictures& pictures) {
-    const auto cell = m_cells.find(id);
-    if (cell == m_cells.end())
+    const int cell = cellOf(id);
+    if (cell < 0)
         return;
-    CompareItem item = m_view->items()[static_cast<std::size_t>(cell->second)];
+    CompareItem item = m_view->items()[static_cast<std::size_t>(cell)];
     item.picture = pictures.result;
-    m_view->setItem(cell->second, item);
+    m_view->setItem(cell, item);
 }
 
 void GridRun::keep(int id, const std::string& key, const RunPictures& pictures) {
-    const auto cell = m_cells.find(id);
-    if (cell == m_cells.end())
+    const int cell = cellOf(id);
+    if (cell < 0)
         return;
-    CompareItem item = m_view->items()[static_cast<std::size_t>(cell->second)];
+    CompareItem item = m_view->items()[static_cast<std::size_t>(cell)];
     item.picture = pictures.result;
     item.key = key;
-    m_view->setItem(cell->second, item);
-    m_cells.erase(cell);
+    m_view->setItem(cell, item);
+    m_open.erase(id);
 }
 
 } // namespace texloom::ui

@@ -8,7 +8,7 @@
 #include <QObject>
 
 #include <functional>
-#include <map>
+#include <set>
 #include <vector>
 
 namespace texloom::ui {
@@ -21,6 +21,14 @@ struct GridEntry {
     RunInput input;
 };
 
+/// How the runs of a grid are made and shown.
+struct GridLayout {
+    QString heading;            ///< of the grid's contact sheet: what all of them share
+    int columns = 0;            ///< 0 for a grid about as wide as high
+    bool quick = true;          ///< whether these are previews at a small size
+    bool cheapestFirst = false; ///< whether the quickest run comes first, rather than the first entry
+};
+
 /// Makes many runs by way of the queue and shows them as a grid that fills as they end; those that cannot be
 /// run say why in their place. Every result goes to the history like any other.
 class GridRun : public QObject {
@@ -30,13 +38,9 @@ public:
     GridRun(JobQueue* queue, const ResultHistory* history, CompareView* view, QObject* parent = nullptr);
 
     /// @param first pictures shown before the runs, such as the exemplar.
-    /// @param columns of the grid; 0 for one about as wide as high.
-    /// @param quick whether these are previews at a small size.
-    /// @param cheapestFirst whether the quickest run comes first, rather than the first entry.
-    void start(std::vector<GridEntry> entries, std::vector<CompareItem> first, int columns, bool quick,
-               bool cheapestFirst);
+    void start(std::vector<GridEntry> entries, std::vector<CompareItem> first, const GridLayout& layout);
     /// Runs of the grid that have not ended.
-    int open() const { return static_cast<int>(m_cells.size()); }
+    int open() const { return static_cast<int>(m_open.size()); }
     /// The run `id` has ended and is this result in the history.
     void keep(int id, const std::string& key, const RunPictures& pictures);
 
@@ -53,14 +57,15 @@ private:
     };
 
     static Planned planned(const GridEntry& entry, const std::vector<ResultEntry>& earlier);
-    void showAndQueue(std::vector<Planned> planned, std::vector<CompareItem> first, int columns, bool quick);
+    void showAndQueue(std::vector<Planned> planned, std::vector<CompareItem> first, const GridLayout& layout);
+    int cellOf(int id) const;
     void say(int id, const QString& message);
     void showPreview(int id, const RunPictures& pictures);
 
     JobQueue* m_queue;
     const ResultHistory* m_history;
     CompareView* m_view;
-    std::map<int, int> m_cells; ///< the view's cell of each run
+    std::set<int> m_open;
     int m_request = 0;
 };
 

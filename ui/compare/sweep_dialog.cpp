@@ -47,6 +47,14 @@ QString suggestion(const Param& parameter, const Value& value) {
     return texts.join(QStringLiteral(", "));
 }
 
+/// What may be written for a parameter; choices with what they are called elsewhere in the window.
+QString limitsOf(const Param& parameter) {
+    QStringList texts;
+    for (const Choice& choice : parameter.choices())
+        texts += SweepDialog::tr("%1: %2").arg(QString::fromStdString(choice.id), translated(choice.title));
+    return texts.isEmpty() ? QString::fromStdString(parameter.limitsText()) : texts.join(QLatin1Char('\n'));
+}
+
 } // namespace
 
 SweepDialog::SweepDialog(RunInput input, QWidget* parent)
@@ -153,7 +161,7 @@ void SweepDialog::targetChosen(const Row& row) {
     } else {
         const Values& settings =
             target.step == 0 ? m_input.settings : m_input.then[target.step - 1].parameters;
-        row.limits->setText(QString::fromStdString(target.parameter->limitsText()));
+        row.limits->setText(limitsOf(*target.parameter));
         row.values->setText(suggestion(*target.parameter, settings.at(target.parameter->name())));
     }
     refresh();

@@ -53,13 +53,12 @@ CompanionList::CompanionList(ExemplarStore* store, QWidget* parent)
         button->setFocusPolicy(Qt::StrongFocus);
 
     auto* row = new QHBoxLayout;
+    row->addWidget(m_empty, 1);
     row->addWidget(m_role, 1);
-    row->addStretch();
     row->addWidget(m_add);
     row->addWidget(m_remove);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_empty);
     column->addWidget(m_list);
     column->addLayout(row);
 

@@ -10,7 +10,9 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -61,7 +63,8 @@ ExemplarPanel::ExemplarPanel(ExemplarStore* store, const QList<QAction*>& action
     : QWidget(parent), m_store(store), m_viewer(new ImageViewer(this)), m_name(new ElidedLabel(this)),
       m_facts(new QLabel(this)), m_space(new QComboBox(this)), m_maskName(new ElidedLabel(this)),
       m_setMask(new QToolButton(this)), m_clearMask(new QToolButton(this)), m_maskRow(new QWidget(this)),
-      m_companions(new CompanionList(store, this)), m_list(new QListWidget(this)) {
+      m_weight(new QDoubleSpinBox(this)), m_companions(new CompanionList(store, this)),
+      m_list(new QListWidget(this)) {
     setObjectName(QStringLiteral("exemplarPanel"));
     m_viewer->setObjectName(QStringLiteral("exemplarViewer"));
     m_viewer->setAccessibleName(tr("Exemplar"));
@@ -120,12 +123,20 @@ QWidget* ExemplarPanel::makeDetails() {
     maskLayout->addWidget(m_setMask);
     maskLayout->addWidget(m_clearMask);
 
+    m_weight->setObjectName(QStringLiteral("exemplarWeight"));
+    m_weight->setRange(Exemplar::kLeastWeight, Exemplar::kMostWeight);
+    m_weight->setDecimals(2);
+    m_weight->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_weight->setPrefix(QStringLiteral("× "));
+    m_weight->setKeyboardTracking(false);
+
     auto* details = new QWidget(this);
-    auto* form = new QFormLayout(details);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("&Colour space"), m_space);
-    form->addRow(tr("Mask"), m_maskRow);
-    form->addRow(tr("Maps"), m_companions);
+    m_form = new QFormLayout(details);
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->addRow(tr("&Colour space"), m_space);
+    m_form->addRow(tr("Wei&ght"), m_weight);
+    m_form->addRow(tr("Mask"), m_maskRow);
+    m_form->addRow(tr("Maps"), m_companions);
     return details;
 }
 
@@ -137,12 +148,16 @@ void ExemplarPanel::connectStore() {
             m_store->setCurrent(item->data(Qt::UserRole).toInt());
     });
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-        if (!m_filling && m_several)
+        if (!m_filling && m_abilities.several)
             m_store->setChecked(item->data(Qt::UserRole).toInt(), item->checkState() == Qt::Checked);
     });
     connect(m_space, &QComboBox::activated, this, [this] {
         if (const ExemplarEntry* entry = m_store->current())
             m_store->setSpace(entry->id, m_space->currentData().toString());
+    });
+    connect(m_weight, &QDoubleSpinBox::valueChanged, this, [this](double weight) {
+        if (const ExemplarEntry* entry = m_store->current())
+            m_store->setWeight(entry->id, weight);
     });
     connect(m_store, &ExemplarStore::failed, this, [this] { showDetails(m_store->current()); });
     connect(m_setMask, &QToolButton::clicked, this, &ExemplarPanel::chooseMask);
@@ -164,13 +179,13 @@ void ExemplarPanel::chooseMask() {
         m_store->setMask(entry->id, path);
 }
 
-void ExemplarPanel::setAbilities(bool several, bool masks) {
-    m_maskRow->setEnabled(masks);
-    m_maskRow->setToolTip(masks ? QString() : tr("The method does not use a mask."));
-    if (m_several == several)
-        return;
-    m_several = several;
-    fillList();
+void ExemplarPanel::setAbilities(const ExemplarAbilities& abilities) {
+    m_maskRow->setEnabled(abilities.masks);
+    m_maskRow->setToolTip(abilities.masks ? QString() : tr("The method does not use a mask."));
+    const bool same = m_abilities.several == abilities.several && m_abilities.weights == abilities.weights;
+    m_abilities = abilities;
+    if (!same)
+        fillList();
 }
 
 void ExemplarPanel::fillList() {
@@ -180,9 +195,11 @@ void ExemplarPanel::fillList() {
         const QImage& small = entry.picture->levelFor(iconScale(*entry.picture, m_list->iconSize().width()));
         auto* item =
             new QListWidgetItem(pictureIcon(small), QString::fromStdString(entry.file().name()), m_list);
+        if (m_abilities.several && m_abilities.weights && entry.exemplar.weight != 1)
+            item->setText(tr("%1 (× %2)").arg(item->text(), QLocale().toString(entry.exemplar.weight)));
         item->setToolTip(toQString(entry.file().path));
         item->setData(Qt::UserRole, entry.id);
-        if (m_several)
+        if (m_abilities.several)
             item->setCheckState(entry.checked ? Qt::Checked : Qt::Unchecked);
     }
     m_filling = false;
@@ -205,8 +222,12 @@ void ExemplarPanel::showDetails(const ExemplarEntry* entry) {
     for (QWidget* detail : {static_cast<QWidget*>(m_space), static_cast<QWidget*>(m_setMask)})
         detail->setEnabled(entry != nullptr);
     m_clearMask->setVisible(mask);
-    m_maskName->setFullText(mask ? QString::fromStdString(entry->exemplar.mask->name()) : tr("None"),
-                            mask ? toQString(entry->exemplar.mask->path) : QString());
+    showWeight(entry);
+    const QString maskFile = mask ? toQString(entry->exemplar.mask->path) : QString();
+    m_maskName->setFullText(!mask                              ? tr("None")
+                            : maskFile.startsWith(ownFolder()) ? tr("Painted")
+                                                               : QFileInfo(maskFile).completeBaseName(),
+                            maskFile);
     m_name->setVisible(entry != nullptr);
     m_facts->setVisible(entry != nullptr);
     if (entry == nullptr)
@@ -214,6 +235,19 @@ void ExemplarPanel::showDetails(const ExemplarEntry* entry) {
     m_name->setFullText(toQString(entry->file().path.filename()), toQString(entry->file().path));
     m_facts->setText(factsOf(entry->file()));
     m_space->setCurrentIndex(m_space->findData(QString::fromStdString(entry->file().space)));
+}
+
+void ExemplarPanel::showWeight(const ExemplarEntry* entry) {
+    m_form->setRowVisible(m_weight, m_store->entries().size() > 1);
+    const bool heeded = m_abilities.several && m_abilities.weights;
+    m_weight->setEnabled(heeded && entry != nullptr && entry->checked);
+    m_weight->setToolTip(
+        heeded ? tr("How much the exemplar counts beside the others: with 2 as though it were open twice.")
+        : m_abilities.several ? tr("The method takes all exemplars alike.")
+                              : tr("The method learns from one exemplar, the one that is chosen."));
+    const QSignalBlocker blocker(m_weight);
+    if (entry != nullptr)
+        m_weight->setValue(entry->exemplar.weight);
 }
 
 void ExemplarPanel::showSource(const ExemplarEntry& entry, QPoint pixel) {

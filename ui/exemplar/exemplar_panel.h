@@ -8,6 +8,8 @@
 
 class QAction;
 class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QListWidget;
 class QToolButton;
@@ -18,6 +20,13 @@ class CompanionList;
 class ElidedLabel;
 class ImageViewer;
 
+/// What a run can use of the exemplars.
+struct ExemplarAbilities {
+    bool several = false; ///< all that are checked, rather than the one that is looked at
+    bool weights = false;
+    bool masks = false;
+};
+
 /// The left dock: the exemplar that is looked at, large enough to see where the result's pixels came from,
 /// what is known of it, and the list of all that are open.
 class ExemplarPanel : public QWidget {
@@ -27,8 +36,9 @@ public:
     /// The actions become the buttons under the list.
     ExemplarPanel(ExemplarStore* store, const QList<QAction*>& actions, QWidget* parent = nullptr);
 
-    /// Shows what a run can use: check boxes if it learns from several exemplars, masks if it heeds them.
-    void setAbilities(bool several, bool masks);
+    /// Shows what a run can use: check boxes if it learns from several exemplars, weights and masks if it
+    /// heeds them.
+    void setAbilities(const ExemplarAbilities& abilities);
     /// Marks the pixel that the result's pixel under the cursor came from, in the exemplar it belongs to.
     void showSource(const ExemplarEntry& entry, QPoint pixel);
     void hideSource();
@@ -49,6 +59,7 @@ private:
     void fillList();
     void showCurrent();
     void showDetails(const ExemplarEntry* entry);
+    void showWeight(const ExemplarEntry* entry);
     void showPicture(const ExemplarEntry* entry);
 
     ExemplarStore* m_store;
@@ -60,10 +71,12 @@ private:
     QToolButton* m_setMask;
     QToolButton* m_clearMask;
     QWidget* m_maskRow;
+    QDoubleSpinBox* m_weight;
+    QFormLayout* m_form = nullptr;
     CompanionList* m_companions;
     QListWidget* m_list;
     std::shared_ptr<const DisplayPicture> m_legend;
-    bool m_several = false;
+    ExemplarAbilities m_abilities;
     bool m_filling = false;
 };
 

@@ -51,6 +51,32 @@ ExemplarState stateOf(const RunExemplar& exemplar) {
     return {exemplar.original(), exemplar.edits};
 }
 
+/// Whether making the exemplar anew from the state would change no pixel.
+bool samePixels(const RunExemplar& exemplar, const ExemplarState& state) {
+    const RunExemplar& original = exemplar.original();
+    const auto same = [](const ExemplarFile& a, const ExemplarFile& b) {
+        return a.image == b.image && a.role == b.role;
+    };
+    const auto sameMask = [&] {
+        return original.mask ? state.original.mask && same(*original.mask, *state.original.mask)
+                             : !state.original.mask;
+    };
+    return exemplar.edits == state.edits && same(original.image, state.original.image) && sameMask() &&
+           std::equal(original.companions.begin(), original.companions.end(),
+                      state.original.companions.begin(), state.original.companions.end(), same);
+}
+
+/// What the state makes of an exemplar, whose pixels are kept where they stay the same.
+RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known) {
+    if (!samePixels(known, state))
+        return texloom::edited(state.original, state.edits);
+    RunExemplar made = known;
+    made.weight = state.original.weight;
+    if (known.source)
+        made.source = std::make_shared<const RunExemplar>(state.original);
+    return made;
+}
+
 /// Loads a companion map and checks that it fits. @throws Error, UsageError
 ExemplarFile loadCompanion(const RunExemplar& original, const QString& path) {
     ExemplarFile companion = loadData(toPath(path));
@@ -244,6 +270,14 @@ void ExemplarStore::setChecked(int id, bool checked) {
     Q_EMIT changed();
 }
 
+void ExemplarStore::setWeight(int id, double weight) {
+    const ExemplarEntry* const known = find(id);
+    if (known == nullptr || known->exemplar.weight == weight)
+        return;
+    change({id, tr("Weight"), QStringLiteral("weight"),
+            [weight](ExemplarState& state) { state.original.weight = weight; }, true});
+}
+
 void ExemplarStore::change(Change change) {
     if (find(change.id) == nullptr)
         return;
@@ -271,7 +305,7 @@ void ExemplarStore::nextChange() {
         [apply = next.apply, entry = *known] {
             ExemplarState state = stateOf(entry.exemplar);
             apply(state);
-            return shown(texloom::edited(state.original, state.edits), &entry);
+            return shown(madeFrom(state, entry.exemplar), &entry);
         },
         [this, before = stateOf(known->exemplar)](Shown made) {
             const Change done = std::move(m_changes.front());

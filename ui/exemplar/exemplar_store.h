@@ -63,6 +63,8 @@ public:
     void remove(int id);
     void setCurrent(int id);
     void setChecked(int id, bool checked);
+    /// How much it counts beside the others; see Exemplar::weight.
+    void setWeight(int id, double weight);
     /// Reads the file again with its values taken to be in another colour space.
     void setSpace(int id, const QString& space);
     void setMask(int id, const QString& path);

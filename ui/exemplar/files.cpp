@@ -1,6 +1,7 @@
 #include "ui/exemplar/files.h"
 
 #include "core/base/error.h"
+#include "core/session/session.h"
 #include "ui/window/text.h"
 
 #include <QCoreApplication>
@@ -13,11 +14,16 @@
 #include <QStandardPaths>
 #include <QUrl>
 
+#include <algorithm>
+#include <set>
+
 namespace texloom::ui {
 
 namespace {
 
 const QString kRecents = QStringLiteral("recentFiles");
+/// Painted masks younger than this may belong to a window that has not written its copy for recovery yet.
+constexpr int kMaskDays = 7;
 constexpr int kMostRecents = 12;
 
 const QStringList& pictureNames() {
@@ -121,6 +127,23 @@ ExemplarFile saveMask(const Image& mask, const std::string& exemplar) {
     options.space = "raw";
     writeImage(toPath(folder.filePath(name)), mask, options);
     return loadMask(toPath(folder.filePath(name)));
+}
+
+void removeOldMasks(const std::vector<Recipe>& recipes, const QString& recovery) {
+    std::set<std::filesystem::path> named;
+    const auto add = [&](const Recipe& recipe) {
+        for (const RecipeExemplar& exemplar : recipe.exemplars)
+            if (exemplar.mask)
+                named.insert(exemplar.mask->path);
+    };
+    std::for_each(recipes.begin(), recipes.end(), add);
+    for (const QFileInfo& copy : QDir(recovery).entryInfoList(QDir::Files))
+        if (copy.suffix() == QLatin1String("texloom"))
+            add(readSession(toPath(copy.filePath())).settings);
+    const QDateTime limit = QDateTime::currentDateTime().addDays(-kMaskDays);
+    for (const QFileInfo& mask : QDir(ownFolder()).entryInfoList(QDir::Files))
+        if (mask.lastModified() < limit && !named.contains(toPath(mask.filePath())))
+            QFile::remove(mask.filePath());
 }
 
 } // namespace texloom::ui

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/io/recipe.h"
 #include "core/session/exemplar_file.h"
 
 #include <QImage>
 #include <QString>
 #include <QStringList>
+
+#include <vector>
 
 class QMimeData;
 
@@ -35,5 +38,11 @@ QString ownFolder();
 
 /// Writes a painted mask to a file of its own in ownFolder(). Called on a worker. @throws Error
 ExemplarFile saveMask(const Image& mask, const std::string& exemplar);
+
+/// Removes the masks in ownFolder() that are older than a week and named neither by these recipes nor by a
+/// session in the folder of those to be recovered; saved sessions have copies of their own. Called on a
+/// worker.
+/// @throws Error, UsageError where a session cannot be read; then nothing is removed.
+void removeOldMasks(const std::vector<Recipe>& recipes, const QString& recovery);
 
 } // namespace texloom::ui

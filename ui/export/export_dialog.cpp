@@ -30,6 +30,20 @@ namespace {
 constexpr int kTableLines = 8;
 constexpr int kNameWidth = 60;
 
+QString depthText(Depth depth) {
+    switch (depth) {
+    case Depth::Bits8:
+        return ExportDialog::tr("8-bit");
+    case Depth::Bits16:
+        return ExportDialog::tr("16-bit");
+    case Depth::Half:
+        return ExportDialog::tr("half");
+    case Depth::Float:
+        break;
+    }
+    return ExportDialog::tr("float");
+}
+
 bool hasCompanions(const RunPlan& plan) {
     return !plan.companions.empty() && !plan.companions.front().empty();
 }
@@ -44,7 +58,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
       m_stMap(new QCheckBox(tr("S&TMap for compositors (EXR)"), this)),
       m_exactMap(new QCheckBox(tr("Exact &positions (16-bit PNG)"), this)),
       m_sidecar(new QCheckBox(tr("&Recipe beside the picture (JSON)"), this)),
-      m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 3, this)),
+      m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 4, this)),
       m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
@@ -74,6 +88,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
 void ExportDialog::presetChosen() {
     const ExportPreset& preset = findExportPreset(m_preset->currentData().toString().toStdString());
     m_name->setText(QString::fromStdString(preset.pattern));
+    m_depths.clear();
     refresh();
 }
 
@@ -110,8 +125,7 @@ void ExportDialog::fillFormats() {
 void ExportDialog::fillDepths() {
     m_depth->clear();
     for (const Depth depth : depthsFor(toPath(QStringLiteral("x") + m_format->currentData().toString())))
-        m_depth->addItem(tr("%1").arg(QString::fromStdString(std::string(depthName(depth)))),
-                         static_cast<int>(depth));
+        m_depth->addItem(depthText(depth), static_cast<int>(depth));
     m_depth->setEnabled(m_depth->count() > 1);
 }
 
@@ -163,13 +177,13 @@ void ExportDialog::makeForm() {
     form->addRow(tr("Also"), m_sidecar);
     form->addRow(QString(), m_companions);
 
-    m_table->setHorizontalHeaderLabels({tr("File"), tr("Holds"), tr("On disk")});
+    m_table->setHorizontalHeaderLabels({tr("File"), tr("Holds"), tr("Depth"), tr("On disk")});
     m_table->setAccessibleName(tr("Files that will be written"));
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
+    m_table->verticalHeader()->setDefaultSectionSize(m_depth->sizeHint().height());
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    m_table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    for (int column = 1; column < m_table->columnCount(); ++column)
+        m_table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
@@ -234,6 +248,7 @@ ExportOptions ExportDialog::options() const {
     if (m_exactMap->isChecked())
         options.maps.push_back(besideIt("map", ".png"));
     options.companions = m_companions->isChecked();
+    options.depths = m_depths;
     return options;
 }
 
@@ -286,8 +301,29 @@ void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
         disk->setFont(font);
         m_table->setItem(row, 0, file);
         m_table->setItem(row, 1, new QTableWidgetItem(translated(entry.content)));
-        m_table->setItem(row, 2, disk);
+        QWidget* const chooser = depthCell(entry);
+        const bool said = entry.depth && chooser == nullptr;
+        m_table->setItem(row, 2, new QTableWidgetItem(said ? depthText(*entry.depth) : QString()));
+        m_table->setCellWidget(row, 2, chooser);
+        m_table->setItem(row, 3, disk);
     }
+}
+
+/// The choice of a companion map's depth; null where there is none to be made in the table.
+QWidget* ExportDialog::depthCell(const ExportEntry& entry) {
+    const std::vector<Depth> held = depthsFor(entry.path);
+    if (entry.word.empty() || held.size() < 2)
+        return nullptr;
+    auto* chooser = new QComboBox(m_table);
+    chooser->setObjectName(QStringLiteral("depth-%1").arg(QString::fromStdString(entry.word)));
+    chooser->setAccessibleName(tr("Depth of %1").arg(toQString(entry.path.filename())));
+    for (const Depth depth : held)
+        chooser->addItem(depthText(depth), static_cast<int>(depth));
+    chooser->setCurrentIndex(chooser->findData(static_cast<int>(*entry.depth)));
+    connect(chooser, &QComboBox::activated, this, [this, chooser, word = entry.word] {
+        m_depths[word] = static_cast<Depth>(chooser->currentData().toInt());
+    });
+    return chooser;
 }
 
 void ExportDialog::chooseFolder() {

@@ -37,6 +37,7 @@ private:
     void fillDepths();
     void refresh();
     void fillTable(const std::vector<ExportEntry>& entries);
+    QWidget* depthCell(const ExportEntry& entry);
     void chooseFolder();
     void presetChosen();
     /// The name for one kind of map, from the template in the name's field. @throws UsageError
@@ -59,6 +60,7 @@ private:
     QLabel* m_problem;
     QPushButton* m_write = nullptr;
     std::set<std::filesystem::path> m_replaced; ///< files that the table says are replaced
+    std::map<std::string, Depth> m_depths;      ///< of companion files, where not the preset's
 };
 
 } // namespace texloom::ui

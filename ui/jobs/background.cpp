@@ -1,5 +1,7 @@
 #include "ui/jobs/background.h"
 
+#include "ui/window/text.h"
+
 #include <new>
 
 namespace texloom::ui {
@@ -14,7 +16,7 @@ QString sentence(const std::exception& error) {
         return QCoreApplication::translate("background",
                                            "There is not enough memory for this; close an image or "
                                            "choose a smaller one.");
-    return QString::fromUtf8(error.what());
+    return translated(error.what());
 }
 
 } // namespace texloom::ui

@@ -115,6 +115,8 @@ QVariant ResultHistory::data(const QModelIndex& index, int role) const {
         return chipsOf(entry);
     case PinnedRole:
         return entry.pinned;
+    case PreviewRole:
+        return entry.quick;
     case SearchRole:
         return searchText(entry);
     default:

@@ -20,7 +20,7 @@ class ResultHistory : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { KeyRole = Qt::UserRole, ChipsRole, PinnedRole, SearchRole };
+    enum Role { KeyRole = Qt::UserRole, ChipsRole, PinnedRole, PreviewRole, SearchRole };
     using Wanted = std::function<void(const std::shared_ptr<const Result>&)>;
     using Missing = std::function<void(const QString&)>;
 

@@ -2,17 +2,20 @@
 
 #include "core/base/text.h"
 #include "ui/results/result_delegate.h"
+#include "ui/results/result_filter.h"
 #include "ui/results/result_text.h"
 #include "ui/window/icons.h"
+#include "ui/window/shortcuts.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QSortFilterProxyModel>
+#include <QSettings>
 #include <QToolButton>
 
 #include <algorithm>
@@ -22,6 +25,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kSearchWidths = 24;
+const QString kKind = QStringLiteral("results/shown");
 /// A comparison shows this many at most.
 constexpr std::size_t kMostCompared = 9;
 
@@ -31,9 +35,7 @@ QAction* make(QWidget* window, const char* name, const QString& text, const QStr
     action->setObjectName(QLatin1String(name));
     action->setShortcut(key);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    action->setToolTip(
-        key.isEmpty() ? help : QStringLiteral("%1 (%2)").arg(help, key.toString(QKeySequence::NativeText)));
-    action->setStatusTip(action->toolTip());
+    setHelp(action, help);
     if (iconName != nullptr)
         action->setIcon(icon(QLatin1String(iconName)));
     return action;
@@ -66,17 +68,23 @@ ResultActions::ResultActions(QWidget* window)
 }
 
 ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, QWidget* parent)
-    : QWidget(parent), m_history(history), m_actions(actions), m_found(new QSortFilterProxyModel(this)),
-      m_search(new QLineEdit(this)), m_list(new QListView), m_empty(new QLabel), m_usage(new QLabel(this)) {
+    : QWidget(parent), m_history(history), m_actions(actions), m_found(new ResultFilter(this)),
+      m_search(new QLineEdit(this)), m_kind(new QComboBox(this)), m_list(new QListView), m_empty(new QLabel),
+      m_usage(new QLabel(this)) {
     setObjectName(QStringLiteral("resultPanel"));
     m_found->setSourceModel(history);
-    m_found->setFilterRole(ResultHistory::SearchRole);
-    m_found->setFilterCaseSensitivity(Qt::CaseInsensitive);
     m_search->setObjectName(QStringLiteral("resultSearch"));
     m_search->setPlaceholderText(tr("Search results"));
     m_search->setAccessibleName(tr("Search results"));
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(fontMetrics().averageCharWidth() * kSearchWidths);
+
+    m_kind->setObjectName(QStringLiteral("resultKind"));
+    m_kind->setAccessibleName(tr("Results shown"));
+    m_kind->setToolTip(tr("Which results are shown; the others stay."));
+    m_kind->addItem(tr("All"), static_cast<int>(ResultFilter::Kind::All));
+    m_kind->addItem(tr("Without previews"), static_cast<int>(ResultFilter::Kind::WithoutPreviews));
+    m_kind->addItem(tr("Pinned"), static_cast<int>(ResultFilter::Kind::Pinned));
 
     m_list->setObjectName(QStringLiteral("resultList"));
     m_list->setAccessibleName(tr("Results"));
@@ -106,6 +114,7 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
 QLayout* ResultPanel::makeBar() {
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_search, 1);
+    bar->addWidget(m_kind);
     for (QAction* action :
          {m_actions.restore, m_actions.compare, m_actions.difference, m_actions.pin, m_actions.remove}) {
         auto* button = new QToolButton(this);
@@ -124,6 +133,12 @@ void ResultPanel::connectActions() {
         m_found->setFilterFixedString(text.trimmed());
         explainEmpty();
     });
+    connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
+        QSettings().setValue(kKind, m_kind->currentData());
+        m_found->setKind(static_cast<ResultFilter::Kind>(m_kind->currentData().toInt()));
+        explainEmpty();
+    });
+    m_kind->setCurrentIndex(std::max(0, m_kind->findData(QSettings().value(kKind, 0).toInt())));
     connect(m_history, &ResultHistory::usageChanged, this, &ResultPanel::sayUsage);
     connect(m_found, &QAbstractItemModel::rowsInserted, this, &ResultPanel::explainEmpty);
     connect(m_found, &QAbstractItemModel::rowsRemoved, this, &ResultPanel::explainEmpty);
@@ -212,9 +227,11 @@ void ResultPanel::updateActions() {
 void ResultPanel::explainEmpty() {
     const bool any = m_history->rowCount() > 0;
     const bool found = m_found->rowCount() > 0;
-    m_empty->setText(any ? tr("No result has “%1” in its name, method, exemplar, seed or notes.")
-                               .arg(m_search->text().trimmed())
-                         : tr("Every run is kept here with its settings. There is none yet: press Run."));
+    const QString wanted = m_search->text().trimmed();
+    m_empty->setText(
+        any && wanted.isEmpty() ? tr("No result is of the kind chosen above; “All” shows the others.")
+        : any ? tr("No result has “%1” in its name, method, exemplar, seed or notes.").arg(wanted)
+              : tr("Every run is kept here with its settings. There is none yet: press Run."));
     m_empty->setVisible(!found);
     m_list->setVisible(found);
     m_search->setEnabled(any);

@@ -5,14 +5,15 @@
 #include <QWidget>
 
 class QAction;
+class QComboBox;
 class QLabel;
 class QLayout;
 class QLineEdit;
 class QListView;
-class QSortFilterProxyModel;
 
 namespace texloom::ui {
 
+class ResultFilter;
 /// What can be done with results; the menu and the panel's buttons show these.
 struct ResultActions {
     /// Makes them as children of `window`.
@@ -60,8 +61,9 @@ private:
 
     ResultHistory* m_history;
     ResultActions m_actions;
-    QSortFilterProxyModel* m_found;
+    ResultFilter* m_found;
     QLineEdit* m_search;
+    QComboBox* m_kind;
     QListView* m_list;
     QLabel* m_empty;
     QLabel* m_usage;

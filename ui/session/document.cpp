@@ -293,22 +293,33 @@ void Document::saveTo(const QString& path, bool packed) {
 }
 
 bool Document::askToSave() {
-    if (!m_modified || m_file.isEmpty())
+    const bool untitled = m_file.isEmpty();
+    if (!m_modified || (untitled && !m_window.handmade()))
         return true;
     const auto answer = QMessageBox::question(
         m_window.widget, tr("Unsaved changes"),
-        tr("%1 has changes that are not saved.").arg(QFileInfo(m_file).completeBaseName()),
+        untitled
+            ? tr("The exemplars were edited, and no session holds that yet. Results are kept in any case.")
+            : tr("%1 has changes that are not saved.").arg(QFileInfo(m_file).completeBaseName()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    if (answer == QMessageBox::Save) {
-        try {
-            packSession(toPath(m_file), m_window.read(), toPath(ownFolder()));
-            setModified(false);
-        } catch (const std::exception& error) {
-            m_window.refuse(tr("The session was not saved. %1").arg(sentence(error)));
-            return false;
-        }
-    }
+    if (answer == QMessageBox::Save)
+        return saveNow(untitled ? askForFile(tr("Save session")) : m_file);
     return answer != QMessageBox::Cancel;
+}
+
+/// Saves before anything else happens. @return false if it was not saved.
+bool Document::saveNow(const QString& path) {
+    if (path.isEmpty())
+        return false;
+    try {
+        packSession(toPath(path), m_window.read(), toPath(ownFolder()));
+    } catch (const std::exception& error) {
+        m_window.refuse(tr("The session was not saved. %1").arg(sentence(error)));
+        return false;
+    }
+    setFile(path);
+    setModified(false);
+    return true;
 }
 
 bool Document::mayClose() {

@@ -38,6 +38,9 @@ public:
         /// Shows it in place of all that is open, and calls `shown` when that is done.
         std::function<void(const LoadedSession&, std::function<void()> shown)> show;
         std::function<void(const QString&)> tell, refuse; ///< says a sentence in place
+        /// Whether there is something made by hand that only a session keeps, such as edits or a painted
+        /// mask.
+        std::function<bool()> handmade;
     };
 
     Document(Window window, QObject* parent);
@@ -55,7 +58,8 @@ public:
     void open(const QString& path);
     /// @param packed with copies of all images beside it.
     void saveTo(const QString& path, bool packed);
-    /// Whether the window may close: asks where changes of a saved session would be lost.
+    /// Whether the window may close: asks where changes of a saved session, or what was made by hand in one
+    /// that was never saved, would be lost. Results and their settings are kept in any case.
     bool mayClose();
     /// Looks for sessions whose program ended without closing them, and asks about the newest.
     void offerRecovery();
@@ -64,6 +68,7 @@ public:
     void setRecoveryFolder(const QString& folder);
     void setRecoveryDelay(std::chrono::milliseconds delay) { m_timer.setInterval(delay); }
     const QString& recoveryFile() const { return m_recoveryFile; }
+    const QString& recoveryFolder() const { return m_recoveryFolder; }
 
     /// Whether a path names a session.
     static bool isSession(const QString& path);
@@ -90,6 +95,7 @@ private:
     void setFile(const QString& path);
     void setModified(bool modified);
     bool askToSave();
+    bool saveNow(const QString& path);
     void writeRecovery();
     void dropRecovery();
     void claimRecoveryFile(const QString& path);

@@ -113,6 +113,7 @@ private:
     void paintHidden(QPainter& painter) const;
     void paintMarker(QPainter& painter, QPoint pixel) const;
     void paintRings(QPainter& painter) const;
+    std::vector<double> copiesOf(double place, double tile, int side) const;
     void paintBadge(QPainter& painter) const;
 
     std::shared_ptr<const DisplayPicture> m_picture;

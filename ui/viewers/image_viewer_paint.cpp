@@ -162,8 +162,13 @@ void ImageViewer::paintMarker(QPainter& painter, QPoint pixel) const {
 void ImageViewer::paintRings(QPainter& painter) const {
     const double radius = fontMetrics().height() * 0.35;
     QPainterPath path;
-    for (const QPoint pixel : m_rings)
-        path.addEllipse(m_view.toWidget(QPointF(pixel) + QPointF(0.5, 0.5)), radius, radius);
+    const QSizeF tile = imageSize() * m_view.scale();
+    for (const QPoint pixel : m_rings) {
+        const QPointF centre = m_view.toWidget(QPointF(pixel) + QPointF(0.5, 0.5));
+        for (const double y : copiesOf(centre.y(), tile.height(), height()))
+            for (const double x : copiesOf(centre.x(), tile.width(), width()))
+                path.addEllipse(QPointF(x, y), radius, radius);
+    }
     const double width = std::max(1.0, fontMetrics().lineWidth() * 1.5);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
@@ -172,6 +177,17 @@ void ImageViewer::paintRings(QPainter& painter) const {
     painter.setPen(QPen(Qt::white, width));
     painter.drawPath(path);
     painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+/// Where a place in the picture shows along one side of the viewer: once, or in every repeated tile.
+std::vector<double> ImageViewer::copiesOf(double place, double tile, int side) const {
+    constexpr int kMostTiles = 64;
+    if (!m_repeat || tile * kMostTiles < side)
+        return {place};
+    std::vector<double> places;
+    for (double at = place - std::floor(place / tile) * tile; at < side; at += tile)
+        places.push_back(at);
+    return places;
 }
 
 void ImageViewer::paintBadge(QPainter& painter) const {

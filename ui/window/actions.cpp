@@ -1,6 +1,7 @@
 #include "ui/window/actions.h"
 
 #include "ui/window/icons.h"
+#include "ui/window/shortcuts.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -20,11 +21,7 @@ struct Maker {
         action->setShortcuts(keys);
         QString plain = text;
         plain.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
-        const QString tip = help.isEmpty() ? plain : help;
-        action->setToolTip(keys.isEmpty() ? tip
-                                          : QStringLiteral("%1 (%2)").arg(
-                                                tip, keys.front().toString(QKeySequence::NativeText)));
-        action->setStatusTip(action->toolTip());
+        setHelp(action, help.isEmpty() ? plain : help);
         if (iconName != nullptr)
             action->setIcon(icon(QLatin1String(iconName)));
         window->addAction(action);

@@ -19,6 +19,7 @@
 #include "ui/window/drop_targets.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
+#include "ui/window/shortcuts.h"
 #include "ui/window/start_page.h"
 #include "ui/window/text.h"
 #include "ui/window/workbench.h"
@@ -97,6 +98,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectLattice();
     connectTools();
     restoreLayout();
+    restoreShortcuts(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly));
     setTabOrderThrough();
     methodChosen();
     exemplarsChanged();
@@ -192,7 +194,7 @@ void MainWindow::makeMenus() {
     synthesis->addActions(
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
     synthesis->addSeparator();
-    synthesis->addActions({m_bench->tryAllAction(), m_bench->sweepAction()});
+    synthesis->addActions({m_bench->tryAllAction(), m_bench->trySomeAction(), m_bench->sweepAction()});
     synthesis->addSeparator();
     synthesis->addMenu(makePresetMenu());
     synthesis->addAction(m_actions.resetParameters);

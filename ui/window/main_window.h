@@ -120,6 +120,8 @@ private:
     std::vector<NamedImage> earlierResults();
     void restoreLayout();
     void makeDocument();
+    bool handmade() const;
+    void tidyMasks();
     void showTitle();
     void showSession(const LoadedSession& loaded, const std::function<void()>& shown);
     void editExemplar(bool edit);

@@ -224,16 +224,21 @@ void MainWindow::applySettings(const RunInput& input) {
 
 bool MainWindow::openExemplarsOf(const Recipe& recipe) {
     std::vector<int> ids;
+    std::vector<double> weights;
     for (const RecipeExemplar& wanted : recipe.exemplars) {
         const ExemplarEntry* const entry = m_store->find(wanted);
         if (entry == nullptr || wanted.mask || !wanted.companions.empty())
             return false;
         ids.push_back(entry->id);
+        weights.push_back(wanted.weight);
     }
     m_store->setCurrent(ids.front());
     if (ids.size() > 1)
         for (const ExemplarEntry& entry : std::vector(m_store->entries()))
             m_store->setChecked(entry.id, std::find(ids.begin(), ids.end(), entry.id) != ids.end());
+    if (ids.size() > 1)
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            m_store->setWeight(ids[i], weights[i]);
     return true;
 }
 

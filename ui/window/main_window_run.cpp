@@ -72,11 +72,14 @@ std::vector<RunExemplar> MainWindow::usedExemplars() const {
     std::vector<RunExemplar> used;
     const bool several = m_inspector->allMethods(&MethodInfo::severalExemplars);
     const bool masks = m_inspector->allMethods(&MethodInfo::usesMask);
+    const bool weights = m_inspector->allMethods(&MethodInfo::weighsExemplars);
     for (const ExemplarEntry& entry : m_store->entries())
         if (several ? entry.checked : &entry == m_store->current()) {
             used.push_back(entry.exemplar);
             if (!masks)
                 used.back().mask.reset();
+            if (!weights)
+                used.back().weight = 1;
         }
     return used;
 }
@@ -107,8 +110,9 @@ void MainWindow::methodChosen() {
 }
 
 void MainWindow::settingsEdited() {
-    m_exemplars->setAbilities(m_inspector->allMethods(&MethodInfo::severalExemplars),
-                              m_inspector->allMethods(&MethodInfo::usesMask));
+    m_exemplars->setAbilities({m_inspector->allMethods(&MethodInfo::severalExemplars),
+                               m_inspector->allMethods(&MethodInfo::weighsExemplars),
+                               m_inspector->allMethods(&MethodInfo::usesMask)});
     m_editor->setMaskUsed(m_inspector->allMethods(&MethodInfo::usesMask));
     m_undo->settingsEdited();
     m_document->touch();

@@ -1,14 +1,19 @@
 #include "ui/exemplar/exemplar_editor.h"
+#include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
+#include "ui/jobs/background.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QStackedWidget>
+
+#include <algorithm>
 
 namespace texloom::ui {
 
@@ -22,10 +27,33 @@ void MainWindow::makeDocument() {
                           showSession(loaded, shown);
                       },
                       [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); },
-                      [this](const QString& text) { fail(text); }},
+                      [this](const QString& text) { fail(text); }, [this] { return handmade(); }},
                      this);
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(m_bench->history(), &ResultHistory::scanned, this, &MainWindow::tidyMasks);
     showTitle();
+}
+
+/// Whether an exemplar was edited or given a mask.
+bool MainWindow::handmade() const {
+    const std::vector<ExemplarEntry>& open = m_store->entries();
+    return std::any_of(open.begin(), open.end(), [](const ExemplarEntry& entry) {
+        return !entry.exemplar.edits.empty() || entry.exemplar.original().mask;
+    });
+}
+
+/// Painted masks that no result and no session to be recovered names are of no use any more.
+void MainWindow::tidyMasks() {
+    std::vector<Recipe> recipes;
+    for (const ResultEntry& entry : m_bench->history()->entries())
+        recipes.push_back(entry.recipe);
+    inBackground(
+        this,
+        [recipes, recovery = m_document->recoveryFolder()] {
+            removeOldMasks(recipes, recovery);
+            return true;
+        },
+        [](bool) {}, [](const QString&) {});
 }
 
 void MainWindow::showTitle() {

@@ -1,5 +1,7 @@
 #include "ui/window/text.h"
 
+#include "ui/window/sentences.h"
+
 #include <QCoreApplication>
 #include <QFile>
 
@@ -8,7 +10,12 @@
 namespace texloom::ui {
 
 QString translated(const std::string& text) {
-    return text.empty() ? QString() : QCoreApplication::translate("core", text.c_str());
+    if (text.empty())
+        return {};
+    // Only sentences hold values; labels are what they are.
+    if (text.ends_with('.') && text.find(' ') != std::string::npos)
+        return translatedSentence(QString::fromStdString(text));
+    return QCoreApplication::translate("core", text.c_str());
 }
 
 QString toQString(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
 #include "ui/compare/grid_run.h"
+#include "ui/compare/methods_dialog.h"
 #include "ui/compare/sweep_dialog.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/job_panel.h"
@@ -15,6 +16,7 @@
 #include "ui/window/icons.h"
 #include "ui/window/main_window.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/shortcuts.h"
 #include "ui/window/text.h"
 
 #include <QAction>
@@ -55,6 +57,29 @@ CompareItem itemOf(const ResultEntry& entry, const std::shared_ptr<const Result>
     return {label, std::make_shared<const DisplayPicture>(image), {}, entry.key};
 }
 
+/// "Patch size 16 px · Seed 2".
+QString labelOf(const SweepCell& cell) {
+    QStringList parts;
+    for (const SweepCell::Part& part : cell.parts) {
+        parts += QStringLiteral("%1 %2").arg(translated(part.title), translated(part.value));
+        if (!part.unit.empty())
+            parts.back() += QLatin1Char(' ') + translated(part.unit);
+    }
+    return parts.join(QStringLiteral(" · "));
+}
+
+/// What the runs of a sweep have in common: "Image quilting · bark · 512 × 512".
+QString headingOf(const RunInput& input) {
+    QStringList methods{translated(findMethod(input.method).info().title)};
+    for (const RecipeStep& step : input.then)
+        methods += translated(findMethod(step.method).info().title);
+    QStringList names;
+    for (const RunExemplar& exemplar : input.exemplars)
+        names += QString::fromStdString(exemplar.image.name());
+    return QStringLiteral("%1 · %2 · %3")
+        .arg(methods.join(QStringLiteral(" + ")), names.join(QStringLiteral(", ")), sizeText(input.size));
+}
+
 QString durationOf(double seconds) {
     return QString::fromStdString(durationText(seconds));
 }
@@ -68,7 +93,7 @@ Workbench::Workbench(RunController* controller, MainWindow* window)
       m_log(new LogPanel(window)), m_compareActions(window),
       m_compare(new CompareView(m_compareActions, window)),
       m_grid(new GridRun(m_queue, m_history, m_compare, this)), m_tryAll(new QAction(window)),
-      m_sweep(new QAction(window)) {
+      m_trySome(new QAction(window)), m_sweep(new QAction(window)) {
     const QSettings settings;
     m_history->setMemoryBudget(settings.value(kMemory, quint64{ResultStore::kMemoryBudget}).toULongLong());
     m_history->setDiskBudget(settings.value(kDisk, quint64{ResultStore::kDiskBudget}).toULongLong());
@@ -194,7 +219,9 @@ QMenu* Workbench::makeCompareMenu() {
     menu->addActions(
         {m_compareActions.grid, m_compareActions.wipe, m_compareActions.toggle, m_compareActions.difference});
     menu->addSeparator();
-    menu->addActions({m_compareActions.exemplar, m_compareActions.link, m_compareActions.sheet});
+    menu->addAction(m_compareActions.exemplar);
+    menu->addMenu(m_compareActions.exemplars);
+    menu->addActions({m_compareActions.link, m_compareActions.sheet});
     return menu;
 }
 
@@ -202,27 +229,29 @@ void Workbench::connectCompare() {
     for (const auto mode :
          {CompareMode::Grid, CompareMode::Wipe, CompareMode::Toggle, CompareMode::Difference})
         connect(m_compareActions.mode(mode), &QAction::triggered, this, [this, mode] { chooseMode(mode); });
-    connect(m_compareActions.exemplar, &QAction::triggered, this, [this](bool exemplar) {
-        if (!m_compared.empty())
-            compareResults(std::vector(m_compared), exemplar);
-    });
+    connect(m_compareActions.exemplar, &QAction::triggered, this,
+            [this](bool shown) { showExemplars(shown ? exemplarsOf(m_compared) : std::set<int>()); });
+    connect(m_compareActions.exemplars, &QMenu::aboutToShow, this, &Workbench::listExemplars);
     connect(m_compareActions.sheet, &QAction::triggered, this, &Workbench::writeContactSheet);
     connect(m_compare, &CompareView::useWanted, this, &Workbench::restore);
     m_tryAll->setText(tr("Try &all methods"));
     m_tryAll->setObjectName(QStringLiteral("tryAll"));
     m_tryAll->setIcon(icon(QStringLiteral("grid")));
-    m_tryAll->setToolTip(tr("Make a preview with every method, the quickest first, and compare them"));
+    setHelp(m_tryAll, tr("Make a preview with every method, the quickest first, and compare them"));
+    m_trySome->setText(tr("Try &some methods…"));
+    m_trySome->setObjectName(QStringLiteral("trySome"));
+    setHelp(m_trySome, tr("Choose methods, make a run with each and compare them"));
     m_sweep->setText(tr("Parameter s&weep…"));
     m_sweep->setObjectName(QStringLiteral("sweep"));
-    m_sweep->setToolTip(tr("Make a run for every combination of some values and compare them"));
-    for (QAction* action : {m_tryAll, m_sweep})
-        action->setStatusTip(action->toolTip());
+    setHelp(m_sweep, tr("Make a run for every combination of some values and compare them"));
+    connect(m_trySome, &QAction::triggered, this, &Workbench::trySome);
     connect(m_tryAll, &QAction::triggered, this, &Workbench::tryAll);
     connect(m_sweep, &QAction::triggered, this, &Workbench::startSweep);
 }
 
 void Workbench::setCanRun(bool settings, bool exemplar) {
     m_tryAll->setEnabled(exemplar);
+    m_trySome->setEnabled(exemplar);
     m_sweep->setEnabled(settings);
 }
 
@@ -262,7 +291,7 @@ void Workbench::compareResults(const std::vector<std::string>& keys, bool exempl
     std::erase_if(m_compared, [this](const std::string& key) { return m_history->find(key) == nullptr; });
     auto gathering = std::make_shared<Gathering>();
     if (exemplar)
-        gathering->items = exemplarItems(m_compared);
+        gathering->items = exemplarItems(exemplarsOf(m_compared));
     gathering->keys = m_compared;
     std::sort(gathering->keys.begin(), gathering->keys.end());
     gather(gathering);
@@ -297,36 +326,98 @@ void Workbench::gather(const std::shared_ptr<Gathering>& gathering) {
 }
 
 /// Those exemplars of the results that are open; the one that is looked at if there are none.
-std::vector<CompareItem> Workbench::exemplarItems(const std::vector<std::string>& keys) const {
+std::set<int> Workbench::exemplarsOf(const std::vector<std::string>& keys) const {
     const ExemplarStore& store = *m_window->store();
-    std::vector<const ExemplarEntry*> shown;
+    std::set<int> ids;
     for (const std::string& key : keys)
         for (const RecipeExemplar& wanted : m_history->find(key)->recipe.exemplars)
-            if (const ExemplarEntry* entry = store.find(wanted);
-                entry != nullptr && std::find(shown.begin(), shown.end(), entry) == shown.end())
-                shown.push_back(entry);
-    if (shown.empty() && store.current() != nullptr)
-        shown.push_back(store.current());
+            if (const ExemplarEntry* entry = store.find(wanted))
+                ids.insert(entry->id);
+    if (ids.empty() && store.current() != nullptr)
+        ids.insert(store.current()->id);
+    return ids;
+}
+
+std::vector<CompareItem> Workbench::exemplarItems(const std::set<int>& ids) const {
     std::vector<CompareItem> items;
-    for (const ExemplarEntry* entry : shown)
-        items.push_back(
-            {tr("%1 · exemplar · %2")
-                 .arg(QString::fromStdString(entry->file().name()), sizeText(entry->file().image->size())),
-             entry->picture,
-             {},
-             {}});
+    for (const int id : ids)
+        if (const ExemplarEntry* entry = m_window->store()->find(id)) {
+            const QString name = QString::fromStdString(entry->file().name());
+            items.push_back({tr("%1 · exemplar · %2").arg(name, sizeText(entry->file().image->size())),
+                             entry->picture,
+                             {},
+                             {}});
+            items.back().exemplar = id;
+        }
     return items;
 }
 
+std::set<int> Workbench::exemplarsShown() const {
+    std::set<int> ids;
+    for (const CompareItem& item : m_compare->items())
+        if (item.exemplar > 0)
+            ids.insert(item.exemplar);
+    return ids;
+}
+
+/// Shows these exemplars before the results of the comparison, which stay.
+void Workbench::showExemplars(const std::set<int>& ids) {
+    std::vector<CompareItem> items = exemplarItems(ids);
+    for (const CompareItem& item : m_compare->items())
+        if (item.exemplar == 0)
+            items.push_back(item);
+    m_compare->setItems(std::move(items), 0, QString(m_compare->heading()));
+    m_compareActions.exemplar->setChecked(!ids.empty());
+}
+
+void Workbench::listExemplars() {
+    QMenu* const menu = m_compareActions.exemplars;
+    menu->clear();
+    const std::set<int> shown = exemplarsShown();
+    for (const ExemplarEntry& entry : m_window->store()->entries()) {
+        QAction* const action = menu->addAction(QString::fromStdString(entry.file().name()));
+        action->setCheckable(true);
+        action->setChecked(shown.contains(entry.id));
+        connect(action, &QAction::toggled, this, [this, id = entry.id](bool wanted) {
+            std::set<int> ids = exemplarsShown();
+            if (wanted)
+                ids.insert(id);
+            else
+                ids.erase(id);
+            showExemplars(ids);
+            showCompare();
+        });
+    }
+    if (menu->isEmpty())
+        menu->addAction(tr("No exemplar is open"))->setEnabled(false);
+}
+
 void Workbench::tryAll() {
+    std::vector<std::string> ids;
+    for (const Method& method : methods())
+        ids.push_back(method.id());
+    tryMethods(ids, true);
+}
+
+void Workbench::trySome() {
+    auto* dialog = new MethodsDialog(sizeText(m_window->input(false).size), m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog] { tryMethods(dialog->chosen(), dialog->quick()); });
+    dialog->open();
+}
+
+/// One run with each method on the exemplar that is looked at, with its defaults.
+void Workbench::tryMethods(const std::vector<std::string>& ids, bool quick) {
     const ExemplarEntry* const current = m_window->store()->current();
     if (current == nullptr)
         return;
-    const RunInput asked = m_window->input(true);
+    const RunInput asked = m_window->input(quick);
     std::vector<GridEntry> entries;
-    for (const Method& method : methods()) {
+    for (const std::string& id : ids) {
+        const Method& method = findMethod(id);
         RunInput input;
-        input.method = method.id();
+        input.method = id;
         input.exemplars = {current->exemplar};
         if (!method.info().usesMask)
             input.exemplars.front().mask.reset();
@@ -342,7 +433,11 @@ void Workbench::tryAll() {
     }
     showCompare();
     m_compared.clear();
-    m_grid->start(std::move(entries), exemplarItems({}), 0, true, true);
+    const QString heading = tr("%1 · seed %2 · %3")
+                                .arg(QString::fromStdString(current->file().name()))
+                                .arg(asked.seed)
+                                .arg(sizeText(asked.size));
+    m_grid->start(std::move(entries), exemplarItems({current->id}), {heading, 0, quick, true});
 }
 
 void Workbench::startSweep() {
@@ -351,13 +446,14 @@ void Workbench::startSweep() {
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         std::vector<GridEntry> entries;
         for (const SweepCell& cell : dialog->cells()) {
-            entries.push_back({QString::fromStdString(cell.label), cell.input});
+            entries.push_back({labelOf(cell), cell.input});
             if (dialog->quick())
                 entries.back().input.size = quickSize(cell.input.size);
         }
         showCompare();
         m_compared.clear();
-        m_grid->start(std::move(entries), {}, dialog->columns(), dialog->quick(), false);
+        const QString heading = entries.empty() ? QString() : headingOf(entries.front().input);
+        m_grid->start(std::move(entries), {}, {heading, dialog->columns(), dialog->quick(), false});
     });
     dialog->open();
 }
@@ -373,8 +469,9 @@ void Workbench::writeContactSheet() {
     QSettings().setValue(kSheetFolder, QFileInfo(path).path());
     inBackground(
         this,
-        [items = m_compare->items(), columns = m_compare->columns(), font = m_window->font(), path] {
-            writeSheet(contactSheet(items, columns, kSide, font), path);
+        [items = m_compare->items(), heading = m_compare->heading(), columns = m_compare->columns(),
+         font = m_window->font(), path] {
+            writeSheet(contactSheet(items, heading, columns, kSide, font), path);
             return QString(path);
         },
         [this](const QString& written) {

@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ public:
     QMenu* makeResultsMenu();
     QMenu* makeCompareMenu();
     QAction* tryAllAction() const { return m_tryAll; }
+    QAction* trySomeAction() const { return m_trySome; }
     QAction* sweepAction() const { return m_sweep; }
     /// Whether the settings as they stand can be run, and whether there is an exemplar at all.
     void setCanRun(bool settings, bool exemplar);
@@ -58,6 +60,8 @@ public:
     void compareResults(const std::vector<std::string>& keys, bool exemplar);
     /// Makes a preview with every method and its default settings, the quickest first.
     void tryAll();
+    void trySome();
+    void tryMethods(const std::vector<std::string>& ids, bool quick);
 
 private:
     /// Results on their way into a comparison.
@@ -69,7 +73,11 @@ private:
     void startSweep();
     void writeContactSheet();
     void showCompare();
-    std::vector<CompareItem> exemplarItems(const std::vector<std::string>& keys) const;
+    std::set<int> exemplarsOf(const std::vector<std::string>& keys) const;
+    std::vector<CompareItem> exemplarItems(const std::set<int>& ids) const;
+    std::set<int> exemplarsShown() const;
+    void showExemplars(const std::set<int>& ids);
+    void listExemplars();
     void connectQueue();
     void connectResults();
     void keep(const QueuedJob& job, const std::shared_ptr<const Result>& result, const RunPictures& pictures);
@@ -87,6 +95,7 @@ private:
     CompareView* m_compare;
     GridRun* m_grid;
     QAction* m_tryAll;
+    QAction* m_trySome;
     QAction* m_sweep;
     std::vector<std::string> m_compared; ///< results that were chosen to be compared
     ResultView* m_tabs = nullptr;

@@ -74,8 +74,8 @@ private:
         if (cell.overlap.none() && !m_request.initial)
             return m_search.drawn(random.uniform(cell.column, cell.row));
         m_search.compute(work.known, compared(cell), work.search, [this] { m_context.check(); });
-        const std::vector<PatchPosition> candidates = m_search.within(m_settings.tolerance, work.search);
-        return candidates[random.below(static_cast<std::uint32_t>(candidates.size()), cell.column, cell.row)];
+        return m_search.drawn(m_search.within(m_settings.tolerance, work.search), random, cell.column,
+                              cell.row);
     }
 
     void place(const PatchCell& cell) {
@@ -135,7 +135,8 @@ const Method self = method<Settings>(
      .wraps = true,
      .startsFromImage = true,
      .usesMask = true,
-     .severalExemplars = true},
+     .severalExemplars = true,
+     .weighsExemplars = true},
     {field(&Settings::patch, "patch", TR("Patch size"))
          .range(4, 256)
          .unit("px")

@@ -167,7 +167,7 @@ void ExemplarPatches::choose(std::span<const PatchSource> sources, bool random, 
                 nearestCell[static_cast<std::size_t>(cell)] = count();
                 m_sources.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
                                      static_cast<std::uint16_t>(e)});
-                m_weights.push_back(weight);
+                m_weights.push_back(weight * sources[e].weight);
             }
         }
     }

@@ -71,7 +71,9 @@ std::vector<Param> params() {
                 "fewer rounds.")),
         field(&Settings::weight, "weight", TR("Weight of the second exemplar"))
             .range(0, 1)
-            .help(TR("With two exemplars, how far the statistics go from the first to the second.")),
+            .help(TR("With two exemplars, how far the statistics go from the first to the second, before "
+                     "their own "
+                     "weights.")),
         field(&Settings::jointChannels, "joint-channels", TR("Channels that count"))
             .range(0, 64)
             .when("cross-channel", true)
@@ -123,7 +125,8 @@ const Method self = method<Settings>(
      .citation = "Portilla & Simoncelli, IJCV 2000; Vacher & Briand, IPOL 2021",
      .wraps = true,
      .startsFromImage = true,
-     .severalExemplars = true},
+     .severalExemplars = true,
+     .weighsExemplars = true},
     params(), run, check, estimate);
 
 } // namespace texloom::portilla_simoncelli

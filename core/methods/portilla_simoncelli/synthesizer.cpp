@@ -17,7 +17,9 @@ constexpr int kRows = 32;
 std::vector<double> sharesOf(const Request& request, const Settings& settings) {
     if (request.exemplars.size() == 1)
         return {1.0};
-    return {1 - settings.weight, settings.weight};
+    const double first = (1 - settings.weight) * request.exemplars.front().weight;
+    const double second = settings.weight * request.exemplars.back().weight;
+    return {first / (first + second), second / (first + second)};
 }
 
 std::vector<Image> learnedFrom(const Request& request, const Settings& settings,

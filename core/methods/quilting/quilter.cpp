@@ -30,9 +30,8 @@ PatchPosition Quilter::choose(const PatchCell& cell, Workspace& work) const {
     if (cell.overlap.none() && !m_request.initial)
         return m_search.drawn(m_context.random().uniform(cell.column, cell.row));
     m_search.compute(work.known, compared(cell), work.scratch, [this] { m_context.check(); });
-    const std::vector<PatchPosition> candidates = m_search.within(m_settings.tolerance, work.scratch);
-    const auto count = static_cast<std::uint32_t>(candidates.size());
-    return candidates[m_context.random().below(count, cell.column, cell.row)];
+    return m_search.drawn(m_search.within(m_settings.tolerance, work.scratch), m_context.random(),
+                          cell.column, cell.row);
 }
 
 void Quilter::trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight) {

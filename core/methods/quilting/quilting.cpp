@@ -40,6 +40,7 @@ const Method self = method<Settings>(
      .startsFromImage = true,
      .usesMask = true,
      .severalExemplars = true,
+     .weighsExemplars = true,
      .copiesPixels = true},
     {field(&Settings::patch, "patch", TR("Patch size"))
          .range(4, 512)

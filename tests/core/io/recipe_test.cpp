@@ -38,6 +38,7 @@ Recipe fullRecipe() {
                   FlattenEdit{FlattenEdit::Model::Polynomial, 0.25, 3, 1}};
     RecipeExemplar moss;
     moss.image = {"/project/images/moss.exr", "linear", ""};
+    moss.weight = 2.5;
     recipe.exemplars = {bark, moss};
     recipe.initial = RecipeFile{"/project/start.png", "acescg", "E4"};
     recipe.size = {640, 480};
@@ -74,6 +75,7 @@ void expectSame(const Recipe& a, const Recipe& b) {
         if (a.exemplars[i].mask)
             expectSame(*a.exemplars[i].mask, *b.exemplars[i].mask);
         EXPECT_EQ(a.exemplars[i].edits, b.exemplars[i].edits);
+        EXPECT_EQ(a.exemplars[i].weight, b.exemplars[i].weight);
         ASSERT_EQ(a.exemplars[i].companions.size(), b.exemplars[i].companions.size());
         for (std::size_t k = 0; k < a.exemplars[i].companions.size(); ++k)
             expectSame(a.exemplars[i].companions[k], b.exemplars[i].companions[k]);

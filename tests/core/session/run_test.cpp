@@ -117,6 +117,20 @@ TEST(StartRun, GivesTheSameBitsOnAnyNumberOfThreads) {
     EXPECT_EQ(one.synthesis.map, seven.synthesis.map);
 }
 
+TEST(StartRun, NotesWhereWeightsHaveNoEffect) {
+    SampleRun sample;
+    sample.input.exemplars.push_back(sample.input.exemplars.front());
+    sample.input.exemplars.back().weight = 4;
+    EXPECT_TRUE(sample.run().synthesis.notes.empty());
+    sample.input.method = "patchmatch";
+    sample.input.settings = {};
+    const Result weighed = sample.run();
+    EXPECT_THAT(weighed.synthesis.notes, ::testing::Contains(::testing::HasSubstr("weights")));
+    EXPECT_EQ(weighed.plan.recipe.exemplars.back().weight, 4);
+    sample.input.exemplars.back().weight = 0;
+    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("0", "0.01"));
+}
+
 TEST(StartRun, GivesAnotherTextureForAnotherSeed) {
     SampleRun sample;
     const Result one = sample.run();

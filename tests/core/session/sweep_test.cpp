@@ -39,11 +39,11 @@ TEST(Sweep, MakesEveryCombinationWithTheFirstAxisAcross) {
     EXPECT_EQ(toText(held[3].input.settings.at("patch")), "8");
     EXPECT_EQ(toText(held[3].input.settings.at("overlap")), "0.3");
     EXPECT_EQ(held[5].input.seed, sample.input.seed);
-    EXPECT_EQ(held[1].label.substr(0, held[1].label.find(" · ")), "Patch size 12 px");
+    EXPECT_EQ(held[1].parts[0].title + held[1].parts[0].value + held[1].parts[0].unit, "Patch size12px");
     const auto varied = sweepCells(sample.input, {patch}, true);
     EXPECT_EQ(varied[2].input.seed, sample.input.seed + 2);
     for (const SweepCell& cell : held)
-        EXPECT_NO_THROW(planRun(cell.input)) << cell.label;
+        EXPECT_NO_THROW(planRun(cell.input)) << cell.parts[0].value;
 }
 
 TEST(Sweep, VariesLaterMethodsAndTheSeed) {
@@ -53,7 +53,8 @@ TEST(Sweep, VariesLaterMethodsAndTheSeed) {
     ASSERT_EQ(cells.size(), 4U);
     EXPECT_EQ(toText(cells[1].input.then.front().parameters.at("patch")), "10");
     EXPECT_EQ(cells[2].input.seed, 6U);
-    EXPECT_EQ(cells[2].label, "Patch size 9 px · seed 6");
+    EXPECT_EQ(cells[2].parts[0].value, "9");
+    EXPECT_EQ(cells[2].parts[1].title + cells[2].parts[1].value, "Seed6");
     const std::vector<Value> many(11, Value(8));
     EXPECT_THROW(sweepCells(sample.input, {{0, "patch", many}, {0, "patch", many}}, false), UsageError);
 }
