@@ -1581,6 +1581,14 @@
         <source>How much patches vary that are alike, by their size and number</source>
         <translation>Wie stark ähnliche Patches schwanken, nach Größe und Zahl</translation>
     </message>
+    <message>
+        <source>&amp;Half offset</source>
+        <translation>&amp;Halb versetzt</translation>
+    </message>
+    <message>
+        <source>Show the picture repeated, with the corner where its tiles meet in the middle</source>
+        <translation>Das Bild wiederholt zeigen, mit der Ecke, an der sich die Kacheln treffen, in der Mitte</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::BlendWindow</name>

@@ -1581,6 +1581,14 @@
         <source>How much patches vary that are alike, by their size and number</source>
         <translation>À quel point varient des patchs semblables, selon leur taille et leur nombre</translation>
     </message>
+    <message>
+        <source>&amp;Half offset</source>
+        <translation>&amp;Demi-décalage</translation>
+    </message>
+    <message>
+        <source>Show the picture repeated, with the corner where its tiles meet in the middle</source>
+        <translation>Montrer l’image répétée, le coin où se joignent les carreaux au milieu</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::BlendWindow</name>

@@ -99,6 +99,36 @@ private Q_SLOTS:
         QCOMPARE(viewer.pixelAt(viewer.view().toWidget({-128.5, 65.5})), QPoint(63, 1));
     }
 
+    void halfOffsetPutsTheCornerInTheMiddle() {
+        ImageViewer viewer;
+        viewer.resize(320, 300);
+        viewer.setPicture(pictureOf(dotted({64, 32}, {3, 5})));
+        viewer.showSeams();
+        QVERIFY(viewer.repeats());
+        QCOMPARE(viewer.pixelAt({160.5, 150.5}), QPoint(0, 0));
+        QCOMPARE(viewer.pixelAt({159.5, 149.5}), QPoint(63, 31));
+        QVERIFY(viewer.view().scale() * 64 > 300); // one tile as large as fits
+    }
+
+    void ringsAreAroundEveryTilesCopy() {
+        ImageViewer viewer;
+        viewer.resize(300, 300);
+        viewer.setPicture(pictureOf(dotted({16, 16}, {3, 5})));
+        viewer.setRepeats(true);
+        const QImage plain = viewer.grab().toImage();
+        viewer.setRings({QPoint(8, 8)});
+        const QImage ringed = viewer.grab().toImage();
+        const double radius = viewer.fontMetrics().height() * 0.35;
+        int rings = 0;
+        for (const QPoint tile : {QPoint(0, 0), QPoint(-1, 0), QPoint(0, -1)}) {
+            const QPointF at =
+                viewer.view().toWidget(QPointF(8.5, 8.5) + QPointF(tile) * 16) + QPointF(radius, 0);
+            const QPoint pixel = (at * ringed.devicePixelRatio()).toPoint();
+            rings += ringed.rect().contains(pixel) && ringed.pixel(pixel) != plain.pixel(pixel);
+        }
+        QCOMPARE(rings, 3);
+    }
+
     void repeatedPictureIsPaintedModulo() {
         ImageViewer viewer;
         viewer.resize(300, 300);

@@ -159,12 +159,14 @@ QWidget* CompareBar::makeModes(const CompareActions& actions) {
 
 QWidget* CompareBar::makePair() {
     auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout;
     row->addWidget(m_first, 1);
     row->addWidget(m_second, 1);
     row->addWidget(m_kind);
-    row->addWidget(m_said);
+    auto* column = new QVBoxLayout(bar);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(row);
+    column->addWidget(m_said);
     return bar;
 }
 

@@ -154,6 +154,16 @@ void ImageViewer::setRepeats(bool repeat) {
     Q_EMIT repeatsChanged(repeat);
 }
 
+void ImageViewer::showSeams() {
+    if (!m_picture)
+        return;
+    setRepeats(true);
+    m_fitted = false;
+    m_view.fit(imageSize(), size(), devicePixelRatioF());
+    m_view.pan(QRectF(rect()).center() - m_view.toWidget({0, 0}));
+    changedByHand();
+}
+
 QPointF ImageViewer::zoomAnchor() const {
     const QPoint cursor = mapFromGlobal(QCursor::pos());
     return underMouse() && rect().contains(cursor) ? QPointF(cursor) : QRectF(rect()).center();
@@ -265,7 +275,8 @@ bool ImageViewer::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool plain = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
-        const auto own = {Qt::Key_F, Qt::Key_1, Qt::Key_Plus, Qt::Key_Equal, Qt::Key_Minus, Qt::Key_W};
+        const auto own = {Qt::Key_F,     Qt::Key_1, Qt::Key_Plus, Qt::Key_Equal,
+                          Qt::Key_Minus, Qt::Key_W, Qt::Key_H};
         const bool wipe = key->key() == Qt::Key_W && key->modifiers() & Qt::ShiftModifier;
         if (plain && !wipe && std::find(own.begin(), own.end(), key->key()) != own.end())
             event->accept();
@@ -288,6 +299,8 @@ void ImageViewer::keyPressEvent(QKeyEvent* event) {
         return zoomOut();
     case Qt::Key_W:
         return setRepeats(!m_repeat);
+    case Qt::Key_H:
+        return showSeams();
     default:
         QWidget::keyPressEvent(event);
     }

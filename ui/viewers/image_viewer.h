@@ -14,8 +14,8 @@
 namespace texloom::ui {
 
 /// Shows any picture of the program. Wheel, + and − zoom at the cursor, dragging and the arrow keys pan, F
-/// fits, 1 is 100 %, W repeats the picture endlessly; Shift with the arrow keys moves a cursor of its own
-/// from pixel to pixel, for those who have no mouse.
+/// fits, 1 is 100 %, W repeats the picture endlessly, H with half a tile's offset; Shift with the arrow keys
+/// moves a cursor of its own from pixel to pixel, for those who have no mouse.
 class ImageViewer : public QWidget {
     Q_OBJECT
 
@@ -62,6 +62,8 @@ public Q_SLOTS:
     void zoomOut();
     /// Shows the picture tiled without end.
     void setRepeats(bool repeat);
+    /// Shows it so with half a tile's offset: where four tiles meet is in the middle.
+    void showSeams();
 
 Q_SIGNALS:
     /// The mouse or the keyboard's cursor came to an image pixel.

@@ -73,6 +73,8 @@ Actions::Actions(QMainWindow* window) {
     zoomOut = make("zoomOut", tr("Zoom &out"), {Qt::Key_Minus}, {}, "zoom-out");
     repeat = make("repeat", tr("&Repeat"), {Qt::Key_W}, tr("Show the picture repeated on all sides"), "wrap");
     repeat->setCheckable(true);
+    seams = make("seams", tr("&Half offset"), {Qt::Key_H},
+                 tr("Show the picture repeated, with the corner where its tiles meet in the middle"));
     resultTab = make("showResult", tr("R&esult"), {Qt::CTRL | Qt::Key_1});
     synthesisTab = make("showSynthesisMap", tr("&Synthesis map"), {Qt::CTRL | Qt::Key_2});
     positionTab = make("showPositionMap", tr("&Position map"), {Qt::CTRL | Qt::Key_3});

@@ -31,6 +31,7 @@ struct Actions {
     QAction* zoomIn;
     QAction* zoomOut;
     QAction* repeat;
+    QAction* seams;
     QAction* resultTab;
     QAction* synthesisTab;
     QAction* positionTab;

@@ -223,8 +223,8 @@ QMenu* MainWindow::makePresetMenu() {
 
 QMenu* MainWindow::makeViewMenu() {
     auto* view = new QMenu(tr("&View"), this);
-    view->addActions(
-        {m_actions.fit, m_actions.actualSize, m_actions.zoomIn, m_actions.zoomOut, m_actions.repeat});
+    view->addActions({m_actions.fit, m_actions.actualSize, m_actions.zoomIn, m_actions.zoomOut,
+                      m_actions.repeat, m_actions.seams});
     view->addSeparator();
     view->addActions(
         {m_actions.resultTab, m_actions.synthesisTab, m_actions.positionTab, m_actions.copiesTab});
@@ -355,6 +355,7 @@ void MainWindow::connectViewActions() {
     connect(m_actions.actualSize, &QAction::triggered, this, [this] { frontViewer()->actualSize(); });
     connect(m_actions.zoomIn, &QAction::triggered, this, [this] { frontViewer()->zoomIn(); });
     connect(m_actions.zoomOut, &QAction::triggered, this, [this] { frontViewer()->zoomOut(); });
+    connect(m_actions.seams, &QAction::triggered, this, [this] { frontViewer()->showSeams(); });
     connect(m_actions.repeat, &QAction::toggled, m_results, &ResultView::setRepeats);
     connect(m_actions.repeat, &QAction::triggered, this, [this](bool repeat) {
         if (m_bench->compare()->isVisible())
