@@ -1,3 +1,5 @@
+#include "core/session/stress.h"
+
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "core/base/error.h"
@@ -61,10 +63,7 @@ void stress(const StressOptions& options) {
         rounds.push_back(figuresOf(result, distance));
         if (!options.synth.out.quiet)
             printRound(round, distance);
-        input.exemplars.resize(1);
-        input.exemplars.front().mask.reset();
-        input.exemplars.front().image.image = std::make_shared<const Image>(result.synthesis.image);
-        ++input.seed;
+        learnFrom(result.synthesis.image, input);
     }
     if (!options.synth.out.report.empty())
         writeText(options.synth.out.report, Json{{"rounds", rounds}}.dump(2) + "\n");

@@ -206,32 +206,6 @@ bool weighed(const Request& request) {
     });
 }
 
-Result runPlan(const RunPlan& plan, JobContext& context) {
-    Result result;
-    Request request = plan.request;
-    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-        const RunStep& step = plan.steps[i];
-        context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
-        if (i > 0)
-            request.initial = std::make_shared<const Image>(std::move(result.synthesis.image));
-        const bool ignores = weighed(request) && !step.method->info().weighsExemplars;
-        result.synthesis =
-            step.method->run(ignores ? withoutWeights(request) : request, step.settings, context);
-        if (ignores)
-            result.synthesis.notes.emplace_back(
-                TR("The method takes all exemplars alike, so that their weights had no effect."));
-    }
-    unstack(result, plan);
-    for (const StageTime& stage : context.stageTimes())
-        result.seconds += stage.seconds;
-    context.stage(0, TR("Judging the result"));
-    result.figures =
-        measure(result.synthesis, plan.judged ? exemplarViews(request) : std::vector<ImageView>(), context);
-    result.plan = plan;
-    result.stages = context.stageTimes();
-    return result;
-}
-
 /// Every method of the input, in order, with what was set.
 std::vector<RecipeStep> stepsOf(const RunInput& input) {
     std::vector<RecipeStep> steps = {{input.method, input.settings}};
@@ -408,6 +382,32 @@ std::string Result::fileName() const {
     const std::string place = region ? fmt::format("_at_{}_{}", region->x, region->y) : "";
     return fmt::format("{}_{}_s{}_{}{}", plan.request.exemplars.front().name, plan.methodIds("_"),
                        plan.request.seed, extent, place);
+}
+
+Result runPlan(const RunPlan& plan, JobContext& context) {
+    Result result;
+    Request request = plan.request;
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const RunStep& step = plan.steps[i];
+        context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
+        if (i > 0)
+            request.initial = std::make_shared<const Image>(std::move(result.synthesis.image));
+        const bool ignores = weighed(request) && !step.method->info().weighsExemplars;
+        result.synthesis =
+            step.method->run(ignores ? withoutWeights(request) : request, step.settings, context);
+        if (ignores)
+            result.synthesis.notes.emplace_back(
+                TR("The method takes all exemplars alike, so that their weights had no effect."));
+    }
+    unstack(result, plan);
+    for (const StageTime& stage : context.stageTimes())
+        result.seconds += stage.seconds;
+    context.stage(0, TR("Judging the result"));
+    result.figures =
+        measure(result.synthesis, plan.judged ? exemplarViews(request) : std::vector<ImageView>(), context);
+    result.plan = plan;
+    result.stages = context.stageTimes();
+    return result;
 }
 
 std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished) {

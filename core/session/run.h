@@ -125,6 +125,9 @@ std::vector<Figure> distanceFigures(const TextureDistance& distance);
 
 using SynthesisJob = Job<Result>;
 
+/// Runs a plan to its end: what startRun() does on the job's thread. @throws Error, Cancelled
+Result runPlan(const RunPlan& plan, JobContext& context);
+
 /// Starts a planned run, with the plan's seed and threads.
 /// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
 std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});

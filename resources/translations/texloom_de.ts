@@ -1589,6 +1589,14 @@
         <source>Show the picture repeated, with the corner where its tiles meet in the middle</source>
         <translation>Das Bild wiederholt zeigen, mit der Ecke, an der sich die Kacheln treffen, in der Mitte</translation>
     </message>
+    <message>
+        <source>&amp;Stress test…</source>
+        <translation>&amp;Belastungsprobe …</translation>
+    </message>
+    <message>
+        <source>Make a texture of the texture of the texture, to see what the method loses</source>
+        <translation>Eine Textur der Textur der Textur machen, um zu sehen, was das Verfahren verliert</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::BlendWindow</name>
@@ -4173,6 +4181,53 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>A method that starts from the image made so far and works on it, in the same run and with the same seed.</source>
         <translation>Ein Verfahren, das mit dem bisherigen Bild beginnt und daran weiterarbeitet, im selben Vorgang und mit demselben Startwert.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::StressDialog</name>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Stress test</source>
+        <translation>Belastungsprobe</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>Runden</translation>
+    </message>
+    <message>
+        <source>Makes %1 again and again, each time from the texture made before. What a method loses or repeats adds up from round to round.</source>
+        <translation>Macht %1 immer wieder neu, jedes Mal aus der Textur davor. Was ein Verfahren verliert oder wiederholt, summiert sich von Runde zu Runde.</translation>
+    </message>
+    <message>
+        <source>&amp;Rounds</source>
+        <translation>&amp;Runden</translation>
+    </message>
+    <message>
+        <source>Stopped; the rounds made so far stay.</source>
+        <translation>Angehalten; die bisherigen Runden bleiben.</translation>
+    </message>
+    <message>
+        <source>Round %1 of %2…</source>
+        <translation>Runde %1 von %2 …</translation>
+    </message>
+    <message>
+        <source>Round %1</source>
+        <translation>Runde %1</translation>
+    </message>
+    <message>
+        <source>How far each round is from the exemplar</source>
+        <translation>Wie weit jede Runde von der Vorlage entfernt ist</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>Runde</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
     </message>
 </context>
 <context>

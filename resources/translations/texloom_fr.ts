@@ -1589,6 +1589,14 @@
         <source>Show the picture repeated, with the corner where its tiles meet in the middle</source>
         <translation>Montrer l’image répétée, le coin où se joignent les carreaux au milieu</translation>
     </message>
+    <message>
+        <source>&amp;Stress test…</source>
+        <translation>Épreuve d’&amp;endurance…</translation>
+    </message>
+    <message>
+        <source>Make a texture of the texture of the texture, to see what the method loses</source>
+        <translation>Faire une texture de la texture de la texture, pour voir ce que la méthode perd</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::BlendWindow</name>
@@ -4173,6 +4181,53 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>A method that starts from the image made so far and works on it, in the same run and with the same seed.</source>
         <translation>Une méthode qui part de l’image obtenue et la travaille, dans le même calcul et avec la même graine.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::StressDialog</name>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Démarrer</translation>
+    </message>
+    <message>
+        <source>Stress test</source>
+        <translation>Épreuve d’endurance</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>Tours</translation>
+    </message>
+    <message>
+        <source>Makes %1 again and again, each time from the texture made before. What a method loses or repeats adds up from round to round.</source>
+        <translation>Refait %1 encore et encore, chaque fois à partir de la texture précédente. Ce qu’une méthode perd ou répète s’ajoute de tour en tour.</translation>
+    </message>
+    <message>
+        <source>&amp;Rounds</source>
+        <translation>&amp;Tours</translation>
+    </message>
+    <message>
+        <source>Stopped; the rounds made so far stay.</source>
+        <translation>Arrêté ; les tours déjà faits restent.</translation>
+    </message>
+    <message>
+        <source>Round %1 of %2…</source>
+        <translation>Tour %1 sur %2…</translation>
+    </message>
+    <message>
+        <source>Round %1</source>
+        <translation>Tour %1</translation>
+    </message>
+    <message>
+        <source>How far each round is from the exemplar</source>
+        <translation>À quelle distance du modèle est chaque tour</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>tour</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>distance</translation>
     </message>
 </context>
 <context>

@@ -249,8 +249,8 @@ private Q_SLOTS:
                 child<QDockWidget>(window, dock)->raise();
                 check(window);
             }
-            for (const char* name :
-                 {"export", "sweep", "trySome", "shortcuts", "about", "variance", "blend", "resultLimits"})
+            for (const char* name : {"export", "sweep", "trySome", "shortcuts", "about", "variance", "stress",
+                                     "blend", "resultLimits"})
                 checkDialogOf(window, name);
         }
         useLanguage(QLocale::c());

@@ -12,6 +12,7 @@
 #include "ui/lattice/lattice_tool.h"
 #include "ui/lattice/lattice_values.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/readout.h"
@@ -401,6 +402,27 @@ private Q_SLOTS:
         dialog.compute();
         QVERIFY(!dialog.computing());
         QVERIFY2(dialog.message().contains(QStringLiteral("512")), qPrintable(dialog.message()));
+    }
+
+    void roundsOfAStressTestStandSideBySide() {
+        RunInput input;
+        input.method = "quilting";
+        input.settings = {{"patch", 12}};
+        input.exemplars = {{imageOf(m_grain).file, {}, {}}};
+        input.size = {64, 64};
+        StressDialog dialog(input);
+        dialog.show();
+        child<QSpinBox>(dialog, "stressRounds")->setValue(3);
+        dialog.start();
+        QTRY_VERIFY_WITH_TIMEOUT(!dialog.running(), kPatience);
+        QTRY_COMPARE(dialog.findChildren<ImageViewer*>().size(), 3);
+        const PlotData& data = dialog.plot()->data();
+        QCOMPARE(data.series.front().points.size(), std::size_t{3});
+        QVERIFY(data.series.front().points[2].y() > 0);
+        input.settings = {{"patch", 500}};
+        StressDialog refused(input);
+        refused.start();
+        QTRY_VERIFY_WITH_TIMEOUT(refused.message().contains(QStringLiteral("500")), kPatience);
     }
 
     void figuresOfAResultAreMadeWhileTheyAreSeen() {

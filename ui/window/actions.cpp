@@ -85,6 +85,8 @@ Actions::Actions(QMainWindow* window) {
         make("blend", tr("&Blend two images…"), {Qt::CTRL | Qt::Key_B}, tr("Join two images along a curve"));
     variance = make("variance", tr("Patch &variance…"), {},
                     tr("How much patches vary that are alike, by their size and number"));
+    stress = make("stress", tr("&Stress test…"), {},
+                  tr("Make a texture of the texture of the texture, to see what the method loses"));
     resetLayout = make("resetLayout", tr("Reset &layout"));
     fullScreen = make("fullScreen", tr("F&ull screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);

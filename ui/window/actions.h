@@ -39,6 +39,7 @@ struct Actions {
     QAction* lattice;
     QAction* blend;
     QAction* variance;
+    QAction* stress;
     QAction* resetLayout;
     QAction* fullScreen;
     QAction* shortcuts;

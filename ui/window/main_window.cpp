@@ -201,7 +201,7 @@ void MainWindow::makeMenus() {
     menuBar()->addMenu(makeViewMenu());
     menuBar()->addMenu(m_bench->makeCompareMenu());
     menuBar()->addMenu(m_bench->makeResultsMenu());
-    menuBar()->addMenu(tr("&Tools"))->addActions({m_actions.blend, m_actions.variance});
+    menuBar()->addMenu(tr("&Tools"))->addActions({m_actions.blend, m_actions.variance, m_actions.stress});
     menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
 }
 

@@ -182,6 +182,7 @@ void MainWindow::updateActions() {
     for (QAction* action : {m_actions.run, m_actions.newSeedRun, m_actions.addToQueue})
         action->setEnabled(m_canRun && !m_starting);
     m_actions.quick->setEnabled(m_canQuick && !m_starting);
+    m_actions.stress->setEnabled(m_canRun);
     m_bench->setCanRun(m_canRun, !m_store->entries().empty());
     m_actions.stop->setEnabled(m_controller->running());
     m_actions.exportResult->setEnabled(m_result && m_resultShown);

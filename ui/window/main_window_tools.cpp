@@ -1,6 +1,7 @@
 #include "ui/blend/blend_window.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
 #include "ui/results/result_text.h"
 #include "ui/viewers/result_view.h"
@@ -80,6 +81,16 @@ void MainWindow::connectTools() {
         connect(window, &BlendWindow::exemplarWanted, this,
                 [this](const QString& path) { openFiles({path}); });
         window->show();
+    });
+    connect(m_actions.stress, &QAction::triggered, this, [this] {
+        RunInput first = input(false);
+        first.initial.reset();
+        first.region.reset();
+        for (RunExemplar& exemplar : first.exemplars)
+            exemplar.companions.clear();
+        auto* dialog = new StressDialog(std::move(first), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->show();
     });
     connect(m_actions.variance, &QAction::triggered, this, [this] {
         if (m_store->entries().empty() && !m_result)
