@@ -14,6 +14,7 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
 #include "ui/session/missing_files_dialog.h"
 #include "ui/viewers/result_view.h"
@@ -28,6 +29,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProcess>
@@ -226,6 +228,12 @@ private:
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
         shoot(*dialog, "sweep");
         dialog->reject();
+        child<QAction>(window, "trySome")->trigger();
+        auto* some = child<QDialog>(window, "methodsDialog");
+        QVERIFY(QTest::qWaitForWindowExposed(some));
+        shoot(*some, "try-some");
+        some->reject();
+        child<QDoubleSpinBox>(window, "exemplarWeight")->setValue(2.5);
         window.inspector()->output()->setOutputSize({128, 128});
         JobQueue* const queue = window.workbench()->queue();
         child<QDockWidget>(window, "jobDock")->raise();
@@ -341,6 +349,14 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(!variance->computing(), 60'000);
         shoot(*variance, "variance");
         variance->close();
+        child<QAction>(window, "stress")->trigger();
+        auto* stress = child<StressDialog>(window, "stressDialog");
+        child<QSpinBox>(*stress, "stressRounds")->setValue(3);
+        stress->start();
+        QTRY_VERIFY_WITH_TIMEOUT(!stress->running(), 60'000);
+        workers().waitForDone();
+        shoot(*stress, "stress");
+        stress->close();
     }
 
     static void showEditing(MainWindow& window) {
