@@ -125,7 +125,7 @@ void StressDialog::stop(const QString& why) {
 }
 
 void StressDialog::showDistances() {
-    PlotData data{
+    PlotData plotted{
         tr("How far each round is from the exemplar"), tr("round"), tr("distance"), {}, false, true};
     const std::vector<Figure> names = distanceFigures({});
     for (std::size_t i = 0; i < names.size() && !m_distances.empty(); ++i) {
@@ -133,9 +133,9 @@ void StressDialog::showDistances() {
         for (std::size_t round = 0; round < m_distances.size(); ++round)
             series.points.emplace_back(static_cast<double>(round + 1),
                                        distanceFigures(m_distances[round])[i].value);
-        data.series.push_back(std::move(series));
+        plotted.series.push_back(std::move(series));
     }
-    m_plot->setData(data);
+    m_plot->setData(plotted);
 }
 
 } // namespace texloom::ui
