@@ -311,8 +311,10 @@ void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
 
 /// The choice of a companion map's depth; null where there is none to be made in the table.
 QWidget* ExportDialog::depthCell(const ExportEntry& entry) {
+    if (entry.word.empty())
+        return nullptr;
     const std::vector<Depth> held = depthsFor(entry.path);
-    if (entry.word.empty() || held.size() < 2)
+    if (held.size() < 2)
         return nullptr;
     auto* chooser = new QComboBox(m_table);
     chooser->setObjectName(QStringLiteral("depth-%1").arg(QString::fromStdString(entry.word)));
