@@ -137,6 +137,7 @@ QWidget* OutputGroup::makeWrapRow() {
 
 QWidget* OutputGroup::makeSeedRow() {
     m_seed->setObjectName(QStringLiteral("seed"));
+    m_seed->setAccessibleName(tr("Seed"));
     explain(
         m_seed,
         tr("<b>Seed</b> Where the random choices begin. The same seed and settings give the same pixels."));

@@ -45,6 +45,7 @@ public:
         m_spin->setRange(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
         m_spin->setKeyboardTracking(false);
         m_spin->setSuffix(suffix(param));
+        m_spin->setAccessibleName(translated(param.title()));
         if (param.hasRange()) {
             m_spin->setRange(static_cast<int>(param.smallest()), static_cast<int>(param.largest()));
             m_slider = new QSlider(Qt::Horizontal, this);
@@ -92,6 +93,7 @@ public:
                          param.hasRange() ? param.largest() : largest);
         m_spin->setKeyboardTracking(false);
         m_spin->setSuffix(suffix(param));
+        m_spin->setAccessibleName(translated(param.title()));
         m_spin->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         if (param.hasRange() && spanOf(param) <= kOpenSpan) {
             m_spin->setStepType(QAbstractSpinBox::DefaultStepType);
