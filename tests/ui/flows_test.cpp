@@ -17,6 +17,7 @@
 #include "ui/session/document.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/language.h"
+#include "ui/window/shortcuts.h"
 #include "ui/window/start_page.h"
 #include "ui/window/text.h"
 #include "ui/window/workbench.h"
@@ -26,6 +27,8 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
@@ -34,6 +37,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTextStream>
 #include <QUrl>
 
@@ -257,6 +261,44 @@ private Q_SLOTS:
                 checkDialogOf(window, name);
         }
         useLanguage(QLocale::c());
+    }
+
+    void sentencesWithValuesAreTranslated() {
+        const std::string sentence = "bark.png: Image quilting learns from one exemplar, but 3 were given.";
+        QCOMPARE(translated(sentence), QString::fromStdString(sentence));
+        useLanguage(QLocale(QStringLiteral("de_DE")));
+        QCOMPARE(translated(sentence),
+                 QStringLiteral("bark.png: Bild-Quilting lernt von einer Vorlage, gegeben wurden aber 3."));
+        QCOMPARE(translated("The companion moss is 2 × 3 px, but bark is 4 × 5 px; they must be alike."),
+                 QStringLiteral(
+                     "moss (companion) ist 2 × 3 px groß, bark aber 4 × 5 px; sie müssen gleich sein."));
+        QCOMPARE(translated("This is nobody's sentence."), QStringLiteral("This is nobody's sentence."));
+        useLanguage(QLocale::c());
+    }
+
+    void keysAreChosenKeptAndGivenBack() {
+        const QKeySequence other(QStringLiteral("Ctrl+Alt+W"));
+        {
+            MainWindow window;
+            window.show();
+            child<QAction>(window, "shortcuts")->trigger();
+            auto* dialog = child<QDialog>(window, "shortcutsDialog");
+            auto* table = child<QTableWidget>(*dialog, "shortcutsTable");
+            auto* keys = child<QKeySequenceEdit>(*dialog, "shortcutKeys");
+            table->setCurrentItem(table->findItems(QStringLiteral("W"), Qt::MatchExactly).front());
+            keys->setKeySequence(QKeySequence(QStringLiteral("G")));
+            child<QPushButton>(*dialog, "shortcutTake")->click();
+            QVERIFY(child<QLabel>(*dialog, "shortcutSaid")->text().startsWith(QStringLiteral("G is taken")));
+            keys->setKeySequence(other);
+            child<QPushButton>(*dialog, "shortcutTake")->click();
+            QCOMPARE(child<QAction>(window, "repeat")->shortcut(), other);
+        }
+        MainWindow window;
+        auto* repeat = child<QAction>(window, "repeat");
+        QCOMPARE(repeat->shortcut(), other);
+        QVERIFY2(repeat->toolTip().contains(QStringLiteral("Ctrl+Alt+W")), qPrintable(repeat->toolTip()));
+        resetShortcut(repeat);
+        QCOMPARE(repeat->shortcut(), QKeySequence(QStringLiteral("W")));
     }
 
     void everythingIsReachedByTab() {
