@@ -305,8 +305,8 @@ TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
 TEST_P(Conformance, exemplarsCountAsMuchAsTheyWeigh) {
     if (!method().info().weighsExemplars)
         GTEST_SKIP() << "skipped: " << GetParam() << " takes all exemplars alike";
-    Request request = requestFor({64, 64}, 3, {160, 150});
-    request.exemplars.push_back({"another", shared(blobs({60, 70}, 3, 2)), nullptr});
+    Request request = requestFor({40, 40}, 3, {80, 70});
+    request.exemplars.push_back({"another", shared(blobs({36, 44}, 3, 2)), nullptr});
     const auto weighed = [&](double first, double second) {
         request.exemplars.front().weight = first;
         request.exemplars.back().weight = second;

@@ -42,7 +42,7 @@ private Q_SLOTS:
         QStringList listed;
         for (int row = 0; row < table->rowCount(); ++row) {
             listed += table->item(row, 0)->text();
-            QCOMPARE(table->item(row, 2)->text(), QStringLiteral("new"));
+            QCOMPARE(table->item(row, 3)->text(), QStringLiteral("new"));
         }
         QCOMPARE(listed.size(), 4);
         QVERIFY(QDir(target.path()).isEmpty());
@@ -82,7 +82,7 @@ private Q_SLOTS:
         child<QLineEdit>(*dialog, "exportName")->textChanged({});
         auto* table = child<QTableWidget>(*dialog, "exportTable");
         QCOMPARE(table->rowCount(), 1);
-        QVERIFY(table->item(0, 2)->text().contains(QStringLiteral("replaces")));
+        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("replaces")));
         dialog->reject();
     }
 

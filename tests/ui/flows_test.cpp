@@ -288,7 +288,8 @@ private Q_SLOTS:
             table->setCurrentItem(table->findItems(QStringLiteral("W"), Qt::MatchExactly).front());
             keys->setKeySequence(QKeySequence(QStringLiteral("G")));
             child<QPushButton>(*dialog, "shortcutTake")->click();
-            QVERIFY(child<QLabel>(*dialog, "shortcutSaid")->text().startsWith(QStringLiteral("G is taken")));
+            const QString said = child<QLabel>(*dialog, "shortcutSaid")->text();
+            QVERIFY2(said.startsWith(QStringLiteral("G is taken")), qPrintable(said));
             keys->setKeySequence(other);
             child<QPushButton>(*dialog, "shortcutTake")->click();
             QCOMPARE(child<QAction>(window, "repeat")->shortcut(), other);

@@ -63,6 +63,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export"));
     m_folder->setObjectName(QStringLiteral("exportFolder"));
+    m_folder->setAccessibleName(tr("Folder to write to"));
     m_name->setObjectName(QStringLiteral("exportName"));
     m_preset->setObjectName(QStringLiteral("exportPreset"));
     m_normals->setObjectName(QStringLiteral("exportNormals"));

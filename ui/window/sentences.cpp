@@ -70,13 +70,19 @@ QString filled(const QString& translation, const QStringList& values) {
     return text + translation.mid(end);
 }
 
+/// A value, such as the title of a method; with the name of a file before a colon, where there is one.
+QString valueInLanguage(const QString& value) {
+    const qsizetype colon = value.lastIndexOf(QStringLiteral(": "));
+    return colon < 0 ? inLanguage(value) : value.left(colon + 2) + inLanguage(value.mid(colon + 2));
+}
+
 std::optional<QString> fromPattern(const QString& sentence) {
     static const std::vector<Pattern> patterns = readPatterns();
     for (const Pattern& pattern : patterns)
         if (const QRegularExpressionMatch match = pattern.whole.match(sentence); match.hasMatch()) {
             QStringList values = match.capturedTexts().mid(1);
             for (QString& value : values)
-                value = inLanguage(value); // the title of a method, say
+                value = valueInLanguage(value);
             return filled(inLanguage(pattern.text), values);
         }
     return std::nullopt;
