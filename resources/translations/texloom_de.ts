@@ -974,10 +974,6 @@
         <translation>Breite der Ränder, in denen gegenüberliegende Seiten einer Kachel verglichen werden: breiter sucht Kacheln, die in größeren Strukturen anschließen.</translation>
     </message>
     <message>
-        <source>With two exemplars, how far the statistics go from the first to the second.</source>
-        <translation>Bei zwei Vorlagen: wie weit die Statistiken von der ersten zur zweiten gehen.</translation>
-    </message>
-    <message>
         <source>Wraps</source>
         <translation>Kachelbar</translation>
     </message>
@@ -1328,6 +1324,542 @@
     <message>
         <source>How patches join at the coarsest scale: the cut keeps contrast that the average, as published, loses.</source>
         <translation>Wie Patches auf der gröbsten Skala aneinander anschließen: Der Schnitt behält Kontrast, den das Mittel, wie veröffentlicht, verliert.</translation>
+    </message>
+    <message>
+        <source>A batch is a JSON object; this is not one.</source>
+        <translation>Ein Stapel ist ein JSON-Objekt; das hier ist keines.</translation>
+    </message>
+    <message>
+        <source>A recipe is a JSON object; this is not one.</source>
+        <translation>Ein Rezept ist ein JSON-Objekt; das hier ist keines.</translation>
+    </message>
+    <message>
+        <source>A session is a JSON object; this is not one.</source>
+        <translation>Eine Sitzung ist ein JSON-Objekt; das hier ist keines.</translation>
+    </message>
+    <message>
+        <source>A sheet of {} × {} pictures of {} px is too large; compare fewer.</source>
+        <translation>Ein Bogen mit {} × {} Bildern von {} px ist zu groß; vergleichen Sie weniger.</translation>
+    </message>
+    <message>
+        <source>An image of {} × {} px with {} channels has no pixels.</source>
+        <translation>Ein Bild von {} × {} px mit {} Kanälen hat keine Pixel.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px cannot wrap with a lattice of {:.0f} × {:.0f} px; make it at least that large, or set lattice=none.</source>
+        <translation>Eine Ausgabe von {} × {} px lässt sich mit einem Gitter von {} × {} px nicht kacheln; machen Sie sie mindestens so groß, oder setzen Sie lattice=none.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px cannot wrap with a tile of {:.0f} × {:.0f} px; make it at least that large.</source>
+        <translation>Eine Ausgabe von {} × {} px lässt sich mit einer Kachel von {} × {} px nicht kacheln; machen Sie sie mindestens so groß.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
+        <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, für die keine Positions- oder Begleitkarten geschrieben werden; wählen Sie dafür einen Teil oder eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px would need {} of memory, more than the {} that are free; choose a smaller size.</source>
+        <translation>Eine Ausgabe von {} × {} px bräuchte {} Speicher, mehr als die {}, die frei sind; wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>At the coarsest of {} scales {} is {} × {} px, smaller than the patch of {} px; choose fewer scales or a smaller patch.</source>
+        <translation>In der gröbsten von {} Stufen ist {} {} × {} px groß, kleiner als der Patch von {} px; wählen Sie weniger Stufen oder einen kleineren Patch.</translation>
+    </message>
+    <message>
+        <source>Blending takes {}, of which only {} are free; use smaller images.</source>
+        <translation>Das Überblenden braucht {}, wovon nur {} frei sind; nehmen Sie kleinere Bilder.</translation>
+    </message>
+    <message>
+        <source>Corner {} of the rectification lies at {:.1f}, {:.1f}, outside the image of {} × {} px.</source>
+        <translation>Ecke {} der Entzerrung liegt bei {}, {}, außerhalb des Bildes von {} × {} px.</translation>
+    </message>
+    <message>
+        <source>Finding the lattice takes {}, of which only {} are free; open a smaller exemplar.</source>
+        <translation>Das Gitter zu finden braucht {}, wovon nur {} frei sind; öffnen Sie eine kleinere Vorlage.</translation>
+    </message>
+    <message>
+        <source>No tile fits in the exemplar of {} × {} px.</source>
+        <translation>Keine Kachel passt in die Vorlage von {} × {} px.</translation>
+    </message>
+    <message>
+        <source>Portilla–Simoncelli learns from one exemplar or goes between 2, but {} were given.</source>
+        <translation>Portilla–Simoncelli lernt von einer Vorlage oder geht zwischen zweien, gegeben sind aber {}.</translation>
+    </message>
+    <message>
+        <source>The band of {} px must be from 2 px to half the images&apos; shorter side, {} px.</source>
+        <translation>Das Band von {} px muss von 2 px bis zur halben kürzeren Seite der Bilder gehen, {} px.</translation>
+    </message>
+    <message>
+        <source>The batch holds more than {} runs; divide it.</source>
+        <translation>Der Stapel hat mehr als {} Läufe; teilen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The batch is of format {}, made for a newer Texloom; this one reads up to {}.</source>
+        <translation>Der Stapel hat Format {}, für ein neueres Texloom; dieses liest bis {}.</translation>
+    </message>
+    <message>
+        <source>The batch&apos;s {} and {} would both write {}; put $index, or what sets them apart, into the name.</source>
+        <translation>{} und {} des Stapels würden beide {} schreiben; nehmen Sie $index, oder was sie unterscheidet, in den Namen.</translation>
+    </message>
+    <message>
+        <source>The crop of {} × {} px at {}, {} does not lie within the image of {} × {} px.</source>
+        <translation>Der Ausschnitt von {} × {} px bei {}, {} liegt nicht ganz im Bild von {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The first image has {} channels, the second {}; they must have the same.</source>
+        <translation>Das erste Bild hat {} Kanäle, das zweite {}; es müssen gleich viele sein.</translation>
+    </message>
+    <message>
+        <source>The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.</source>
+        <translation>Das erste Bild ist {} × {} px groß, das zweite {} × {} px; schneiden Sie eines auf die Größe des anderen zu.</translation>
+    </message>
+    <message>
+        <source>The folder {} cannot be made: {}.</source>
+        <translation>Der Ordner {} lässt sich nicht anlegen: {}.</translation>
+    </message>
+    <message>
+        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
+        <translation>Die vier Ecken der Entzerrung müssen von links oben im Uhrzeigersinn um eine Fläche ohne Delle gehen.</translation>
+    </message>
+    <message>
+        <source>The image is {} × {} px, but the map was made from an exemplar of {} × {} px.</source>
+        <translation>Das Bild ist {} × {} px groß, die Karte wurde aber aus einer Vorlage von {} × {} px gemacht.</translation>
+    </message>
+    <message>
+        <source>The images have {} and {} channels; a map needs the same number in each.</source>
+        <translation>Die Bilder haben {} und {} Kanäle; eine Karte braucht in allen gleich viele.</translation>
+    </message>
+    <message>
+        <source>The initial image is {} × {} px with {} channels; the output is {} × {} px with {}.</source>
+        <translation>Das Anfangsbild ist {} × {} px mit {} Kanälen; die Ausgabe {} × {} px mit {}.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than {} with {} × {} px; give shorter vectors, or set lattice=none.</source>
+        <translation>Die Masche des Gitters von {} × {} px ist größer als {} mit {} × {} px; geben Sie kürzere Vektoren an, oder setzen Sie lattice=none.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
+        <translation>Die Vektoren {} des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <translation>Das Licht von {} ändert sich so stark von Ort zu Ort, dass Flicken auffielen; darum wurde es ausgeglichen. flatten=no behält es.</translation>
+    </message>
+    <message>
+        <source>The map needs the images that it was made from, but none was given.</source>
+        <translation>Die Karte braucht die Bilder, aus denen sie gemacht wurde, es wurde aber keines gegeben.</translation>
+    </message>
+    <message>
+        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
+        <translation>Die Karte wurde aus {} Vorlage(n) gemacht, gegeben wurden aber {} Bild(er).</translation>
+    </message>
+    <message>
+        <source>The mask hides all of {}; mask less.</source>
+        <translation>Die Maske verdeckt alles von {}; maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <translation>Die Maske ist {} × {} px groß, {} aber {} × {} px; sie müssen gleich sein.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
+        <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren; wählen Sie einen kleineren Patch, oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.</source>
+        <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren; wählen Sie kleinere Blöcke, oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole tile of {:.0f} × {:.0f} px to copy; mask less.</source>
+        <translation>Die Maske lässt keine ganze Kachel von {} × {} px zum Kopieren; maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
+        <translation>Das Verfahren nimmt alle Vorlagen gleich, sodass ihre Gewichte nichts bewirkten.</translation>
+    </message>
+    <message>
+        <source>The name {} holds ${}, which is not known here; there is {}.</source>
+        <translation>Der Name {} enthält ${}, was hier nicht bekannt ist; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
+        <translation>Der Name {} enthält ein $ ohne Wort dahinter; schreiben Sie $$ für ein Dollarzeichen.</translation>
+    </message>
+    <message>
+        <source>The output cannot be {} × {} px: its sides go from 1 to {} px.</source>
+        <translation>Die Ausgabe kann nicht {} × {} px groß sein: ihre Seiten gehen von 1 bis {} px.</translation>
+    </message>
+    <message>
+        <source>The painted mask could not be kept in {}; check that there is room.</source>
+        <translation>Die gemalte Maske ließ sich nicht in {} ablegen; sehen Sie nach, ob dort Platz ist.</translation>
+    </message>
+    <message>
+        <source>The pasted picture could not be kept in {}; check that there is room.</source>
+        <translation>Das eingefügte Bild ließ sich nicht in {} ablegen; sehen Sie nach, ob dort Platz ist.</translation>
+    </message>
+    <message>
+        <source>The preset is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>Die Vorgabe hat Format {}, von einem neueren Texloom; dieses ({}) liest bis {}.</translation>
+    </message>
+    <message>
+        <source>The recipe is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>Das Rezept hat Format {}, von einem neueren Texloom; dieses ({}) liest bis {}.</translation>
+    </message>
+    <message>
+        <source>The rectified image would be {} × {} px; each side is 1 to {} px.</source>
+        <translation>Das entzerrte Bild wäre {} × {} px groß; jede Seite hat 1 bis {} px.</translation>
+    </message>
+    <message>
+        <source>The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.</source>
+        <translation>Der Teil von {} × {} px bei ({}, {}) liegt nicht in der Ausgabe von {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The seed “{}” is not a whole number from 0 to {}.</source>
+        <translation>Der Startwert „{}“ ist keine ganze Zahl von 0 bis {}.</translation>
+    </message>
+    <message>
+        <source>The session has no exemplar in use.</source>
+        <translation>Die Sitzung hat keine Vorlage in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>The session is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>Die Sitzung hat Format {}, von einem neueren Texloom; dieses ({}) liest bis {}.</translation>
+    </message>
+    <message>
+        <source>The sweep&apos;s {} is for {}, which is not one of the methods of this run.</source>
+        <translation>{} der Reihe ist für {}, das keines der Verfahren dieses Laufs ist.</translation>
+    </message>
+    <message>
+        <source>The tile at ({}, {}) holds pixels that the mask hides; choose another corner.</source>
+        <translation>Die Kachel bei ({}, {}) enthält Pixel, die die Maske verdeckt; wählen Sie eine andere Ecke.</translation>
+    </message>
+    <message>
+        <source>The tile&apos;s corner ({}, {}) lies outside {} with {} × {} px.</source>
+        <translation>Die Ecke ({}, {}) der Kachel liegt außerhalb von {} mit {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The weight of {} is {}; it goes from {} to {}.</source>
+        <translation>Das Gewicht von {} ist {}; es geht von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>The {} has a field {} that is not known here; there is {}.</source>
+        <translation>{}: das Feld {} ist hier nicht bekannt; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>The {} has no {}.</source>
+        <translation>{}: {} fehlt.</translation>
+    </message>
+    <message>
+        <source>The {} holds a number that is too large.</source>
+        <translation>{}: eine Zahl darin ist zu groß.</translation>
+    </message>
+    <message>
+        <source>The {} is nested more than {} levels deep.</source>
+        <translation>{}: mehr als {} Ebenen tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>The {} is not JSON: it breaks off or goes wrong at byte {}.</source>
+        <translation>{}: kein JSON; es bricht bei Byte {} ab oder ist dort falsch.</translation>
+    </message>
+    <message>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <translation>{1} ({0}) ist {2} × {3} px groß, {4} aber {5} × {6} px; sie müssen gleich sein.</translation>
+    </message>
+    <message>
+        <source>The {}&apos;s {} is {}; it must be {}.</source>
+        <translation>{}: {} ist {}; verlangt ist {}.</translation>
+    </message>
+    <message>
+        <source>There are no values for {}.</source>
+        <translation>Für {} gibt es keine Werte.</translation>
+    </message>
+    <message>
+        <source>There is no colour space {}; there is {}.</source>
+        <translation>Es gibt keinen Farbraum {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>There is no exemplar to learn from.</source>
+        <translation>Es gibt keine Vorlage zum Lernen.</translation>
+    </message>
+    <message>
+        <source>There is no export preset {}; there is {}.</source>
+        <translation>Es gibt keine Exportvorgabe {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>There is no file {}.</source>
+        <translation>Es gibt keine Datei {}.</translation>
+    </message>
+    <message>
+        <source>There is no kind of map {}; there is {}.</source>
+        <translation>Es gibt keine Kartenart {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
+        <translation>Der Speicher reicht nicht für ein Bild von {} × {} px mit {} Kanälen ({}).</translation>
+    </message>
+    <message>
+        <source>These are {} runs; a sweep has at most {}.</source>
+        <translation>Das sind {} Läufe; eine Reihe hat höchstens {}.</translation>
+    </message>
+    <message>
+        <source>To wrap at {} × {} px the lattice was changed by {:.1f} %; a multiple of {} × {} px needs no change.</source>
+        <translation>Zum Kacheln mit {} × {} px wurde das Gitter um {} % verändert; ein Vielfaches von {} × {} px braucht keine Änderung.</translation>
+    </message>
+    <message>
+        <source>To wrap at {} × {} px the tile was changed by {:.1f} %; a multiple of {} × {} px needs no change.</source>
+        <translation>Zum Kacheln mit {} × {} px wurde die Kachel um {} % verändert; ein Vielfaches von {} × {} px braucht keine Änderung.</translation>
+    </message>
+    <message>
+        <source>To wrap, the output of {} × {} px at the coarsest of {} scales must be at least the patch, {} px; choose fewer scales or a smaller patch.</source>
+        <translation>Zum Kacheln muss die Ausgabe von {} × {} px in der gröbsten von {} Stufen mindestens so groß sein wie der Patch, {} px; wählen Sie weniger Stufen oder einen kleineren Patch.</translation>
+    </message>
+    <message>
+        <source>To wrap, the output&apos;s {} of {} px must be at least the patch, {} px.</source>
+        <translation>Zum Kacheln muss die Ausgabe ({}) von {} px mindestens so groß sein wie der Patch, {} px.</translation>
+    </message>
+    <message>
+        <source>To wrap, the output&apos;s {} of {} px must be at least {} px.</source>
+        <translation>Zum Kacheln muss die Ausgabe ({}) von {} px mindestens {} px haben.</translation>
+    </message>
+    <message>
+        <source>Turned by {}°, too little of the image of {} × {} px would be left.</source>
+        <translation>Um {}° gedreht, bliebe zu wenig vom Bild mit {} × {} px.</translation>
+    </message>
+    <message>
+        <source>Weights of exemplars</source>
+        <translation>Gewichte der Vorlagen</translation>
+    </message>
+    <message>
+        <source>With two exemplars, how far the statistics go from the first to the second, before their own weights.</source>
+        <translation>Bei zwei Vorlagen: wie weit die Statistik von der ersten zur zweiten geht, vor deren eigenen Gewichten.</translation>
+    </message>
+    <message>
+        <source>companion map</source>
+        <translation>Begleitkarte</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>position map (16-bit)</source>
+        <translation>Positionskarte (16 Bit)</translation>
+    </message>
+    <message>
+        <source>position map (STMap)</source>
+        <translation>Positionskarte (STMap)</translation>
+    </message>
+    <message>
+        <source>recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>{} = {}: it is {}.</source>
+        <translation>{} = {}: {} ist nötig.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: this build has no reader for {}.</source>
+        <translation>{} lässt sich nicht lesen: dieser Version fehlt ein Leser für {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: {}.</source>
+        <translation>{} lässt sich nicht lesen: {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: it is a folder.</source>
+        <translation>{} lässt sich nicht schreiben: es ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the folder {} is not writable.</source>
+        <translation>{} lässt sich nicht schreiben: der Ordner {} ist schreibgeschützt.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the image has {} channels, and {} holds {}.</source>
+        <translation>{} lässt sich nicht schreiben: das Bild hat {} Kanäle, und {} fasst {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the name ends in {}; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
+        <translation>{} lässt sich nicht schreiben: der Name endet auf {}; Texloom schreibt .png, .jpg, .tif, .exr und .hdr.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: there is no folder {}.</source>
+        <translation>{} lässt sich nicht schreiben: es gibt keinen Ordner {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {} does not hold {} samples.</source>
+        <translation>{} lässt sich nicht schreiben: {} fasst keine Werte der Tiefe {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}.</source>
+        <translation>{} lässt sich nicht schreiben: {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot hold a position map; its name ends in .exr (STMap, float) or .png (16-bit).</source>
+        <translation>{} kann keine Positionskarte enthalten; ihr Name endet auf .exr (STMap, Gleitkomma) oder .png (16 Bit).</translation>
+    </message>
+    <message>
+        <source>{} cannot make a part of an output alone; make all of it.</source>
+        <translation>{} kann keinen Teil einer Ausgabe allein machen; machen Sie sie ganz.</translation>
+    </message>
+    <message>
+        <source>{} cannot make an output that wraps.</source>
+        <translation>{} kann keine kachelbare Ausgabe machen.</translation>
+    </message>
+    <message>
+        <source>{} cannot start from an image, so that it cannot follow {}.</source>
+        <translation>{} kann nicht mit einem Bild beginnen und darum nicht auf {} folgen.</translation>
+    </message>
+    <message>
+        <source>{} cannot start from an image.</source>
+        <translation>{} kann nicht mit einem Bild beginnen.</translation>
+    </message>
+    <message>
+        <source>{} changed since this result was made.</source>
+        <translation>{} hat sich geändert, seit dieses Ergebnis gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>{} copies no pixels, so that it has no position map.</source>
+        <translation>{} kopiert keine Pixel und hat darum keine Positionskarte.</translation>
+    </message>
+    <message>
+        <source>{} could not be copied to {}: {}.</source>
+        <translation>{} ließ sich nicht nach {} kopieren: {}.</translation>
+    </message>
+    <message>
+        <source>{} does not say the size of its exemplar; name the exemplar too.</source>
+        <translation>{} sagt nicht, wie groß die Vorlage ist; geben Sie auch die Vorlage an.</translation>
+    </message>
+    <message>
+        <source>{} does not use an exemplar mask.</source>
+        <translation>{} verwendet keine Maske der Vorlage.</translation>
+    </message>
+    <message>
+        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
+        <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
+    </message>
+    <message>
+        <source>{} has no pixels.</source>
+        <translation>{} hat keine Pixel.</translation>
+    </message>
+    <message>
+        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
+        <translation>{} hat {} Kanäle und {} hat {}; alle Vorlagen brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>{} has {} channels; images with up to {} can be opened.</source>
+        <translation>{} hat {} Kanäle; geöffnet werden Bilder mit bis zu {}.</translation>
+    </message>
+    <message>
+        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
+        <translation>{} hat {} Begleitkarten und {} hat {}; jede Vorlage braucht dieselben.</translation>
+    </message>
+    <message>
+        <source>{} holds no recipe.</source>
+        <translation>{} enthält kein Rezept.</translation>
+    </message>
+    <message>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
+        <translation>{} enthält {} Werte, die keine endlichen Zahlen sind, den ersten bei Pixel ({}, {}); Texloom braucht endliche.</translation>
+    </message>
+    <message>
+        <source>{} is a {} image; only flat ones can be opened.</source>
+        <translation>{} ist ein Bild der Art {}; geöffnet werden nur flache.</translation>
+    </message>
+    <message>
+        <source>{} is empty (0 bytes).</source>
+        <translation>{} ist leer (0 Byte).</translation>
+    </message>
+    <message>
+        <source>{} is longer than {}, too long for what it should be.</source>
+        <translation>{} ist länger als {}, zu lang für das, was es sein soll.</translation>
+    </message>
+    <message>
+        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
+        <translation>{} ist keine Positionskarte: eine STMap hat 2 bis 4 Kanäle mit 32-Bit-Gleitkomma, diese Datei {} mit {}.</translation>
+    </message>
+    <message>
+        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
+        <translation>{} ist keine Positionskarte: als PNG hat sie 3 Kanäle mit 16 Bit, diese Datei {} mit {}.</translation>
+    </message>
+    <message>
+        <source>{} is not an image that Texloom reads (PNG, JPEG, TIFF, EXR or HDR).</source>
+        <translation>{} ist kein Bild, das Texloom liest (PNG, JPEG, TIFF, EXR oder HDR).</translation>
+    </message>
+    <message>
+        <source>{} is not of the result&apos;s size.</source>
+        <translation>{} hat nicht die Größe des Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the patch of {} px; choose a patch of at most {} px.</source>
+        <translation>{} ist {} × {} px groß, kleiner als der Patch von {} px; wählen Sie einen Patch von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, too small for blocks of {} px with their borders; choose blocks of at most {} px.</source>
+        <translation>{} ist {} × {} px groß, zu klein für Blöcke von {} px mit ihren Rändern; wählen Sie Blöcke von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; a tile is looked for in exemplars of at least {} × {} px.</source>
+        <translation>{} ist {} × {} px groß; eine Kachel wird in Vorlagen von mindestens {} × {} px gesucht.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; an exemplar&apos;s sides go up to {} px.</source>
+        <translation>{} ist {} × {} px groß; die Seiten einer Vorlage gehen bis {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; images up to {} pixels can be opened.</source>
+        <translation>{} ist {} × {} px groß; geöffnet werden Bilder bis {} Pixel.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; near-regular synthesis needs exemplars of at least {} × {} px.</source>
+        <translation>{} ist {} × {} px groß; die fast regelmäßige Synthese braucht Vorlagen von mindestens {} × {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {}, not an image.</source>
+        <translation>{} ist {}, kein Bild.</translation>
+    </message>
+    <message>
+        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
+        <translation>{} größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden; {}.</translation>
+    </message>
+    <message>
+        <source>{} learns from one exemplar, but {} were given.</source>
+        <translation>{} lernt von einer Vorlage, gegeben wurden aber {}.</translation>
+    </message>
+    <message>
+        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <translation>{} nennt eine Vorlage von {} × {} px; Seiten gehen von 1 bis {} px.</translation>
+    </message>
+    <message>
+        <source>{} says it is {} × {} px; an EXR&apos;s sides can go up to {} px.</source>
+        <translation>{} sagt, es sei {} × {} px groß; die Seiten einer EXR gehen bis {} px.</translation>
+    </message>
+    <message>
+        <source>{} takes {}, of which only {} are free; make a smaller result.</source>
+        <translation>{} braucht {}, wovon nur {} frei sind; machen Sie ein kleineres Ergebnis.</translation>
+    </message>
+    <message>
+        <source>{} was not straightened: too little of it would be left.</source>
+        <translation>{} wurde nicht gerade gerichtet: es bliebe zu wenig übrig.</translation>
+    </message>
+    <message>
+        <source>{}: output pixel ({}, {}) comes from {:.2f}, between two pixels; a position map addresses whole ones (was it resampled, or is it for an exemplar of another size?).</source>
+        <translation>{}: Pixel ({}, {}) der Ausgabe kommt von {}, zwischen zwei Pixeln; eine Positionskarte nennt ganze (wurde sie umgerechnet, oder ist sie für eine Vorlage anderer Größe?).</translation>
+    </message>
+    <message>
+        <source>{}: output pixel ({}, {}) comes from {:.2f}, outside the exemplar&apos;s 0 to {}.</source>
+        <translation>{}: Pixel ({}, {}) der Ausgabe kommt von {}, außerhalb von 0 bis {} der Vorlage.</translation>
+    </message>
+    <message>
+        <source>“{}” is not from:to:count, such as 8:64:5, with a count of 2 to {}.</source>
+        <translation>„{}“ ist nicht von:bis:Anzahl wie 8:64:5 mit einer Anzahl von 2 bis {}.</translation>
     </message>
 </context>
 <context>
@@ -1890,10 +2422,6 @@
         <translation>&amp;Vorlage</translation>
     </message>
     <message>
-        <source>Show the exemplar among the results</source>
-        <translation>Die Vorlage unter den Ergebnissen zeigen</translation>
-    </message>
-    <message>
         <source>&amp;Link views</source>
         <translation>Ansichten &amp;koppeln</translation>
     </message>
@@ -1908,6 +2436,14 @@
     <message>
         <source>Write all pictures with their labels into one PNG file</source>
         <translation>Alle Bilder mit ihren Beschriftungen in eine PNG-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Show the exemplars of the results beside them</source>
+        <translation>Die Vorlagen der Ergebnisse neben ihnen zeigen</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xemplars</source>
+        <translation>Geöffnete Vor&amp;lagen</translation>
     </message>
 </context>
 <context>
@@ -1980,16 +2516,16 @@
 <context>
     <name>texloom::ui::CompareCell</name>
     <message>
-        <source>Use</source>
-        <translation>Verwenden</translation>
-    </message>
-    <message>
         <source>Bring the settings of this result into the form (Return); Run then makes it in full size</source>
         <translation>Die Einstellungen dieses Ergebnisses ins Formular übernehmen (Eingabe); Ausführen erzeugt es dann in voller Größe</translation>
     </message>
     <message>
-        <source>Use the settings of %1</source>
-        <translation>Die Einstellungen von %1 verwenden</translation>
+        <source>Restore settings</source>
+        <translation>Einstellungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Restore the settings of %1</source>
+        <translation>Einstellungen von %1 wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -2021,6 +2557,76 @@
     <message>
         <source>Choose results in the Results dock and press Compare, or Try all methods in the Synthesis menu.</source>
         <translation>Wählen Sie Ergebnisse im Bereich „Ergebnisse“ und drücken Sie „Vergleichen“, oder probieren Sie im Menü „Synthese“ alle Verfahren.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CornersPage</name>
+    <message>
+        <source>Top left</source>
+        <translation>Oben links</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>Oben rechts</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>Unten rechts</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>Unten links</translation>
+    </message>
+    <message>
+        <source>%1 corner, across</source>
+        <translation>Ecke %1, waagrecht</translation>
+    </message>
+    <message>
+        <source>%1 corner, down</source>
+        <translation>Ecke %1, senkrecht</translation>
+    </message>
+    <message>
+        <source>Recti&amp;fy</source>
+        <translation>En&amp;tzerren</translation>
+    </message>
+    <message>
+        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
+        <translation>Legen Sie die Ecken auf vier, die in Wirklichkeit ein Rechteck sind. N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CropPage</name>
+    <message>
+        <source>Left edge of the crop</source>
+        <translation>Linker Rand des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Upper edge of the crop</source>
+        <translation>Oberer Rand des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Width of the crop</source>
+        <translation>Breite des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Height of the crop</source>
+        <translation>Höhe des Zuschnitts</translation>
+    </message>
+    <message>
+        <source>Cr&amp;op</source>
+        <translation>Zu&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Left, top</source>
+        <translation>Links, oben</translation>
+    </message>
+    <message>
+        <source>Width, height</source>
+        <translation>Breite, Höhe</translation>
+    </message>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
+        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
     </message>
 </context>
 <context>
@@ -2132,6 +2738,10 @@
         <source>&amp;Later</source>
         <translation>&amp;Später</translation>
     </message>
+    <message>
+        <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
+        <translation>Die Vorlagen wurden bearbeitet, und noch keine Sitzung enthält das. Ergebnisse bleiben auf jeden Fall.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::DropTargets</name>
@@ -2177,7 +2787,7 @@
     </message>
 </context>
 <context>
-    <name>texloom::ui::ExemplarEditor</name>
+    <name>texloom::ui::EditText</name>
     <message>
         <source>Cropped to %1 at %2, %3</source>
         <translation>Zugeschnitten auf %1 bei %2, %3</translation>
@@ -2202,6 +2812,9 @@
         <source>Light evened out by %1 %</source>
         <translation>Licht zu %1 % ausgeglichen</translation>
     </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarEditor</name>
     <message>
         <source>Exemplar being edited</source>
         <translation>Vorlage in Bearbeitung</translation>
@@ -2255,70 +2868,6 @@
         <translation>Das Rad zoomt, Ziehen verschiebt. Wählen Sie oben ein Werkzeug, oder drehen, spiegeln und Licht ausgleichen Sie unten. Dateien bleiben, wie sie sind.</translation>
     </message>
     <message>
-        <source>Left edge of the crop</source>
-        <translation>Linker Rand des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Upper edge of the crop</source>
-        <translation>Oberer Rand des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Width of the crop</source>
-        <translation>Breite des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Height of the crop</source>
-        <translation>Höhe des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Left, top</source>
-        <translation>Links, oben</translation>
-    </message>
-    <message>
-        <source>Width, height</source>
-        <translation>Breite, Höhe</translation>
-    </message>
-    <message>
-        <source>Cr&amp;op</source>
-        <translation>Zu&amp;schneiden</translation>
-    </message>
-    <message>
-        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
-        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
-    </message>
-    <message>
-        <source>Top left</source>
-        <translation>Oben links</translation>
-    </message>
-    <message>
-        <source>Top right</source>
-        <translation>Oben rechts</translation>
-    </message>
-    <message>
-        <source>Bottom right</source>
-        <translation>Unten rechts</translation>
-    </message>
-    <message>
-        <source>Bottom left</source>
-        <translation>Unten links</translation>
-    </message>
-    <message>
-        <source>%1 corner, across</source>
-        <translation>Ecke %1, waagrecht</translation>
-    </message>
-    <message>
-        <source>%1 corner, down</source>
-        <translation>Ecke %1, senkrecht</translation>
-    </message>
-    <message>
-        <source>Recti&amp;fy</source>
-        <translation>En&amp;tzerren</translation>
-    </message>
-    <message>
-        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
-        <translation>Legen Sie die Ecken auf vier, die in Wirklichkeit ein Rechteck sind. N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
-    </message>
-    <message>
         <source>Hatched = never copied. Shift and the arrow keys move the brush, the space bar dabs.</source>
         <translation>Schraffiert = nie kopiert. Umschalt und Pfeiltasten bewegen den Pinsel, die Leertaste tupft.</translation>
     </message>
@@ -2369,22 +2918,6 @@
     <message>
         <source>Even out the light</source>
         <translation>Licht ausgleichen</translation>
-    </message>
-    <message>
-        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
-        <translation>Nimmt langsame Helligkeitsänderungen aus den Farben, sodass Teile von hellen und dunklen Stellen zusammenpassen.</translation>
-    </message>
-    <message>
-        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
-        <translation>Breite des Fensters, das das Licht findet, als Anteil der kürzeren Seite: größer lässt mehr von den eigenen Tönen der Textur.</translation>
-    </message>
-    <message>
-        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
-        <translation>Wie oft sich das Licht über die Vorlage biegen darf: 1 ist ein einfaches Gefälle.</translation>
-    </message>
-    <message>
-        <source>Show &amp;before</source>
-        <translation>&amp;Vorher zeigen</translation>
     </message>
     <message>
         <source>Edits, in order</source>
@@ -2495,6 +3028,30 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Position map</source>
         <translation>Positionskarte</translation>
     </message>
+    <message>
+        <source>Wei&amp;ght</source>
+        <translation>&amp;Gewicht</translation>
+    </message>
+    <message>
+        <source>%1 (× %2)</source>
+        <translation>%1 (× %2)</translation>
+    </message>
+    <message>
+        <source>Painted</source>
+        <translation>Gemalt</translation>
+    </message>
+    <message>
+        <source>How much the exemplar counts beside the others: with 2 as though it were open twice.</source>
+        <translation>Wie viel die Vorlage neben den anderen zählt: mit 2, als wäre sie zweimal geöffnet.</translation>
+    </message>
+    <message>
+        <source>The method takes all exemplars alike.</source>
+        <translation>Das Verfahren nimmt alle Vorlagen gleich.</translation>
+    </message>
+    <message>
+        <source>The method learns from one exemplar, the one that is chosen.</source>
+        <translation>Das Verfahren lernt von einer Vorlage, der gewählten.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarStore</name>
@@ -2529,6 +3086,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Kind of companion map</source>
         <translation>Art der Begleitkarte</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
     </message>
 </context>
 <context>
@@ -2600,10 +3161,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Automatic: sRGB, or linear for depths that hold it.</source>
         <translation>Automatisch: sRGB oder linear bei Tiefen, die es fassen.</translation>
-    </message>
-    <message>
-        <source>%1</source>
-        <translation>%1</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -2708,6 +3265,34 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Export to</source>
         <translation>Exportieren nach</translation>
+    </message>
+    <message>
+        <source>8-bit</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16-bit</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>halbe Genauigkeit</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>Gleitkomma</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>Ordner zum Schreiben</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth of %1</source>
+        <translation>Tiefe von %1</translation>
     </message>
 </context>
 <context>
@@ -3076,6 +3661,29 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::LightGroup</name>
+    <message>
+        <source>Even out the light</source>
+        <translation>Licht ausgleichen</translation>
+    </message>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>&amp;Vorher zeigen</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
+        <translation>Nimmt langsame Helligkeitsänderungen aus den Farben, sodass Teile von hellen und dunklen Stellen zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
+        <translation>Breite des Fensters, das das Licht findet, als Anteil der kürzeren Seite: größer lässt mehr von den eigenen Tönen der Textur.</translation>
+    </message>
+    <message>
+        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
+        <translation>Wie oft sich das Licht über die Vorlage biegen darf: 1 ist ein einfaches Gefälle.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::LimitsDialog</name>
     <message>
         <source>The latest results stay in memory up to this; others are read from the disk when they are shown.</source>
@@ -3436,6 +4044,29 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::MethodsDialog</name>
+    <message>
+        <source>At a &amp;preview&apos;s size, not at %1 px</source>
+        <translation>In der Größe einer &amp;Vorschau, nicht mit %1 px</translation>
+    </message>
+    <message>
+        <source>Try some methods</source>
+        <translation>Einige Verfahren ausprobieren</translation>
+    </message>
+    <message>
+        <source>Methods to try</source>
+        <translation>Verfahren zum Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Makes a run with each method ticked and shows them side by side.</source>
+        <translation>Macht mit jedem angekreuzten Verfahren einen Lauf und zeigt sie nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::MissingFilesDialog</name>
     <message>
         <source>&amp;Find…</source>
@@ -3631,6 +4262,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&lt;b&gt;Only a part&lt;/b&gt; %1 can only make the whole.</source>
         <translation>&lt;b&gt;Nur ein Teil&lt;/b&gt; %1 kann nur das Ganze erzeugen.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
     </message>
 </context>
 <context>
@@ -3920,6 +4555,30 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Up to %1 of results stay in memory and up to %2 on the disk; “Limits…” in the Results menu changes that.</source>
         <translation>Bis zu %1 an Ergebnissen bleiben im Speicher und bis zu %2 auf dem Datenträger; „Grenzen …“ im Menü „Ergebnisse“ ändert das.</translation>
     </message>
+    <message>
+        <source>Results shown</source>
+        <translation>Gezeigte Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Which results are shown; the others stay.</source>
+        <translation>Welche Ergebnisse gezeigt werden; die anderen bleiben.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Without previews</source>
+        <translation>Ohne Vorschauen</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Angeheftet</translation>
+    </message>
+    <message>
+        <source>No result is of the kind chosen above; “All” shows the others.</source>
+        <translation>Kein Ergebnis ist von der oben gewählten Art; „Alle“ zeigt die übrigen.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultView</name>
@@ -4143,6 +4802,30 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>In a comparison: show red, green, blue, alpha, or colour</source>
         <translation>Im Vergleich: Rot, Grün, Blau, Alpha oder Farbe zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Use these keys</source>
+        <translation>Diese Tasten &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the original</source>
+        <translation>&amp;Ursprüngliche Tasten</translation>
+    </message>
+    <message>
+        <source>New keys</source>
+        <translation>Neue Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;New keys</source>
+        <translation>&amp;Neue Tasten</translation>
+    </message>
+    <message>
+        <source>These keys belong to the place they work in and stay as they are.</source>
+        <translation>Diese Tasten gehören zu dem Ort, an dem sie wirken, und bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>%1 is taken by “%2”; give that other keys first.</source>
+        <translation>%1 ist schon für „%2“ vergeben; geben Sie dem zuerst andere Tasten.</translation>
     </message>
 </context>
 <context>
@@ -4515,6 +5198,18 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>Wrote %1.</source>
         <translation>%1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Try &amp;some methods…</source>
+        <translation>&amp;Einige Verfahren ausprobieren …</translation>
+    </message>
+    <message>
+        <source>Choose methods, make a run with each and compare them</source>
+        <translation>Verfahren wählen, mit jedem einen Lauf machen und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>No exemplar is open</source>
+        <translation>Keine Vorlage ist geöffnet</translation>
     </message>
 </context>
 <context>

@@ -974,10 +974,6 @@
         <translation>Largeur des bords où les côtés opposés d’une tuile sont comparés : plus large cherche des tuiles qui se raccordent dans de plus grandes structures.</translation>
     </message>
     <message>
-        <source>With two exemplars, how far the statistics go from the first to the second.</source>
-        <translation>Avec deux échantillons, jusqu’où les statistiques vont du premier au second.</translation>
-    </message>
-    <message>
         <source>Wraps</source>
         <translation>Raccord</translation>
     </message>
@@ -1328,6 +1324,542 @@
     <message>
         <source>How patches join at the coarsest scale: the cut keeps contrast that the average, as published, loses.</source>
         <translation>Comment les patchs se joignent à l’échelle la plus grossière : la coupe garde le contraste que la moyenne, publiée, perd.</translation>
+    </message>
+    <message>
+        <source>A batch is a JSON object; this is not one.</source>
+        <translation>Un lot est un objet JSON ; ceci n’en est pas un.</translation>
+    </message>
+    <message>
+        <source>A recipe is a JSON object; this is not one.</source>
+        <translation>Une recette est un objet JSON ; ceci n’en est pas un.</translation>
+    </message>
+    <message>
+        <source>A session is a JSON object; this is not one.</source>
+        <translation>Une session est un objet JSON ; ceci n’en est pas un.</translation>
+    </message>
+    <message>
+        <source>A sheet of {} × {} pictures of {} px is too large; compare fewer.</source>
+        <translation>Une planche de {} × {} images de {} px est trop grande ; comparez-en moins.</translation>
+    </message>
+    <message>
+        <source>An image of {} × {} px with {} channels has no pixels.</source>
+        <translation>Une image de {} × {} px à {} canaux n’a pas de pixels.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px cannot wrap with a lattice of {:.0f} × {:.0f} px; make it at least that large, or set lattice=none.</source>
+        <translation>Une sortie de {} × {} px ne peut se raccorder avec un réseau de {} × {} px ; donnez-lui au moins cette taille, ou lattice=none.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px cannot wrap with a tile of {:.0f} × {:.0f} px; make it at least that large.</source>
+        <translation>Une sortie de {} × {} px ne peut se raccorder avec un carreau de {} × {} px ; donnez-lui au moins cette taille.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
+        <translation>Une sortie de {} × {} px se fait par bandes de {} lignes, sans cartes de position ni cartes associées ; pour celles-ci, choisissez une partie ou une taille plus petite.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px would need {} of memory, more than the {} that are free; choose a smaller size.</source>
+        <translation>Une sortie de {} × {} px demanderait {} de mémoire, plus que les {} disponibles ; choisissez une taille plus petite.</translation>
+    </message>
+    <message>
+        <source>At the coarsest of {} scales {} is {} × {} px, smaller than the patch of {} px; choose fewer scales or a smaller patch.</source>
+        <translation>À la plus grossière des {} échelles, {} fait {} × {} px, moins que le patch de {} px ; choisissez moins d’échelles ou un patch plus petit.</translation>
+    </message>
+    <message>
+        <source>Blending takes {}, of which only {} are free; use smaller images.</source>
+        <translation>Le raccord demande {}, dont seuls {} sont libres ; prenez des images plus petites.</translation>
+    </message>
+    <message>
+        <source>Corner {} of the rectification lies at {:.1f}, {:.1f}, outside the image of {} × {} px.</source>
+        <translation>Le coin {} du redressement est à {}, {}, hors de l’image de {} × {} px.</translation>
+    </message>
+    <message>
+        <source>Finding the lattice takes {}, of which only {} are free; open a smaller exemplar.</source>
+        <translation>Trouver le réseau demande {}, dont seuls {} sont libres ; ouvrez un modèle plus petit.</translation>
+    </message>
+    <message>
+        <source>No tile fits in the exemplar of {} × {} px.</source>
+        <translation>Aucun carreau ne tient dans le modèle de {} × {} px.</translation>
+    </message>
+    <message>
+        <source>Portilla–Simoncelli learns from one exemplar or goes between 2, but {} were given.</source>
+        <translation>Portilla–Simoncelli apprend d’un modèle ou va de l’un à l’autre de 2, mais {} ont été donnés.</translation>
+    </message>
+    <message>
+        <source>The band of {} px must be from 2 px to half the images&apos; shorter side, {} px.</source>
+        <translation>La bande de {} px doit aller de 2 px à la moitié du petit côté des images, {} px.</translation>
+    </message>
+    <message>
+        <source>The batch holds more than {} runs; divide it.</source>
+        <translation>Le lot contient plus de {} calculs ; divisez-le.</translation>
+    </message>
+    <message>
+        <source>The batch is of format {}, made for a newer Texloom; this one reads up to {}.</source>
+        <translation>Le lot est au format {}, pour un Texloom plus récent ; celui-ci lit jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>The batch&apos;s {} and {} would both write {}; put $index, or what sets them apart, into the name.</source>
+        <translation>{} et {} du lot écriraient tous deux {} ; mettez $index, ou ce qui les distingue, dans le nom.</translation>
+    </message>
+    <message>
+        <source>The crop of {} × {} px at {}, {} does not lie within the image of {} × {} px.</source>
+        <translation>Le rognage de {} × {} px en {}, {} ne tient pas dans l’image de {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The first image has {} channels, the second {}; they must have the same.</source>
+        <translation>La première image a {} canaux, la seconde {} ; il en faut autant.</translation>
+    </message>
+    <message>
+        <source>The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.</source>
+        <translation>La première image fait {} × {} px, la seconde {} × {} px ; rognez l’une à la taille de l’autre.</translation>
+    </message>
+    <message>
+        <source>The folder {} cannot be made: {}.</source>
+        <translation>Le dossier {} ne peut être créé : {}.</translation>
+    </message>
+    <message>
+        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
+        <translation>Les quatre coins du redressement doivent entourer dans le sens horaire, depuis le haut à gauche, une surface sans creux.</translation>
+    </message>
+    <message>
+        <source>The image is {} × {} px, but the map was made from an exemplar of {} × {} px.</source>
+        <translation>L’image fait {} × {} px, mais la carte vient d’un modèle de {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The images have {} and {} channels; a map needs the same number in each.</source>
+        <translation>Les images ont {} et {} canaux ; une carte en veut autant dans chacune.</translation>
+    </message>
+    <message>
+        <source>The initial image is {} × {} px with {} channels; the output is {} × {} px with {}.</source>
+        <translation>L’image de départ fait {} × {} px à {} canaux ; la sortie {} × {} px à {}.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than {} with {} × {} px; give shorter vectors, or set lattice=none.</source>
+        <translation>La maille du réseau, de {} × {} px, dépasse {} avec {} × {} px ; donnez des vecteurs plus courts, ou lattice=none.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
+        <translation>Les vecteurs {} du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
+    </message>
+    <message>
+        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <translation>La lumière de {} varie tant d’un endroit à l’autre que des pièces se verraient ; elle a donc été égalisée. flatten=no la garde.</translation>
+    </message>
+    <message>
+        <source>The map needs the images that it was made from, but none was given.</source>
+        <translation>La carte demande les images dont elle vient, mais aucune n’a été donnée.</translation>
+    </message>
+    <message>
+        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
+        <translation>La carte vient de {} modèle(s), mais {} image(s) ont été données.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of {}; mask less.</source>
+        <translation>Le masque cache tout {} ; masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <translation>Le masque fait {} × {} px, mais {} fait {} × {} px ; ils doivent être pareils.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
+        <translation>Le masque ne laisse aucun patch entier de {} px à copier ; choisissez un patch plus petit ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.</source>
+        <translation>Le masque ne laisse aucun patch entier de {} px à copier ; choisissez des blocs plus petits ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole tile of {:.0f} × {:.0f} px to copy; mask less.</source>
+        <translation>Le masque ne laisse aucun carreau entier de {} × {} px à copier ; masquez moins.</translation>
+    </message>
+    <message>
+        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
+        <translation>La méthode prend tous les modèles de la même façon : leurs poids n’ont rien changé.</translation>
+    </message>
+    <message>
+        <source>The name {} holds ${}, which is not known here; there is {}.</source>
+        <translation>Le nom {} contient ${}, inconnu ici ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
+        <translation>Le nom {} contient un $ sans mot derrière ; écrivez $$ pour un signe dollar.</translation>
+    </message>
+    <message>
+        <source>The output cannot be {} × {} px: its sides go from 1 to {} px.</source>
+        <translation>La sortie ne peut faire {} × {} px : ses côtés vont de 1 à {} px.</translation>
+    </message>
+    <message>
+        <source>The painted mask could not be kept in {}; check that there is room.</source>
+        <translation>Le masque peint n’a pu être gardé dans {} ; vérifiez qu’il y a de la place.</translation>
+    </message>
+    <message>
+        <source>The pasted picture could not be kept in {}; check that there is room.</source>
+        <translation>L’image collée n’a pu être gardée dans {} ; vérifiez qu’il y a de la place.</translation>
+    </message>
+    <message>
+        <source>The preset is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>Le préréglage est au format {}, d’un Texloom plus récent ; celui-ci ({}) lit jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>The recipe is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>La recette est au format {}, d’un Texloom plus récent ; celui-ci ({}) lit jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>The rectified image would be {} × {} px; each side is 1 to {} px.</source>
+        <translation>L’image redressée ferait {} × {} px ; chaque côté va de 1 à {} px.</translation>
+    </message>
+    <message>
+        <source>The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.</source>
+        <translation>La partie de {} × {} px en ({}, {}) n’est pas dans la sortie de {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The seed “{}” is not a whole number from 0 to {}.</source>
+        <translation>La graine « {} » n’est pas un entier de 0 à {}.</translation>
+    </message>
+    <message>
+        <source>The session has no exemplar in use.</source>
+        <translation>La session n’a pas de modèle en usage.</translation>
+    </message>
+    <message>
+        <source>The session is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>La session est au format {}, d’un Texloom plus récent ; celui-ci ({}) lit jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>The sweep&apos;s {} is for {}, which is not one of the methods of this run.</source>
+        <translation>{} de la série est pour {}, qui n’est pas une méthode de ce calcul.</translation>
+    </message>
+    <message>
+        <source>The tile at ({}, {}) holds pixels that the mask hides; choose another corner.</source>
+        <translation>Le carreau en ({}, {}) contient des pixels que le masque cache ; choisissez un autre coin.</translation>
+    </message>
+    <message>
+        <source>The tile&apos;s corner ({}, {}) lies outside {} with {} × {} px.</source>
+        <translation>Le coin ({}, {}) du carreau est hors de {} avec {} × {} px.</translation>
+    </message>
+    <message>
+        <source>The weight of {} is {}; it goes from {} to {}.</source>
+        <translation>Le poids de {} est {} ; il va de {} à {}.</translation>
+    </message>
+    <message>
+        <source>The {} has a field {} that is not known here; there is {}.</source>
+        <translation>{} : le champ {} est inconnu ici ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>The {} has no {}.</source>
+        <translation>{} : {} manque.</translation>
+    </message>
+    <message>
+        <source>The {} holds a number that is too large.</source>
+        <translation>{} : un nombre y est trop grand.</translation>
+    </message>
+    <message>
+        <source>The {} is nested more than {} levels deep.</source>
+        <translation>{} : imbriqué sur plus de {} niveaux.</translation>
+    </message>
+    <message>
+        <source>The {} is not JSON: it breaks off or goes wrong at byte {}.</source>
+        <translation>{} : pas du JSON ; il s’arrête ou devient faux à l’octet {}.</translation>
+    </message>
+    <message>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <translation>{1} ({0}) fait {2} × {3} px, mais {4} fait {5} × {6} px ; ils doivent être pareils.</translation>
+    </message>
+    <message>
+        <source>The {}&apos;s {} is {}; it must be {}.</source>
+        <translation>{} : {} est {} ; il faut {}.</translation>
+    </message>
+    <message>
+        <source>There are no values for {}.</source>
+        <translation>Il n’y a pas de valeurs pour {}.</translation>
+    </message>
+    <message>
+        <source>There is no colour space {}; there is {}.</source>
+        <translation>Il n’y a pas d’espace de couleurs {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>There is no exemplar to learn from.</source>
+        <translation>Il n’y a pas de modèle dont apprendre.</translation>
+    </message>
+    <message>
+        <source>There is no export preset {}; there is {}.</source>
+        <translation>Il n’y a pas de préréglage d’exportation {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>There is no file {}.</source>
+        <translation>Il n’y a pas de fichier {}.</translation>
+    </message>
+    <message>
+        <source>There is no kind of map {}; there is {}.</source>
+        <translation>Il n’y a pas de genre de carte {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
+        <translation>La mémoire manque pour une image de {} × {} px à {} canaux ({}).</translation>
+    </message>
+    <message>
+        <source>These are {} runs; a sweep has at most {}.</source>
+        <translation>Cela fait {} calculs ; une série en a au plus {}.</translation>
+    </message>
+    <message>
+        <source>To wrap at {} × {} px the lattice was changed by {:.1f} %; a multiple of {} × {} px needs no change.</source>
+        <translation>Pour se raccorder à {} × {} px, le réseau a été changé de {} % ; un multiple de {} × {} px ne demande aucun changement.</translation>
+    </message>
+    <message>
+        <source>To wrap at {} × {} px the tile was changed by {:.1f} %; a multiple of {} × {} px needs no change.</source>
+        <translation>Pour se raccorder à {} × {} px, le carreau a été changé de {} % ; un multiple de {} × {} px ne demande aucun changement.</translation>
+    </message>
+    <message>
+        <source>To wrap, the output of {} × {} px at the coarsest of {} scales must be at least the patch, {} px; choose fewer scales or a smaller patch.</source>
+        <translation>Pour se raccorder, la sortie de {} × {} px à la plus grossière des {} échelles doit faire au moins le patch, {} px ; choisissez moins d’échelles ou un patch plus petit.</translation>
+    </message>
+    <message>
+        <source>To wrap, the output&apos;s {} of {} px must be at least the patch, {} px.</source>
+        <translation>Pour se raccorder, la sortie ({}) de {} px doit faire au moins le patch, {} px.</translation>
+    </message>
+    <message>
+        <source>To wrap, the output&apos;s {} of {} px must be at least {} px.</source>
+        <translation>Pour se raccorder, la sortie ({}) de {} px doit faire au moins {} px.</translation>
+    </message>
+    <message>
+        <source>Turned by {}°, too little of the image of {} × {} px would be left.</source>
+        <translation>Tournée de {}°, il resterait trop peu de l’image de {} × {} px.</translation>
+    </message>
+    <message>
+        <source>Weights of exemplars</source>
+        <translation>Poids des modèles</translation>
+    </message>
+    <message>
+        <source>With two exemplars, how far the statistics go from the first to the second, before their own weights.</source>
+        <translation>Avec deux modèles, jusqu’où les statistiques vont du premier au second, avant leurs propres poids.</translation>
+    </message>
+    <message>
+        <source>companion map</source>
+        <translation>carte associée</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activé</translation>
+    </message>
+    <message>
+        <source>position map (16-bit)</source>
+        <translation>carte de position (16 bits)</translation>
+    </message>
+    <message>
+        <source>position map (STMap)</source>
+        <translation>carte de position (STMap)</translation>
+    </message>
+    <message>
+        <source>recipe</source>
+        <translation>recette</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>résultat</translation>
+    </message>
+    <message>
+        <source>{} = {}: it is {}.</source>
+        <translation>{} = {} : il faut {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: this build has no reader for {}.</source>
+        <translation>{} ne peut être lu : cette version n’a pas de lecteur pour {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: {}.</source>
+        <translation>{} ne peut être lu : {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: it is a folder.</source>
+        <translation>{} ne peut être écrit : c’est un dossier.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the folder {} is not writable.</source>
+        <translation>{} ne peut être écrit : le dossier {} est protégé.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the image has {} channels, and {} holds {}.</source>
+        <translation>{} ne peut être écrit : l’image a {} canaux, et {} en contient {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the name ends in {}; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
+        <translation>{} ne peut être écrit : le nom finit par {} ; Texloom écrit .png, .jpg, .tif, .exr et .hdr.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: there is no folder {}.</source>
+        <translation>{} ne peut être écrit : il n’y a pas de dossier {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {} does not hold {} samples.</source>
+        <translation>{} ne peut être écrit : {} ne contient pas de valeurs {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}.</source>
+        <translation>{} ne peut être écrit : {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot hold a position map; its name ends in .exr (STMap, float) or .png (16-bit).</source>
+        <translation>{} ne peut contenir de carte de position ; son nom finit par .exr (STMap, flottant) ou .png (16 bits).</translation>
+    </message>
+    <message>
+        <source>{} cannot make a part of an output alone; make all of it.</source>
+        <translation>{} ne peut faire seule une partie d’une sortie ; faites-la entière.</translation>
+    </message>
+    <message>
+        <source>{} cannot make an output that wraps.</source>
+        <translation>{} ne peut faire de sortie qui se raccorde.</translation>
+    </message>
+    <message>
+        <source>{} cannot start from an image, so that it cannot follow {}.</source>
+        <translation>{} ne peut partir d’une image et ne peut donc suivre {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot start from an image.</source>
+        <translation>{} ne peut partir d’une image.</translation>
+    </message>
+    <message>
+        <source>{} changed since this result was made.</source>
+        <translation>{} a changé depuis que ce résultat a été fait.</translation>
+    </message>
+    <message>
+        <source>{} copies no pixels, so that it has no position map.</source>
+        <translation>{} ne copie pas de pixels et n’a donc pas de carte de position.</translation>
+    </message>
+    <message>
+        <source>{} could not be copied to {}: {}.</source>
+        <translation>{} n’a pu être copié vers {} : {}.</translation>
+    </message>
+    <message>
+        <source>{} does not say the size of its exemplar; name the exemplar too.</source>
+        <translation>{} ne dit pas la taille de son modèle ; nommez aussi le modèle.</translation>
+    </message>
+    <message>
+        <source>{} does not use an exemplar mask.</source>
+        <translation>{} n’utilise pas de masque du modèle.</translation>
+    </message>
+    <message>
+        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
+        <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
+    </message>
+    <message>
+        <source>{} has no pixels.</source>
+        <translation>{} n’a pas de pixels.</translation>
+    </message>
+    <message>
+        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
+        <translation>{} a {} canaux et {} en a {} ; tous les modèles en veulent autant.</translation>
+    </message>
+    <message>
+        <source>{} has {} channels; images with up to {} can be opened.</source>
+        <translation>{} a {} canaux ; on peut ouvrir des images jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
+        <translation>{} a {} cartes associées et {} en a {} ; chaque modèle veut les mêmes.</translation>
+    </message>
+    <message>
+        <source>{} holds no recipe.</source>
+        <translation>{} ne contient pas de recette.</translation>
+    </message>
+    <message>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
+        <translation>{} contient {} valeurs qui ne sont pas des nombres finis, la première au pixel ({}, {}) ; Texloom en veut de finis.</translation>
+    </message>
+    <message>
+        <source>{} is a {} image; only flat ones can be opened.</source>
+        <translation>{} est une image {} ; seules les images plates s’ouvrent.</translation>
+    </message>
+    <message>
+        <source>{} is empty (0 bytes).</source>
+        <translation>{} est vide (0 octet).</translation>
+    </message>
+    <message>
+        <source>{} is longer than {}, too long for what it should be.</source>
+        <translation>{} dépasse {}, trop long pour ce qu’il devrait être.</translation>
+    </message>
+    <message>
+        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
+        <translation>{} n’est pas une carte de position : une STMap a 2 à 4 canaux flottants de 32 bits, ce fichier {} de {}.</translation>
+    </message>
+    <message>
+        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
+        <translation>{} n’est pas une carte de position : en PNG elle a 3 canaux de 16 bits, ce fichier {} de {}.</translation>
+    </message>
+    <message>
+        <source>{} is not an image that Texloom reads (PNG, JPEG, TIFF, EXR or HDR).</source>
+        <translation>{} n’est pas une image que Texloom lit (PNG, JPEG, TIFF, EXR ou HDR).</translation>
+    </message>
+    <message>
+        <source>{} is not of the result&apos;s size.</source>
+        <translation>{} n’a pas la taille du résultat.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the patch of {} px; choose a patch of at most {} px.</source>
+        <translation>{} fait {} × {} px, moins que le patch de {} px ; choisissez un patch d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, too small for blocks of {} px with their borders; choose blocks of at most {} px.</source>
+        <translation>{} fait {} × {} px, trop peu pour des blocs de {} px avec leurs bords ; choisissez des blocs d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; a tile is looked for in exemplars of at least {} × {} px.</source>
+        <translation>{} fait {} × {} px ; un carreau se cherche dans des modèles d’au moins {} × {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; an exemplar&apos;s sides go up to {} px.</source>
+        <translation>{} fait {} × {} px ; les côtés d’un modèle vont jusqu’à {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; images up to {} pixels can be opened.</source>
+        <translation>{} fait {} × {} px ; on peut ouvrir des images jusqu’à {} pixels.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px; near-regular synthesis needs exemplars of at least {} × {} px.</source>
+        <translation>{} fait {} × {} px ; la synthèse presque régulière veut des modèles d’au moins {} × {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {}, not an image.</source>
+        <translation>{} est {}, non une image.</translation>
+    </message>
+    <message>
+        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
+        <translation>{} plus grand que les blocs de {} px : les nouveaux sont faits de morceaux de plusieurs ; {}.</translation>
+    </message>
+    <message>
+        <source>{} learns from one exemplar, but {} were given.</source>
+        <translation>{} apprend d’un modèle, mais {} ont été donnés.</translation>
+    </message>
+    <message>
+        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <translation>{} annonce un modèle de {} × {} px ; les côtés vont de 1 à {} px.</translation>
+    </message>
+    <message>
+        <source>{} says it is {} × {} px; an EXR&apos;s sides can go up to {} px.</source>
+        <translation>{} dit faire {} × {} px ; les côtés d’un EXR vont jusqu’à {} px.</translation>
+    </message>
+    <message>
+        <source>{} takes {}, of which only {} are free; make a smaller result.</source>
+        <translation>{} demande {}, dont seuls {} sont libres ; faites un résultat plus petit.</translation>
+    </message>
+    <message>
+        <source>{} was not straightened: too little of it would be left.</source>
+        <translation>{} n’a pas été redressé : il en resterait trop peu.</translation>
+    </message>
+    <message>
+        <source>{}: output pixel ({}, {}) comes from {:.2f}, between two pixels; a position map addresses whole ones (was it resampled, or is it for an exemplar of another size?).</source>
+        <translation>{} : le pixel ({}, {}) de la sortie vient de {}, entre deux pixels ; une carte de position en nomme d’entiers (a-t-elle été rééchantillonnée, ou est-elle pour un modèle d’une autre taille ?).</translation>
+    </message>
+    <message>
+        <source>{}: output pixel ({}, {}) comes from {:.2f}, outside the exemplar&apos;s 0 to {}.</source>
+        <translation>{} : le pixel ({}, {}) de la sortie vient de {}, hors de 0 à {} du modèle.</translation>
+    </message>
+    <message>
+        <source>“{}” is not from:to:count, such as 8:64:5, with a count of 2 to {}.</source>
+        <translation>« {} » n’est pas de:à:nombre, comme 8:64:5, avec un nombre de 2 à {}.</translation>
     </message>
 </context>
 <context>
@@ -1890,10 +2422,6 @@
         <translation>É&amp;chantillon</translation>
     </message>
     <message>
-        <source>Show the exemplar among the results</source>
-        <translation>Montrer l’échantillon parmi les résultats</translation>
-    </message>
-    <message>
         <source>&amp;Link views</source>
         <translation>&amp;Lier les vues</translation>
     </message>
@@ -1908,6 +2436,14 @@
     <message>
         <source>Write all pictures with their labels into one PNG file</source>
         <translation>Écrire toutes les images et leurs légendes dans un fichier PNG</translation>
+    </message>
+    <message>
+        <source>Show the exemplars of the results beside them</source>
+        <translation>Montrer les modèles des résultats à côté d’eux</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xemplars</source>
+        <translation>Modèles o&amp;uverts</translation>
     </message>
 </context>
 <context>
@@ -1980,16 +2516,16 @@
 <context>
     <name>texloom::ui::CompareCell</name>
     <message>
-        <source>Use</source>
-        <translation>Utiliser</translation>
-    </message>
-    <message>
         <source>Bring the settings of this result into the form (Return); Run then makes it in full size</source>
         <translation>Reprendre les réglages de ce résultat dans le formulaire (Entrée) ; Lancer le produit ensuite en pleine taille</translation>
     </message>
     <message>
-        <source>Use the settings of %1</source>
-        <translation>Utiliser les réglages de %1</translation>
+        <source>Restore settings</source>
+        <translation>Rétablir les réglages</translation>
+    </message>
+    <message>
+        <source>Restore the settings of %1</source>
+        <translation>Rétablir les réglages de %1</translation>
     </message>
 </context>
 <context>
@@ -2021,6 +2557,76 @@
     <message>
         <source>Choose results in the Results dock and press Compare, or Try all methods in the Synthesis menu.</source>
         <translation>Choisissez des résultats dans le volet Résultats et cliquez sur Comparer, ou essayez toutes les méthodes dans le menu Synthèse.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CornersPage</name>
+    <message>
+        <source>Top left</source>
+        <translation>En haut à gauche</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>En haut à droite</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>En bas à droite</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>En bas à gauche</translation>
+    </message>
+    <message>
+        <source>%1 corner, across</source>
+        <translation>Coin %1, horizontalement</translation>
+    </message>
+    <message>
+        <source>%1 corner, down</source>
+        <translation>Coin %1, verticalement</translation>
+    </message>
+    <message>
+        <source>Recti&amp;fy</source>
+        <translation>Red&amp;resser</translation>
+    </message>
+    <message>
+        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
+        <translation>Placez les coins sur quatre qui forment un rectangle en réalité. N prend le suivant, les flèches le déplacent.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::CropPage</name>
+    <message>
+        <source>Left edge of the crop</source>
+        <translation>Bord gauche du cadre</translation>
+    </message>
+    <message>
+        <source>Upper edge of the crop</source>
+        <translation>Bord supérieur du cadre</translation>
+    </message>
+    <message>
+        <source>Width of the crop</source>
+        <translation>Largeur du cadre</translation>
+    </message>
+    <message>
+        <source>Height of the crop</source>
+        <translation>Hauteur du cadre</translation>
+    </message>
+    <message>
+        <source>Cr&amp;op</source>
+        <translation>Re&amp;cadrer</translation>
+    </message>
+    <message>
+        <source>Left, top</source>
+        <translation>Gauche, haut</translation>
+    </message>
+    <message>
+        <source>Width, height</source>
+        <translation>Largeur, hauteur</translation>
+    </message>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
+        <translation>Glissez les coins ; N prend le suivant, les flèches le déplacent.</translation>
     </message>
 </context>
 <context>
@@ -2132,6 +2738,10 @@
         <source>&amp;Later</source>
         <translation>Plus &amp;tard</translation>
     </message>
+    <message>
+        <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
+        <translation>Les modèles ont été retouchés et aucune session ne le garde encore. Les résultats sont conservés de toute façon.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::DropTargets</name>
@@ -2177,7 +2787,7 @@
     </message>
 </context>
 <context>
-    <name>texloom::ui::ExemplarEditor</name>
+    <name>texloom::ui::EditText</name>
     <message>
         <source>Cropped to %1 at %2, %3</source>
         <translation>Recadré à %1 en %2, %3</translation>
@@ -2202,6 +2812,9 @@
         <source>Light evened out by %1 %</source>
         <translation>Lumière égalisée à %1 %</translation>
     </message>
+</context>
+<context>
+    <name>texloom::ui::ExemplarEditor</name>
     <message>
         <source>Exemplar being edited</source>
         <translation>Échantillon en retouche</translation>
@@ -2255,70 +2868,6 @@
         <translation>La molette zoome, glisser déplace. Choisissez un outil ci-dessus, ou tournez, retournez et égalisez la lumière ci-dessous. Les fichiers restent tels quels.</translation>
     </message>
     <message>
-        <source>Left edge of the crop</source>
-        <translation>Bord gauche du cadre</translation>
-    </message>
-    <message>
-        <source>Upper edge of the crop</source>
-        <translation>Bord supérieur du cadre</translation>
-    </message>
-    <message>
-        <source>Width of the crop</source>
-        <translation>Largeur du cadre</translation>
-    </message>
-    <message>
-        <source>Height of the crop</source>
-        <translation>Hauteur du cadre</translation>
-    </message>
-    <message>
-        <source>Left, top</source>
-        <translation>Gauche, haut</translation>
-    </message>
-    <message>
-        <source>Width, height</source>
-        <translation>Largeur, hauteur</translation>
-    </message>
-    <message>
-        <source>Cr&amp;op</source>
-        <translation>Re&amp;cadrer</translation>
-    </message>
-    <message>
-        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
-        <translation>Glissez les coins ; N prend le suivant, les flèches le déplacent.</translation>
-    </message>
-    <message>
-        <source>Top left</source>
-        <translation>En haut à gauche</translation>
-    </message>
-    <message>
-        <source>Top right</source>
-        <translation>En haut à droite</translation>
-    </message>
-    <message>
-        <source>Bottom right</source>
-        <translation>En bas à droite</translation>
-    </message>
-    <message>
-        <source>Bottom left</source>
-        <translation>En bas à gauche</translation>
-    </message>
-    <message>
-        <source>%1 corner, across</source>
-        <translation>Coin %1, horizontalement</translation>
-    </message>
-    <message>
-        <source>%1 corner, down</source>
-        <translation>Coin %1, verticalement</translation>
-    </message>
-    <message>
-        <source>Recti&amp;fy</source>
-        <translation>Red&amp;resser</translation>
-    </message>
-    <message>
-        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
-        <translation>Placez les coins sur quatre qui forment un rectangle en réalité. N prend le suivant, les flèches le déplacent.</translation>
-    </message>
-    <message>
         <source>Hatched = never copied. Shift and the arrow keys move the brush, the space bar dabs.</source>
         <translation>Hachuré = jamais copié. Maj et les flèches déplacent le pinceau, la barre d’espace tamponne.</translation>
     </message>
@@ -2369,22 +2918,6 @@
     <message>
         <source>Even out the light</source>
         <translation>Égaliser la lumière</translation>
-    </message>
-    <message>
-        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
-        <translation>Ôte les lentes variations de luminosité des couleurs, pour que les parties claires et sombres s’accordent.</translation>
-    </message>
-    <message>
-        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
-        <translation>Largeur de la fenêtre qui trouve la lumière, en parts du petit côté : plus laisse davantage des nuances propres à la texture.</translation>
-    </message>
-    <message>
-        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
-        <translation>Combien de fois la lumière peut se courber sur l’échantillon : 1 est une simple pente.</translation>
-    </message>
-    <message>
-        <source>Show &amp;before</source>
-        <translation>Montrer a&amp;vant</translation>
     </message>
     <message>
         <source>Edits, in order</source>
@@ -2495,6 +3028,30 @@ Déposez une image ici.</translation>
         <source>Position map</source>
         <translation>Carte de positions</translation>
     </message>
+    <message>
+        <source>Wei&amp;ght</source>
+        <translation>Po&amp;ids</translation>
+    </message>
+    <message>
+        <source>%1 (× %2)</source>
+        <translation>%1 (× %2)</translation>
+    </message>
+    <message>
+        <source>Painted</source>
+        <translation>Peint</translation>
+    </message>
+    <message>
+        <source>How much the exemplar counts beside the others: with 2 as though it were open twice.</source>
+        <translation>Combien le modèle compte à côté des autres : avec 2, comme s’il était ouvert deux fois.</translation>
+    </message>
+    <message>
+        <source>The method takes all exemplars alike.</source>
+        <translation>La méthode prend tous les modèles de la même façon.</translation>
+    </message>
+    <message>
+        <source>The method learns from one exemplar, the one that is chosen.</source>
+        <translation>La méthode apprend d’un seul modèle, celui qui est choisi.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarStore</name>
@@ -2529,6 +3086,10 @@ Déposez une image ici.</translation>
     <message>
         <source>Kind of companion map</source>
         <translation>Type de carte associée</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Poids</translation>
     </message>
 </context>
 <context>
@@ -2600,10 +3161,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Automatic: sRGB, or linear for depths that hold it.</source>
         <translation>Automatique : sRGB, ou linéaire pour les profondeurs qui le permettent.</translation>
-    </message>
-    <message>
-        <source>%1</source>
-        <translation>%1</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -2708,6 +3265,34 @@ Déposez une image ici.</translation>
     <message>
         <source>Export to</source>
         <translation>Exporter vers</translation>
+    </message>
+    <message>
+        <source>8-bit</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16-bit</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>demi-précision</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>flottant</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>Dossier où écrire</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>Depth of %1</source>
+        <translation>Profondeur de %1</translation>
     </message>
 </context>
 <context>
@@ -3076,6 +3661,29 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::LightGroup</name>
+    <message>
+        <source>Even out the light</source>
+        <translation>Égaliser la lumière</translation>
+    </message>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>Montrer a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
+        <translation>Ôte les lentes variations de luminosité des couleurs, pour que les parties claires et sombres s’accordent.</translation>
+    </message>
+    <message>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
+        <translation>Largeur de la fenêtre qui trouve la lumière, en parts du petit côté : plus laisse davantage des nuances propres à la texture.</translation>
+    </message>
+    <message>
+        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
+        <translation>Combien de fois la lumière peut se courber sur l’échantillon : 1 est une simple pente.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::LimitsDialog</name>
     <message>
         <source>The latest results stay in memory up to this; others are read from the disk when they are shown.</source>
@@ -3436,6 +4044,29 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::MethodsDialog</name>
+    <message>
+        <source>At a &amp;preview&apos;s size, not at %1 px</source>
+        <translation>À la taille d’un &amp;aperçu, non de %1 px</translation>
+    </message>
+    <message>
+        <source>Try some methods</source>
+        <translation>Essayer quelques méthodes</translation>
+    </message>
+    <message>
+        <source>Methods to try</source>
+        <translation>Méthodes à essayer</translation>
+    </message>
+    <message>
+        <source>Makes a run with each method ticked and shows them side by side.</source>
+        <translation>Fait un calcul avec chaque méthode cochée et les montre côte à côte.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::MissingFilesDialog</name>
     <message>
         <source>&amp;Find…</source>
@@ -3631,6 +4262,10 @@ Déposez une image ici.</translation>
     <message>
         <source>&lt;b&gt;Only a part&lt;/b&gt; %1 can only make the whole.</source>
         <translation>&lt;b&gt;Une partie seulement&lt;/b&gt; %1 ne peut produire que le tout.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
     </message>
 </context>
 <context>
@@ -3920,6 +4555,30 @@ Déposez une image ici.</translation>
         <source>Up to %1 of results stay in memory and up to %2 on the disk; “Limits…” in the Results menu changes that.</source>
         <translation>Jusqu’à %1 de résultats restent en mémoire et jusqu’à %2 sur le disque ; « Limites… » dans le menu Résultats le change.</translation>
     </message>
+    <message>
+        <source>Results shown</source>
+        <translation>Résultats montrés</translation>
+    </message>
+    <message>
+        <source>Which results are shown; the others stay.</source>
+        <translation>Quels résultats sont montrés ; les autres restent.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
+    </message>
+    <message>
+        <source>Without previews</source>
+        <translation>Sans les aperçus</translation>
+    </message>
+    <message>
+        <source>Pinned</source>
+        <translation>Épinglés</translation>
+    </message>
+    <message>
+        <source>No result is of the kind chosen above; “All” shows the others.</source>
+        <translation>Aucun résultat n’est du genre choisi ci-dessus ; « Tous » montre les autres.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultView</name>
@@ -4143,6 +4802,30 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>In a comparison: show red, green, blue, alpha, or colour</source>
         <translation>Dans une comparaison : montrer rouge, vert, bleu, alpha ou couleur</translation>
+    </message>
+    <message>
+        <source>&amp;Use these keys</source>
+        <translation>&amp;Utiliser ces touches</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the original</source>
+        <translation>Touches d’&amp;origine</translation>
+    </message>
+    <message>
+        <source>New keys</source>
+        <translation>Nouvelles touches</translation>
+    </message>
+    <message>
+        <source>&amp;New keys</source>
+        <translation>&amp;Nouvelles touches</translation>
+    </message>
+    <message>
+        <source>These keys belong to the place they work in and stay as they are.</source>
+        <translation>Ces touches appartiennent à l’endroit où elles agissent et restent comme elles sont.</translation>
+    </message>
+    <message>
+        <source>%1 is taken by “%2”; give that other keys first.</source>
+        <translation>%1 sert déjà à « %2 » ; donnez-lui d’abord d’autres touches.</translation>
     </message>
 </context>
 <context>
@@ -4515,6 +5198,18 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>Wrote %1.</source>
         <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>Try &amp;some methods…</source>
+        <translation>Essayer &amp;quelques méthodes…</translation>
+    </message>
+    <message>
+        <source>Choose methods, make a run with each and compare them</source>
+        <translation>Choisir des méthodes, faire un calcul avec chacune et les comparer</translation>
+    </message>
+    <message>
+        <source>No exemplar is open</source>
+        <translation>Aucun modèle n’est ouvert</translation>
     </message>
 </context>
 <context>

@@ -162,6 +162,7 @@ QWidget* BlendWindow::makeImageRow(int which) {
 QWidget* BlendWindow::makePositionRow() {
     auto* row = new QWidget;
     m_position->setObjectName(QStringLiteral("blendPosition"));
+    m_position->setAccessibleName(tr("Position of the curve"));
     m_position->setRange(0, 100);
     m_position->setDecimals(1);
     m_position->setValue(50);
