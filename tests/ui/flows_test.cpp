@@ -410,7 +410,7 @@ private:
     }
 
     static void check(const QWidget& window) {
-        QCoreApplication::processEvents();
+        settle();
         QVERIFY2(cutText(window).isEmpty(), qPrintable(cutText(window)));
         QVERIFY2(namelessControls(window).isEmpty(),
                  qPrintable(namelessControls(window).join(QStringLiteral(", "))));
@@ -418,7 +418,7 @@ private:
 
     static void checkDialogOf(MainWindow& window, const char* name) {
         child<QAction>(window, name)->trigger();
-        QCoreApplication::processEvents();
+        settle();
         bool any = false;
         for (QWidget* dialog : QApplication::topLevelWidgets()) {
             if (dialog == &window || !dialog->isVisible() || dialog->windowType() == Qt::Popup)

@@ -414,7 +414,7 @@ private:
     }
 
     static void shoot(QWidget& widget, const char* state) {
-        QCoreApplication::processEvents();
+        settle();
         QVERIFY2(cutText(widget).isEmpty(), qPrintable(cutText(widget)));
         const QString scale = qEnvironmentVariable("QT_SCALE_FACTOR", QStringLiteral("1"));
         const QString file = QStringLiteral("%1/%2-%3-%4x.png")

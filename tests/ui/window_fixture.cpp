@@ -59,6 +59,12 @@ bool openAndFinish(MainWindow& window, const QString& path) {
     return finished.wait(60'000);
 }
 
+void settle() {
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds; ++round)
+        QCoreApplication::processEvents();
+}
+
 QString cutText(const QWidget& window) {
     for (const auto* button : window.findChildren<QAbstractButton*>()) {
         const auto* tool = qobject_cast<const QToolButton*>(button);

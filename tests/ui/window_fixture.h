@@ -24,6 +24,9 @@ QString writeTexture(const QTemporaryDir& folder, const QString& name, Size size
 /// Brings the window to the state in which a first exemplar has been opened and its quick run has ended.
 bool openAndFinish(MainWindow& window, const QString& path);
 
+/// Lets layouts come to rest, which ask for one another by events.
+void settle();
+
 /// The first text in a window that has less room than it asks for; empty if all are whole.
 QString cutText(const QWidget& window);
 
