@@ -91,7 +91,7 @@ std::optional<QString> fromPattern(const QString& sentence) {
 } // namespace
 
 QString translatedSentence(const QString& sentence) {
-    if (const QString whole = inLanguage(sentence); whole != sentence)
+    if (QString whole = inLanguage(sentence); whole != sentence)
         return whole;
     if (const auto translated = fromPattern(sentence))
         return *translated;
