@@ -4912,6 +4912,30 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <source>distance</source>
         <translation>Abstand</translation>
     </message>
+    <message>
+        <source>colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>patches, axis 1</source>
+        <translation>Patches, Achse 1</translation>
+    </message>
+    <message>
+        <source>patches, axis 2</source>
+        <translation>Patches, Achse 2</translation>
+    </message>
+    <message>
+        <source>patches, whole</source>
+        <translation>Patches, ganz</translation>
+    </message>
+    <message>
+        <source>patches, half scale</source>
+        <translation>Patches, halb so groß</translation>
+    </message>
+    <message>
+        <source>patches, quarter scale</source>
+        <translation>Patches, viertel so groß</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::SweepDialog</name>

@@ -4912,6 +4912,30 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <source>distance</source>
         <translation>distance</translation>
     </message>
+    <message>
+        <source>colours</source>
+        <translation>couleurs</translation>
+    </message>
+    <message>
+        <source>patches, axis 1</source>
+        <translation>patchs, axe 1</translation>
+    </message>
+    <message>
+        <source>patches, axis 2</source>
+        <translation>patchs, axe 2</translation>
+    </message>
+    <message>
+        <source>patches, whole</source>
+        <translation>patchs, entiers</translation>
+    </message>
+    <message>
+        <source>patches, half scale</source>
+        <translation>patchs, demi-échelle</translation>
+    </message>
+    <message>
+        <source>patches, quarter scale</source>
+        <translation>patchs, quart d’échelle</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::SweepDialog</name>

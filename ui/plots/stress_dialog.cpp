@@ -4,7 +4,6 @@
 #include "ui/jobs/task_bar.h"
 #include "ui/plots/plot.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/window/text.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -15,6 +14,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <iterator>
 #include <utility>
 
 namespace texloom::ui {
@@ -127,9 +127,11 @@ void StressDialog::stop(const QString& why) {
 void StressDialog::showDistances() {
     PlotData plotted{
         tr("How far each round is from the exemplar"), tr("round"), tr("distance"), {}, false, true};
-    const std::vector<Figure> names = distanceFigures({});
-    for (std::size_t i = 0; i < names.size() && !m_distances.empty(); ++i) {
-        PlotSeries series{translated(names[i].name), {}};
+    // In short, and in the order of distanceFigures(): a legend has little room.
+    const QString names[] = {tr("colours"),        tr("patches, axis 1"),     tr("patches, axis 2"),
+                             tr("patches, whole"), tr("patches, half scale"), tr("patches, quarter scale")};
+    for (std::size_t i = 0; i < std::size(names) && !m_distances.empty(); ++i) {
+        PlotSeries series{names[i], {}};
         for (std::size_t round = 0; round < m_distances.size(); ++round)
             series.points.emplace_back(static_cast<double>(round + 1),
                                        distanceFigures(m_distances[round])[i].value);
