@@ -78,6 +78,25 @@ Limits powersAround(const Limits& limits) {
     return {low, std::max(10 * low, std::pow(10, std::ceil(std::log10(std::max(1e-12, limits.high)))))};
 }
 
+/// Whether x counts something: rounds, iterations.
+bool isCounted(const PlotData& data) {
+    const auto isWhole = [](const QPointF& point) { return point.x() == std::floor(point.x()); };
+    return std::all_of(data.series.begin(), data.series.end(), [&](const PlotSeries& series) {
+        return std::all_of(series.points.begin(), series.points.end(), isWhole);
+    });
+}
+
+/// Ticks at multiples of 1, 2, 5, 10, 20 and so on.
+void tickWhole(QValueAxis& axis) {
+    constexpr double kMostTicks = 8;
+    double step = 1;
+    for (int i = 0; (axis.max() - axis.min()) / step > kMostTicks; ++i)
+        step *= i % 3 == 1 ? 2.5 : 2;
+    axis.setLabelFormat(QStringLiteral("%d"));
+    axis.setTickType(QValueAxis::TicksDynamic);
+    axis.setTickInterval(step);
+}
+
 } // namespace
 
 Plot::Plot(QWidget* parent)
@@ -176,7 +195,9 @@ void Plot::draw() {
         line->attachAxis(up);
     }
     up->applyNiceNumbers();
-    if (auto* linear = qobject_cast<QValueAxis*>(across))
+    if (auto* linear = qobject_cast<QValueAxis*>(across); linear && isCounted(m_data))
+        tickWhole(*linear);
+    else if (linear)
         linear->applyNiceNumbers();
     colorChart(chart.get());
     delete m_view->chart();
