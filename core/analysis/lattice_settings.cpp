@@ -86,14 +86,21 @@ Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
     const Finding found = findingIn(exemplar, check);
     if (!found.lattice.free())
         return found.lattice;
-    const std::string why =
-        found.candidates ? fmt::format("No lattice was found in {} (confidence {:.0f} %; a vector must fit "
-                                       "about twice)",
-                                       name, 100 * found.confidence)
-                         : fmt::format("Nothing in {} repeats itself about twice", name);
-    notes.push_back(why + ", so it was taken as a texture that does not repeat; if it does, draw its vectors "
-                          "in the window's Lattice workspace or give them with lattice=given, and if not, "
-                          "image quilting may suit it better.");
+    if (found.candidates)
+        notes.push_back(
+            fmt::format("No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so "
+                        "it was taken as "
+                        "a texture that does not repeat; if it does, draw its vectors in the window's "
+                        "Lattice workspace or "
+                        "give them with lattice=given, and if not, image quilting may suit it better.",
+                        name, 100 * found.confidence));
+    else
+        notes.push_back(fmt::format("Nothing in {} repeats itself about twice, so it was taken as a texture "
+                                    "that does not repeat; if it "
+                                    "does, draw its vectors in the window's Lattice workspace or give them "
+                                    "with lattice=given, and if "
+                                    "not, image quilting may suit it better.",
+                                    name));
     return {};
 }
 

@@ -1861,6 +1861,14 @@
         <source>“{}” is not from:to:count, such as 8:64:5, with a count of 2 to {}.</source>
         <translation>„{}“ ist nicht von:bis:Anzahl wie 8:64:5 mit einer Anzahl von 2 bis {}.</translation>
     </message>
+    <message>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>In {} wurde kein Gitter gefunden (Sicherheit {} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ des Fensters oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ des Fensters oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

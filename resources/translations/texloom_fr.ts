@@ -1861,6 +1861,14 @@
         <source>“{}” is not from:to:count, such as 8:64:5, with a count of 2 to {}.</source>
         <translation>« {} » n’est pas de:à:nombre, comme 8:64:5, avec un nombre de 2 à {}.</translation>
     </message>
+    <message>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>Aucun réseau n’a été trouvé dans {} (confiance {} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, tracez ses vecteurs dans l’espace de travail « Réseau » de la fenêtre ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, tracez ses vecteurs dans l’espace de travail « Réseau » de la fenêtre ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
