@@ -20,7 +20,7 @@ const char* const kSizesAttribute = "texloom:exemplars";
 
 enum class MapFormat { StMap, Exact };
 
-MapFormat formatFor(const fs::path& path) {
+MapFormat mapFormatFor(const fs::path& path) {
     std::string extension = path.extension().string();
     for (char& letter : extension)
         letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
@@ -133,7 +133,7 @@ void writePositionMap(const fs::path& path, const PositionMap& map, const std::s
     options.check = check;
     options.attributes = {{kSizesAttribute, sizesText(map.exemplarSizes())},
                           {"texloom:convention", mapConvention(path)}};
-    if (formatFor(path) == MapFormat::StMap) {
+    if (mapFormatFor(path) == MapFormat::StMap) {
         options.depth = Depth::Float;
         writeImage(
             path, map.size(), 4, [&map](int y, float* row) { stMapRow(map, y, row); }, options);
@@ -146,7 +146,7 @@ void writePositionMap(const fs::path& path, const PositionMap& map, const std::s
 
 PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemplarSizes) {
     const LoadedImage file = readImage(path);
-    const MapFormat format = file.info.format == "openexr" ? MapFormat::StMap : formatFor(path);
+    const MapFormat format = file.info.format == "openexr" ? MapFormat::StMap : mapFormatFor(path);
     checkMapFile(path, format, file.info);
     std::vector<Size> sizes = parseSizes(readAttribute(path, kSizesAttribute));
     if (sizes.empty())
@@ -167,7 +167,7 @@ PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemp
 }
 
 std::string mapConvention(const fs::path& path) {
-    if (formatFor(path) == MapFormat::StMap)
+    if (mapFormatFor(path) == MapFormat::StMap)
         return "STMap, 32-bit float: R = (x + 0.5) / width, G = 1 - (y + 0.5) / height with the origin at "
                "the bottom "
                "left, B = exemplar from 0, A = 1 where there is a source";

@@ -10,11 +10,11 @@ namespace texloom {
 namespace {
 
 /// Longest side of the tiles that one thread scans at a time, in patches.
-constexpr int kTile = 32;
+constexpr int kGridTile = 32;
 
 /// Tiles along one axis: 1 or an even number, so that neighbours differ in colour also round the border.
 int tilesAlong(int patches) {
-    return patches <= kTile ? 1 : (patches + 2 * kTile - 1) / (2 * kTile) * 2;
+    return patches <= kGridTile ? 1 : (patches + 2 * kGridTile - 1) / (2 * kGridTile) * 2;
 }
 
 int floatsPerPixel(int channels) {
@@ -90,7 +90,7 @@ void GridMatcher::improve(PatchField& field, const Gather& gather, int round, in
 void GridMatcher::improveTile(PatchField& field, const Gather& gather, int number, int round, int radius) {
     const Tile area = tile(number);
     const int columns = area.right - area.left, rows = area.bottom - area.top;
-    const int side = (kTile - 1) * m_lattice.stride + m_lattice.patch;
+    const int side = (kGridTile - 1) * m_lattice.stride + m_lattice.patch;
     const auto pixels = m_pool.borrow([&] { return Interleaved({side, side}, m_channels); });
     gather(
         area.left * m_lattice.stride, area.top * m_lattice.stride,
@@ -153,7 +153,7 @@ void GridMatcher::improvePatch(PatchField& field, int x, int y, const float* pat
 std::uint64_t GridMatcher::bytesFor(std::span<const Size> exemplars, int channels, int patch, int stride,
                                     int threads) {
     const auto pixel = static_cast<std::uint64_t>(floatsPerPixel(channels)) * sizeof(float);
-    const int pixels = (kTile - 1) * stride + patch;
+    const int pixels = (kGridTile - 1) * stride + patch;
     const auto side = static_cast<std::uint64_t>(pixels);
     std::uint64_t bytes = static_cast<std::uint64_t>(threads) * side * side * pixel;
     for (const Size& size : exemplars)

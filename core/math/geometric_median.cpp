@@ -16,14 +16,14 @@ constexpr int kMostSteps = 200;
 
 using Point = std::array<double, kMostDimensions>;
 
-std::size_t at(int index) {
+std::size_t place(int index) {
     return static_cast<std::size_t>(index);
 }
 
 double distance(const Point& a, const float* b, int dimension) {
     double sum = 0;
     for (int d = 0; d < dimension; ++d) {
-        const double difference = a[at(d)] - static_cast<double>(b[d]);
+        const double difference = a[place(d)] - static_cast<double>(b[d]);
         sum += difference * difference;
     }
     return std::sqrt(sum);
@@ -50,22 +50,22 @@ double step(Point& x, const float* points, const float* weights, int count, int 
         }
         whole += weight / away;
         for (int d = 0; d < dimension; ++d) {
-            sum[at(d)] += weight / away * static_cast<double>(point[d]);
-            pull[at(d)] += weight / away * (static_cast<double>(point[d]) - x[at(d)]);
+            sum[place(d)] += weight / away * static_cast<double>(point[d]);
+            pull[place(d)] += weight / away * (static_cast<double>(point[d]) - x[place(d)]);
         }
     }
     if (whole <= 0)
         return 0;
     double force = 0;
     for (int d = 0; d < dimension; ++d)
-        force += pull[at(d)] * pull[at(d)];
+        force += pull[place(d)] * pull[place(d)];
     force = std::sqrt(force);
     const double stay = force > 0 ? std::min(1.0, here / force) : 1;
     double moved = 0;
     for (int d = 0; d < dimension; ++d) {
-        const double to = (1 - stay) * sum[at(d)] / whole + stay * x[at(d)];
-        moved += (to - x[at(d)]) * (to - x[at(d)]);
-        x[at(d)] = to;
+        const double to = (1 - stay) * sum[place(d)] / whole + stay * x[place(d)];
+        moved += (to - x[place(d)]) * (to - x[place(d)]);
+        x[place(d)] = to;
     }
     return std::sqrt(moved);
 }
@@ -81,7 +81,7 @@ void geometricMedian(const float* points, const float* weights, int count, int d
         if (step(x, points, weights, count, dimension, 1e-9 * size) <= tolerance * size)
             break;
     for (int d = 0; d < dimension; ++d)
-        result[d] = static_cast<float>(x[at(d)]);
+        result[d] = static_cast<float>(x[place(d)]);
 }
 
 void geometricMedianByDouglasRachford(const float* points, const float* weights, int count, int dimension,
@@ -103,25 +103,26 @@ void geometricMedianByDouglasRachford(const float* points, const float* weights,
             // prox of γ·w‖· − q‖: towards q by γ·w, and no further than q.
             const float* point = points + i * dimension;
             const double reach = 0.25 * size * static_cast<double>(weights[i]) * count / whole;
-            const double away = distance(y[at(i)], point, dimension);
+            const double away = distance(y[place(i)], point, dimension);
             const double share = away > reach ? reach / away : 1;
             for (int d = 0; d < dimension; ++d) {
-                p[at(i)][at(d)] = y[at(i)][at(d)] + share * (static_cast<double>(point[d]) - y[at(i)][at(d)]);
-                mean[at(d)] += p[at(i)][at(d)] / count;
+                p[place(i)][place(d)] =
+                    y[place(i)][place(d)] + share * (static_cast<double>(point[d]) - y[place(i)][place(d)]);
+                mean[place(d)] += p[place(i)][place(d)] / count;
             }
         }
         double moved = 0;
         for (int d = 0; d < dimension; ++d) {
-            const double change = mean[at(d)] - last[at(d)];
+            const double change = mean[place(d)] - last[place(d)];
             moved += change * change;
             for (int i = 0; i < count; ++i)
-                y[at(i)][at(d)] += mean[at(d)] - p[at(i)][at(d)] + change;
+                y[place(i)][place(d)] += mean[place(d)] - p[place(i)][place(d)] + change;
         }
         if (round > 2 && std::sqrt(moved) <= kNear * size)
             break;
     }
     for (int d = 0; d < dimension; ++d)
-        result[d] = static_cast<float>(mean[at(d)]);
+        result[d] = static_cast<float>(mean[place(d)]);
 }
 
 } // namespace texloom

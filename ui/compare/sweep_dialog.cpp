@@ -23,7 +23,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kValueWidths = 40;
-constexpr int kWidths = 64;
+constexpr int kSheetWidths = 64;
 
 /// What an axis starts with: all choices, both states, or the value itself and some around it.
 QString suggestion(const Param& parameter, const Value& value) {
@@ -101,7 +101,7 @@ SweepDialog::SweepDialog(RunInput input, QWidget* parent)
         targetChosen(row);
     }
     connect(m_varySeed, &QRadioButton::toggled, this, &SweepDialog::refresh);
-    const int width = fontMetrics().averageCharWidth() * kWidths;
+    const int width = fontMetrics().averageCharWidth() * kSheetWidths;
     resize(width, layout()->totalHeightForWidth(width));
 }
 

@@ -17,7 +17,7 @@ namespace texloom::ui {
 
 namespace {
 
-constexpr int kBarSteps = 1000;
+constexpr int kRunBarSteps = 1000;
 
 } // namespace
 
@@ -29,7 +29,7 @@ RunPanel::RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, 
     m_note->setWordWrap(true);
     m_note->setTextFormat(Qt::PlainText);
     m_bar->setObjectName(QStringLiteral("runProgress"));
-    m_bar->setRange(0, kBarSteps);
+    m_bar->setRange(0, kRunBarSteps);
     m_bar->setAccessibleName(tr("Progress of the run"));
     m_stage->setTextFormat(Qt::PlainText);
 
@@ -105,7 +105,7 @@ void RunPanel::setRunning(bool running, int waiting) {
 }
 
 void RunPanel::showProgress(const RunProgress& progress) {
-    m_bar->setValue(static_cast<int>(progress.fraction * kBarSteps));
+    m_bar->setValue(static_cast<int>(progress.fraction * kRunBarSteps));
     m_bar->setFormat(percentText(progress.fraction));
     const QString waiting = m_waiting > 0 ? tr("%1 waiting").arg(m_waiting) : QString();
     const bool both = m_waiting > 0 && !progress.stage.isEmpty();

@@ -22,7 +22,7 @@ namespace texloom::ui {
 
 namespace {
 
-constexpr int kWidth = 90, kLines = 36; ///< of the dialog, in widths and lines of text
+constexpr int kVarianceWidth = 90, kVarianceLines = 36; ///< of the dialog, in widths and lines of text
 constexpr int kSmallest = 2, kLargestPatch = 512, kMostNeighbours = 100'000, kMostPatches = 10'000;
 constexpr int kFirstPatches = 16;
 
@@ -93,7 +93,7 @@ VarianceDialog::VarianceDialog(std::vector<NamedImage> images, QWidget* parent)
     say(tr(
         "Press Compute. Where σ̄ is small, m patches are alike and a Gaussian model of them copies; where it "
         "is large, the model blurs."));
-    resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
+    resize(fontMetrics().averageCharWidth() * kVarianceWidth, fontMetrics().height() * kVarianceLines);
 }
 
 void VarianceDialog::say(const QString& text) {

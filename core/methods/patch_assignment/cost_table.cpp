@@ -10,8 +10,6 @@ namespace {
 /// Patches of the output that one thread takes at a time, and of the exemplar, which are then at hand for all
 /// of them.
 constexpr int kPersons = 8, kObjects = 64;
-/// What rounding may add to a cost, as a share of it.
-constexpr float kRounding = 1e-5F;
 
 std::size_t product(int a, int b) {
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
@@ -69,9 +67,9 @@ bool CostTable::outlives(int person, float moved, const Tolerance& tolerance) {
         return false;
     }
     float* row = m_costs.row(person);
-    const float most = (1 + kRounding) * moved;
+    const float most = (1 + ExemplarPatches::kRounding) * moved;
     for (int i = 0; i < m_costs.perRow; ++i)
-        row[i] = -std::max(0.0F, (1 - kRounding) * std::abs(row[i]) - most);
+        row[i] = -std::max(0.0F, (1 - ExemplarPatches::kRounding) * std::abs(row[i]) - most);
     return true;
 }
 

@@ -26,8 +26,6 @@ struct PlanarShape {
 };
 
 constexpr int kLanes = 8, kBlock = 64;
-/// What rounding may add to a lower bound, as a share of it.
-constexpr float kRounding = 1e-5F;
 
 /// Pixels and such as fill whole vectors.
 int lanes(int count) {

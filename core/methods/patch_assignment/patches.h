@@ -16,6 +16,8 @@ class ExemplarPatches {
 public:
     /// Most patches that are similar to one which are kept.
     static constexpr int kSimilar = 6;
+    /// What rounding may add to a cost or a bound of one, as a share of it.
+    static constexpr float kRounding = 1e-5F;
 
     ExemplarPatches(std::span<const PatchSource> sources, const Settings& settings, bool random,
                     JobContext& context);
