@@ -153,28 +153,23 @@ void Multigrid::multiply(const std::vector<double>& from, std::vector<double>& t
     });
 }
 
-void Multigrid::smoothForwards(Level& level) const {
+/// Solves the equation of one cell (Gauss–Seidel).
+void Multigrid::relax(Level& level, std::size_t i, const Cell& cell) {
     std::vector<float>& values = level.values;
-    each(level, [&](std::size_t i, const Cell& cell) {
-        const auto left = static_cast<std::size_t>(cell.left), up = static_cast<std::size_t>(cell.up);
-        const auto right = static_cast<std::size_t>(cell.right), down = static_cast<std::size_t>(cell.down);
-        values[i] =
-            (level.right[i] + level.cells[left].toRight * values[left] + level.cells[up].toDown * values[up] +
-             cell.toRight * values[right] + cell.toDown * values[down]) *
-            cell.inverse;
-    });
+    const auto left = static_cast<std::size_t>(cell.left), up = static_cast<std::size_t>(cell.up);
+    const auto right = static_cast<std::size_t>(cell.right), down = static_cast<std::size_t>(cell.down);
+    values[i] =
+        (level.right[i] + level.cells[left].toRight * values[left] + level.cells[up].toDown * values[up] +
+         cell.toRight * values[right] + cell.toDown * values[down]) *
+        cell.inverse;
+}
+
+void Multigrid::smoothForwards(Level& level) const {
+    each(level, [&](std::size_t i, const Cell& cell) { relax(level, i, cell); });
 }
 
 void Multigrid::smoothBackwards(Level& level) const {
-    std::vector<float>& values = level.values;
-    eachBackwards(level, [&](std::size_t i, const Cell& cell) {
-        const auto left = static_cast<std::size_t>(cell.left), up = static_cast<std::size_t>(cell.up);
-        const auto right = static_cast<std::size_t>(cell.right), down = static_cast<std::size_t>(cell.down);
-        values[i] =
-            (level.right[i] + level.cells[left].toRight * values[left] + level.cells[up].toDown * values[up] +
-             cell.toRight * values[right] + cell.toDown * values[down]) *
-            cell.inverse;
-    });
+    eachBackwards(level, [&](std::size_t i, const Cell& cell) { relax(level, i, cell); });
 }
 
 void Multigrid::descend(std::size_t number) {

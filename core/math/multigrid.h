@@ -54,6 +54,7 @@ private:
     Level coarsened(Level& finer, std::vector<Pixel>& pixels, int side) const;
     /// @param given weights of the cells' links to given values.
     void finish(Level& level, const std::vector<float>& given) const;
+    static void relax(Level& level, std::size_t i, const Cell& cell);
     void smoothForwards(Level& level) const;
     void smoothBackwards(Level& level) const;
     void descend(std::size_t number);

@@ -211,7 +211,7 @@ TEST_P(BadInput, GetsOneClearLineAndLeavesNothing) {
 
 TEST_F(BadInput, NamesTheMemoryThatIsMissing) {
     if (availableMemory() > (64ULL << 30))
-        GTEST_SKIP() << "this machine has the memory";
+        GTEST_SKIP() << "skipped: the output fits into this machine's memory";
     const Ended ended = runCli(synth("bark.png", {"--size", "65536x65536"}), m_folder.path());
     EXPECT_EQ(ended.status, kFailed);
     EXPECT_EQ(ended.complaints(), 1) << ended.err;
