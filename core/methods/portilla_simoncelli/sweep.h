@@ -3,6 +3,7 @@
 #include "core/job/job_context.h"
 #include "core/math/steerable_pyramid.h"
 #include "core/methods/portilla_simoncelli/correlations.h"
+#include "core/methods/portilla_simoncelli/scale_variables.h"
 #include "core/methods/portilla_simoncelli/settings.h"
 #include "core/methods/portilla_simoncelli/statistics.h"
 
@@ -33,6 +34,7 @@ public:
     /// @return everything but the moments of channels and components.
     Statistics run(Image& components, const Statistics* wanted, const Progress& progress);
 
+    /// An upper bound of the bytes that an object and its run take.
     static std::uint64_t bytesFor(Size size, int scales, int components, const Settings& settings,
                                   int threads);
 
@@ -40,18 +42,9 @@ private:
     using Complex = SteerablePyramid::Complex;
     using Spectrum = FftBuffer<Complex>;
     using Plane = FftBuffer<float>;
-    using Samples = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    /// Which variables of a scale are looked at together with those of the next one.
-    enum class Kind { Magnitudes, Reals };
-    /// Pixels that are read at a time: a rectangle in one scale.
-    struct Block {
-        int left, top, right, bottom;
-    };
 
-    int bands() const { return m_components * m_pyramid.orientations(); }
+    int bands() const { return m_variables.bands(); }
     bool coarsest(int scale) const { return scale + 1 == m_pyramid.scales(); }
-    int nextCount(int scale, Kind kind) const;
-    PlaneSpan span(const Plane& plane, int scale) const;
     const ScaleStatistics& wantedAt(int scale) const {
         return m_wanted->scales[static_cast<std::size_t>(scale)];
     }
@@ -61,19 +54,10 @@ private:
     void report(int scale, double share);
 
     void decompose(const Image& components, int component);
-    Samples shiftedLow(int column) const;
     void shapeLow();
     void shapeScale(int scale);
-    void splitBand(int scale, int band);
-    void splitNext(int scale, int band);
-    void splitLow(int scale, int component);
-    int blockCount(int scale) const;
-    Block block(int scale, int index) const;
-    void gather(int scale, Kind kind, const Block& block, Samples& samples) const;
-    Eigen::MatrixXd covariance(int scale, Kind kind) const;
     void keepFamilies(Eigen::MatrixXd& matrix, int rowsEach, int columnsEach) const;
     void relate(int scale, Kind kind);
-    void mix(int scale, Kind kind, const Mixing& mixing);
     void shapeMagnitude(int scale, int band);
     void collect(int scale);
     void shapeImage(int scale, int component);
@@ -94,10 +78,7 @@ private:
     std::vector<std::vector<Spectrum>> m_spectra; ///< what comes in at each scale, by component
     std::vector<std::vector<Spectrum>> m_bands;   ///< real bands by scale; of scale 0 a few at a time
     std::vector<std::vector<Spectrum>> m_images;  ///< low-pass images as they become, by scale and component
-    std::vector<Plane> m_magnitudes;              ///< of the scale under way, by band
-    std::vector<Plane> m_reals;                   ///< the same; cosines of the phase before
-    std::vector<Plane> m_next;                    ///< the next scale's variables, interpolated
-    std::vector<double> m_means, m_nextMeans;     ///< of magnitudes
+    ScaleVariables m_variables;                   ///< of the scale under way
     std::vector<Plane> m_planes;                  ///< low-pass images, by component
     int m_planeScale = 0;
 };
