@@ -1,6 +1,7 @@
 #include "core/match/patch_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace texloom {
@@ -12,6 +13,10 @@ int dividedUp(int a, int b) {
 }
 
 } // namespace
+
+int overlapFor(int patch, double share) {
+    return std::clamp(static_cast<int>(std::lround(share * patch)), 1, patch / 2);
+}
 
 PatchAxis::PatchAxis(int length, int patch, int overlap, bool wraps) : m_patch(patch), m_wraps(wraps) {
     const int step = patch - overlap;

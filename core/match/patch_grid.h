@@ -7,6 +7,9 @@
 
 namespace texloom {
 
+/// Pixels of an overlap that is a share of the patch: at least 1, at most half the patch.
+int overlapFor(int patch, double share);
+
 /// Where patches lie along one axis of the output.
 class PatchAxis {
 public:

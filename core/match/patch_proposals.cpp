@@ -1,5 +1,6 @@
 #include "core/match/patch_proposals.h"
 
+#include "core/job/pool.h"
 #include "core/math/geometric_median.h"
 
 #include <algorithm>
@@ -240,6 +241,22 @@ void ProposalRow::nearest(int y, const float* pixels, Source* sources) const {
         nearestOf<1>(y, pixels, sources);
     else
         nearestOf<0>(y, pixels, sources);
+}
+
+PositionMap nearestProposed(const PatchProposals& proposals, const Interleaved& canvas,
+                            std::vector<Size> exemplars, JobContext& context) {
+    constexpr int kRows = 8; // whatever a row needs is made once for so many
+    const Size size = proposals.lattice.canvas;
+    PositionMap map(size, std::move(exemplars));
+    Pool<ProposalRow> rows;
+    context.parallel(0, (size.height + kRows - 1) / kRows, [&](int band) {
+        const auto row = rows.borrow([&] { return ProposalRow(proposals); });
+        for (int y = band * kRows; y < std::min(size.height, (band + 1) * kRows); ++y) {
+            context.check();
+            row->nearest(y, canvas.at(0, y), &map.at(0, y));
+        }
+    });
+    return map;
 }
 
 } // namespace texloom

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/image/position_map.h"
+#include "core/job/job_context.h"
 #include "core/match/grid_match.h"
 
 #include <vector>
@@ -72,5 +74,10 @@ private:
     std::vector<int> m_count;         ///< how many each pixel has
     int m_most = 0;                   ///< places for each pixel
 };
+
+/// For each pixel of a canvas the proposed source whose pixel is nearest to it.
+/// @param canvas of proposals.lattice.canvas pixels or more. @param exemplars their sizes.
+PositionMap nearestProposed(const PatchProposals& proposals, const Interleaved& canvas,
+                            std::vector<Size> exemplars, JobContext& context);
 
 } // namespace texloom

@@ -64,27 +64,48 @@ Image copied(const PositionMap& map, const Request& request, JobContext& context
     return image;
 }
 
-std::uint64_t patchSearchBytes(const Request& request, int patch, int threads, bool balanced) {
+std::uint64_t patchSearchBytes(std::span<const Size> exemplars, int channels, int patch, int threads,
+                               bool balanced) {
     // On an axis that wraps overlaps differ by a pixel: at most seven kinds along a row, for five kinds of
     // row.
     constexpr int kShapes = 35;
     std::uint64_t bytes = 0;
-    for (const Exemplar& exemplar : request.exemplars) {
-        const Size size = exemplar.image->size();
-        bytes +=
-            PatchDistances::bytesFor(size, request.channels(), patch, kShapes, balanced) +
-            static_cast<std::uint64_t>(threads) * PatchDistances::scratchBytesFor(size, request.channels());
-    }
+    for (const Size& size : exemplars)
+        bytes += PatchDistances::bytesFor(size, channels, patch, kShapes, balanced) +
+                 static_cast<std::uint64_t>(threads) * PatchDistances::scratchBytesFor(size, channels);
     return bytes;
 }
 
-double patchSearchSeconds(const Request& request) {
+double patchSearchSeconds(std::span<const Size> exemplars, int channels) {
     double seconds = 0;
-    for (const Exemplar& exemplar : request.exemplars) {
-        const auto pixels = static_cast<double>(exemplar.image->size().area());
-        seconds += pixels * (3e-9 + 7e-11 * std::log2(pixels) * (request.channels() + 1));
+    for (const Size& size : exemplars) {
+        const auto pixels = static_cast<double>(size.area());
+        seconds += pixels * (3e-9 + 7e-11 * std::log2(pixels) * (channels + 1));
     }
     return seconds;
+}
+
+Estimate growthEstimate(const Request& request, int patch, int overlap, int threads, bool balanced) {
+    const std::vector<Size> exemplars = request.exemplarSizes();
+    const int channels = request.channels();
+    Estimate need;
+    need.bytes = PatchCanvas::bytesFor(request.size, request.wrap, channels, patch, overlap) +
+                 patchSearchBytes(exemplars, channels, patch, threads, balanced);
+    need.seconds = PatchCanvas::countFor(request.size, request.wrap, patch, overlap) *
+                   patchSearchSeconds(exemplars, channels);
+    return need;
+}
+
+Synthesis grown(PatchCanvas& canvas, const Request& request, const std::string& stage, double mapWeight,
+                const std::function<void(const PatchCell&)>& place, JobContext& context) {
+    context.stage(0.98 - mapWeight, stage);
+    canvas.grow(
+        context, [&](int index) { place(canvas.grid().cell(index)); },
+        [&] { context.preview(canvas.image()); });
+    const int patches = canvas.grid().count();
+    Synthesis result = withEstimatedMap(canvas.take(), request, mapWeight, context);
+    result.figures = {{TR("Patches"), static_cast<double>(patches)}};
+    return result;
 }
 
 Synthesis withEstimatedMap(Image image, const Request& request, double weight, JobContext& context) {
@@ -97,9 +118,23 @@ Synthesis withEstimatedMap(Image image, const Request& request, double weight, J
     return result;
 }
 
-void addEstimatedMap(const Request& request, std::uint64_t& bytes, double& seconds) {
-    bytes += estimatedMapBytes(request.size, request.exemplarSizes(), request.channels());
-    seconds += estimatedMapSeconds(request.size, request.channels());
+void addEstimatedMap(const Request& request, Estimate& need) {
+    need.bytes += estimatedMapBytes(request.size, request.exemplarSizes(), request.channels());
+    need.seconds += estimatedMapSeconds(request.size, request.channels());
+}
+
+void finishPatches(PatchFinish finish, PositionMap map, const std::function<Image()>& joined,
+                   const Request& request, JobContext& context, Synthesis& result) {
+    map.shrink(request.size);
+    if (finish == PatchFinish::Copy) {
+        result.image = copied(map, request, context);
+        result.mapKind = MapKind::Exact;
+    } else {
+        result.image = joined();
+        result.image.shrink(request.size);
+        result.mapKind = MapKind::Dominant;
+    }
+    result.map = std::move(map);
 }
 
 } // namespace texloom

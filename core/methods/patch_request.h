@@ -1,12 +1,15 @@
 #pragma once
 
-#include "core/base/param.h"
-#include "core/base/text.h"
 #include "core/job/job_context.h"
+#include "core/match/patch_canvas.h"
 #include "core/match/patch_match.h"
-#include "core/methods/synthesis.h"
+#include "core/methods/method.h"
+#include "core/methods/patch_fields.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace texloom {
@@ -20,30 +23,43 @@ std::vector<PatchSource> patchSources(const Request& request);
 /// large enough to wrap. @throws UsageError
 void checkPatchRequest(const Request& request, int patch);
 
+/// The same for methods whose settings have a patch.
+template <class Settings> void checkPatch(const Request& request, const Settings& settings) {
+    checkPatchRequest(request, settings.patch);
+}
+
 /// The picture that a map makes of the exemplars (see PositionMap::apply()), made in parallel.
 Image copied(const PositionMap& map, const Request& request, JobContext& context);
 
-/// Bytes of a PatchSearch over the request's exemplars with one Scratch a thread, for the shapes that a
+/// Bytes of a PatchSearch over exemplars of these sizes with one Scratch a thread, for the shapes that a
 /// growing output compares. @param balanced whether it balances contrast.
-std::uint64_t patchSearchBytes(const Request& request, int patch, int threads, bool balanced = false);
+std::uint64_t patchSearchBytes(std::span<const Size> exemplars, int channels, int patch, int threads,
+                               bool balanced);
 
-/// The parameter of methods that grow from the nearest patches: see ContrastBalance::share.
-template <class Settings> Param contrastField(double Settings::*member) {
-    return field(member, "contrast", TR("Contrast"))
-        .range(0, 1)
-        .group(TR("Advanced"))
-        .help(TR("How far flat patches are kept from winning where nothing fits well: 1 holds the exemplar's "
-                 "contrast; 0 compares as published, and outputs may fade."));
-}
+/// Rough time on one thread of comparing one patch with all of these exemplars, in seconds.
+double patchSearchSeconds(std::span<const Size> exemplars, int channels);
 
-/// Rough time on one thread of comparing one patch with all others, in seconds.
-double patchSearchSeconds(const Request& request);
+/// What it takes to grow an output patch by patch: a PatchCanvas and a PatchSearch that is asked once for
+/// each patch.
+Estimate growthEstimate(const Request& request, int patch, int overlap, int threads, bool balanced);
+
+/// Grows an output patch by patch and shows it on the way; the result has an estimated map and the number of
+/// patches. @param stage what the user is told. @param mapWeight of the making of the map; 0.02 went before,
+/// for what is prepared, and growing has the rest.
+/// @param place makes the patch of a cell; called from several threads.
+Synthesis grown(PatchCanvas& canvas, const Request& request, const std::string& stage, double mapWeight,
+                const std::function<void(const PatchCell&)>& place, JobContext& context);
 
 /// The result of a method that makes new pixels: the image with its estimated map.
 /// @param weight of the stage that makes the map.
 Synthesis withEstimatedMap(Image image, const Request& request, double weight, JobContext& context);
 
 /// Adds what withEstimatedMap() needs.
-void addEstimatedMap(const Request& request, std::uint64_t& bytes, double& seconds);
+void addEstimatedMap(const Request& request, Estimate& need);
+
+/// Gives `result` the image and the map of a method that joins overlapping patches, as the user wants them.
+/// @param map of the joined image, which may be larger than the output. @param joined makes that image.
+void finishPatches(PatchFinish finish, PositionMap map, const std::function<Image()>& joined,
+                   const Request& request, JobContext& context, Synthesis& result);
 
 } // namespace texloom

@@ -51,14 +51,9 @@ public:
         m_context.stage(0.02, TR("Preparing the exemplar"));
         for (const PatchCell& cell : m_canvas.grid().cells())
             m_search.prepare(compared(cell));
-        m_context.stage(0.98 - kMapWeight, TR("Sampling patches"));
-        m_canvas.grow(
-            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
-            [this] { m_context.preview(m_canvas.image()); });
-        const int patches = m_canvas.grid().count();
-        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
-        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
-        return result;
+        return grown(
+            m_canvas, m_request, TR("Sampling patches"), kMapWeight,
+            [this](const PatchCell& cell) { place(cell); }, m_context);
     }
 
 private:
@@ -132,23 +127,17 @@ private:
     Pool<Workspace> m_pool;
 };
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    const int overlap = settings.overlapPixels();
     const double values = static_cast<double>(settings.patch) * settings.patch * request.channels();
     const double neighbours = settings.neighbours;
-    Estimate need;
-    need.bytes =
-        PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0) +
-        static_cast<std::uint64_t>(threads * (values * (neighbours + 8) + 4 * neighbours * neighbours) *
-                                   sizeof(double));
-    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
-                   (patchSearchSeconds(request) + values * (1e-7 + neighbours * (neighbours + 10) * 4e-10));
-    addEstimatedMap(request, need.bytes, need.seconds);
+    Estimate need =
+        growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
+    need.bytes += static_cast<std::uint64_t>(
+        threads * (values * (neighbours + 8) + 4 * neighbours * neighbours) * sizeof(double));
+    need.seconds +=
+        PatchCanvas::countFor(request.size, request.wrap, settings.patch, settings.overlapPixels()) * values *
+        (1e-7 + neighbours * (neighbours + 10) * 4e-10);
+    addEstimatedMap(request, need);
     return need;
 }
 
@@ -168,20 +157,13 @@ const Method self = method<Settings>(
      .wraps = true,
      .usesMask = true,
      .severalExemplars = true},
-    {field(&Settings::patch, "patch", TR("Patch size"))
-         .range(4, 256)
-         .unit("px")
-         .scaled(0.16)
-         .symbol("n")
+    {patchField(&Settings::patch, 0.16)
          .help(TR("Side of the patches: larger keeps larger structures whole, smaller finds more that are "
                   "alike.")),
-     field(&Settings::neighbours, "neighbours", TR("Neighbours"))
+     neighboursField(&Settings::neighbours)
          .range(2, 300)
-         .symbol("m")
          .help(TR("Similar patches that a Gaussian is learnt from: more join more smoothly and blur more.")),
-     field(&Settings::overlap, "overlap", TR("Overlap"))
-         .range(0.02, 0.5)
-         .symbol("o")
+     overlapField(&Settings::overlap)
          .help(
              TR("Share of the patch that is given by its neighbours: larger fits better and takes longer.")),
      field(&Settings::model, "model", TR("Overlap values"))
@@ -207,6 +189,6 @@ const Method self = method<Settings>(
              TR("White noise added to the model, in per cent of the exemplar's standard deviation: more lets "
                 "patches fit their neighbours less.")),
      contrastField(&Settings::contrast)},
-    run, check, estimate);
+    run, checkPatch, estimate);
 
 } // namespace texloom::conditional_gaussian

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "core/match/patch_grid.h"
 
 namespace texloom::conditional_gaussian {
 
@@ -23,10 +22,7 @@ struct Settings {
     double sigma = 5;    ///< σ in per cent of the exemplars' standard deviation
     double contrast = 1; ///< see ContrastBalance::share; 0 in the source
 
-    /// At least 1, at most half the patch.
-    int overlapPixels() const {
-        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
-    }
+    int overlapPixels() const { return overlapFor(patch, overlap); }
 };
 
 } // namespace texloom::conditional_gaussian

@@ -9,7 +9,6 @@
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace texloom::gaussian_patches {
 
@@ -24,10 +23,7 @@ struct Settings {
     double overlap = 0.5; ///< o as a share of the patch
     double contrast = 1;  ///< see ContrastBalance::share; 0 in the source
 
-    /// At least 1, at most half the patch.
-    int overlapPixels() const {
-        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
-    }
+    int overlapPixels() const { return overlapFor(patch, overlap); }
 };
 
 /// Replaces every patch of a guide by a sample of the Gaussian of the exemplar patches most like it. The
@@ -50,14 +46,9 @@ public:
             m_guide.fill(*m_request.initial);
         else
             layOutExemplar();
-        m_context.stage(0.98 - kMapWeight, TR("Replacing patches"));
-        m_canvas.grow(
-            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
-            [this] { m_context.preview(m_canvas.image()); });
-        const int patches = m_canvas.grid().count();
-        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
-        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
-        return result;
+        return grown(
+            m_canvas, m_request, TR("Replacing patches"), kMapWeight,
+            [this](const PatchCell& cell) { place(cell); }, m_context);
     }
 
 private:
@@ -112,19 +103,13 @@ private:
     Pool<Workspace> m_pool;
 };
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    const int overlap = settings.overlapPixels();
-    Estimate need;
-    need.bytes =
-        2 * PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
-    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
-                   patchSearchSeconds(request);
-    addEstimatedMap(request, need.bytes, need.seconds);
+    Estimate need =
+        growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
+    // The guide is a second canvas.
+    need.bytes += PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch,
+                                        settings.overlapPixels());
+    addEstimatedMap(request, need);
     return need;
 }
 
@@ -144,21 +129,12 @@ const Method self = method<Settings>(
      .startsFromImage = true,
      .usesMask = true,
      .severalExemplars = true},
-    {field(&Settings::patch, "patch", TR("Patch size"))
-         .range(4, 256)
-         .unit("px")
-         .scaled(0.12)
-         .symbol("n")
+    {patchField(&Settings::patch, 0.12)
          .help(TR("Side of the patches that are replaced: larger changes larger parts at once.")),
-     field(&Settings::neighbours, "neighbours", TR("Neighbours"))
-         .range(1, 1000)
-         .symbol("m")
+     neighboursField(&Settings::neighbours)
          .help(TR("Similar patches that each new one is blended from: more vary more and blur more.")),
-     field(&Settings::overlap, "overlap", TR("Overlap"))
-         .range(0.02, 0.5)
-         .symbol("o")
-         .help(TR("Share of the patch over which it fades into its neighbours.")),
+     overlapField(&Settings::overlap).help(TR("Share of the patch over which it fades into its neighbours.")),
      contrastField(&Settings::contrast)},
-    run, check, estimate);
+    run, checkPatch, estimate);
 
 } // namespace texloom::gaussian_patches

@@ -30,14 +30,9 @@ public:
             m_search.prepare(compared(cell));
             m_stitcher.prepare(cell.overlap);
         }
-        m_context.stage(0.98 - kMapWeight, TR("Sampling patches"));
-        m_canvas.grow(
-            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
-            [this] { m_context.preview(m_canvas.image()); });
-        const int patches = m_canvas.grid().count();
-        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
-        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
-        return result;
+        return grown(
+            m_canvas, m_request, TR("Sampling patches"), kMapWeight,
+            [this](const PatchCell& cell) { place(cell); }, m_context);
     }
 
 private:
@@ -81,19 +76,10 @@ private:
     Pool<Workspace> m_pool;
 };
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    const int overlap = settings.overlapPixels();
-    Estimate need;
-    need.bytes =
-        PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
-    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
-                   patchSearchSeconds(request);
-    addEstimatedMap(request, need.bytes, need.seconds);
+    Estimate need =
+        growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
+    addEstimatedMap(request, need);
     return need;
 }
 
@@ -112,21 +98,13 @@ const Method self = method<Settings>(
      .wraps = true,
      .usesMask = true,
      .severalExemplars = true},
-    {field(&Settings::patch, "patch", TR("Patch size"))
-         .range(4, 256)
-         .unit("px")
-         .scaled(0.12)
-         .symbol("n")
+    {patchField(&Settings::patch, 0.12)
          .help(TR("Side of the patches: larger keeps larger structures whole, smaller finds more that are "
                   "alike.")),
-     field(&Settings::neighbours, "neighbours", TR("Neighbours"))
-         .range(1, 1000)
-         .symbol("m")
+     neighboursField(&Settings::neighbours)
          .help(TR(
              "Similar patches that each new one is blended from: more vary more and blur more; 1 copies.")),
-     field(&Settings::overlap, "overlap", TR("Overlap"))
-         .range(0.02, 0.5)
-         .symbol("o")
+     overlapField(&Settings::overlap)
          .help(TR("Share of the patch that overlaps its neighbours: larger fits better and takes longer.")),
      field(&Settings::stitch, "stitch", TR("Stitch"))
          .choices(patchStitchChoices())
@@ -134,6 +112,6 @@ const Method self = method<Settings>(
          .help(TR("How a patch joins its neighbours: along the cut of least error, or blended over the "
                   "overlap.")),
      contrastField(&Settings::contrast)},
-    run, check, estimate);
+    run, checkPatch, estimate);
 
 } // namespace texloom::locally_gaussian

@@ -1,9 +1,7 @@
 #pragma once
 
+#include "core/match/patch_grid.h"
 #include "core/match/patch_stitch.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace texloom::locally_gaussian {
 
@@ -15,10 +13,7 @@ struct Settings {
     PatchStitch stitch = PatchStitch::Cut;
     double contrast = 1; ///< see ContrastBalance::share; 0 in the source
 
-    /// At least 1, at most half the patch.
-    int overlapPixels() const {
-        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
-    }
+    int overlapPixels() const { return overlapFor(patch, overlap); }
 };
 
 } // namespace texloom::locally_gaussian

@@ -6,9 +6,6 @@
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace texloom::midway_quilting {
 
 namespace {
@@ -24,10 +21,7 @@ struct Settings {
     BlendColor color = BlendColor::Dct;
     double contrast = 0; ///< see ContrastBalance::share
 
-    /// At least 1, at most half the patch.
-    int overlapPixels() const {
-        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
-    }
+    int overlapPixels() const { return overlapFor(patch, overlap); }
 };
 
 /// Quilting whose patches are deformed in the middle of their overlaps until they agree.
@@ -48,14 +42,9 @@ public:
         }
         if (m_request.initial)
             m_canvas.fill(*m_request.initial);
-        m_context.stage(0.98 - kMapWeight, TR("Placing patches"));
-        m_canvas.grow(
-            m_context, [this](int index) { place(m_canvas.grid().cell(index)); },
-            [this] { m_context.preview(m_canvas.image()); });
-        const int patches = m_canvas.grid().count();
-        Synthesis result = withEstimatedMap(m_canvas.take(), m_request, kMapWeight, m_context);
-        result.figures = {{TR("Patches"), static_cast<double>(patches)}};
-        return result;
+        return grown(
+            m_canvas, m_request, TR("Placing patches"), kMapWeight,
+            [this](const PatchCell& cell) { place(cell); }, m_context);
     }
 
 private:
@@ -98,24 +87,16 @@ private:
     Pool<Workspace> m_pool;
 };
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 /// What sorting and moving the mass of one patch's lines takes on a thread, with room for the allocator's
 /// own.
 constexpr std::uint64_t kScratchBytes = 4ULL << 20;
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    const int overlap = settings.overlapPixels();
-    Estimate need;
-    need.bytes =
-        PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0) +
-        static_cast<std::uint64_t>(threads) * kScratchBytes;
-    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
-                   patchSearchSeconds(request) * 1.5;
-    addEstimatedMap(request, need.bytes, need.seconds);
+    Estimate need =
+        growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
+    need.bytes += static_cast<std::uint64_t>(threads) * kScratchBytes;
+    need.seconds *= 1.5;
+    addEstimatedMap(request, need);
     return need;
 }
 
@@ -137,20 +118,12 @@ const Method self = method<Settings>(
      .usesMask = true,
      .severalExemplars = true,
      .weighsExemplars = true},
-    {field(&Settings::patch, "patch", TR("Patch size"))
-         .range(4, 256)
-         .unit("px")
-         .scaled(0.16)
-         .symbol("n")
+    {patchField(&Settings::patch, 0.16)
          .help(TR("Side of the squares that are copied: larger keeps larger structures whole, smaller varies "
                   "more.")),
-     field(&Settings::overlap, "overlap", TR("Overlap"))
-         .range(0.02, 0.5)
-         .symbol("o")
+     overlapField(&Settings::overlap)
          .help(TR("Share of the patch that overlaps its neighbours: larger bends more gently.")),
-     field(&Settings::tolerance, "tolerance", TR("Tolerance"))
-         .range(0, 10)
-         .symbol("ε")
+     toleranceField(&Settings::tolerance)
          .help(TR("How much worse than the best a patch may fit and still be drawn: larger varies more.")),
      field(&Settings::propagation, "propagation", TR("Propagation"))
          .choices({{"linear", TR("Linear")}, {"progressive", TR("Progressive")}})
@@ -161,6 +134,6 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(TR("Axes that are bent one by one; channels as they are may show false colours.")),
      contrastField(&Settings::contrast)},
-    run, check, estimate);
+    run, checkPatch, estimate);
 
 } // namespace texloom::midway_quilting

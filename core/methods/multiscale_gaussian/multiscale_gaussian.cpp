@@ -18,16 +18,11 @@ Size halved(Size size, int times) {
     return size;
 }
 
-/// What a request is at one scale, for checks and estimates: only sizes count.
-Request requestAt(const Request& request, int scale) {
-    Request scaled = request;
-    scaled.size = halved(request.size, scale);
-    for (Exemplar& exemplar : scaled.exemplars) {
-        exemplar.image =
-            std::make_shared<const Image>(halved(exemplar.image->size(), scale), request.channels());
-        exemplar.mask = nullptr;
-    }
-    return scaled;
+std::vector<Size> exemplarsAt(const Request& request, int scale) {
+    std::vector<Size> sizes = request.exemplarSizes();
+    for (Size& size : sizes)
+        size = halved(size, scale);
+    return sizes;
 }
 
 void check(const Request& request, const Settings& settings) {
@@ -51,17 +46,18 @@ void check(const Request& request, const Settings& settings) {
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     Estimate need;
     for (int scale = 0; scale < settings.scales; ++scale) {
-        const Request scaled = requestAt(request, scale);
-        const double patches =
-            PatchCanvas::countFor(scaled.size, request.wrap, settings.patch, settings.overlapPixels());
-        need.seconds += patches * patchSearchSeconds(scaled) * (scale + 1 < settings.scales ? 2 : 1);
+        const double patches = PatchCanvas::countFor(halved(request.size, scale), request.wrap,
+                                                     settings.patch, settings.overlapPixels());
+        need.seconds += patches * patchSearchSeconds(exemplarsAt(request, scale), request.channels()) *
+                        (scale + 1 < settings.scales ? 2 : 1);
     }
     need.bytes = 4 * PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch,
                                            settings.overlapPixels()) +
-                 2 * patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
+                 2 * patchSearchBytes(exemplarsAt(request, 0), request.channels(), settings.patch, threads,
+                                      settings.contrast > 0);
     for (const Exemplar& exemplar : request.exemplars)
         need.bytes += 5 * Image::bytesFor(exemplar.image->size(), request.channels());
-    addEstimatedMap(request, need.bytes, need.seconds);
+    addEstimatedMap(request, need);
     return need;
 }
 
@@ -115,17 +111,12 @@ const Method self = method<Settings>(
      .wraps = true,
      .usesMask = true,
      .severalExemplars = true},
-    {field(&Settings::patch, "patch", TR("Patch size"))
+    {patchField(&Settings::patch, 0.08)
          .range(8, 256)
-         .unit("px")
-         .scaled(0.08)
-         .symbol("n")
          .help(
              TR("Side of the patches at every scale: at the coarsest one they cover 2 to the power of scales "
                 "− 1 times as much.")),
-     field(&Settings::neighbours, "neighbours", TR("Neighbours"))
-         .range(1, 1000)
-         .symbol("m")
+     neighboursField(&Settings::neighbours)
          .help(TR("Similar patches that each new one is blended from: more vary more and blur more.")),
      field(&Settings::scales, "scales", TR("Scales"))
          .range(1, 6)

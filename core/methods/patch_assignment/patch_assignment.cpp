@@ -8,10 +8,6 @@ namespace texloom::patch_assignment {
 
 namespace {
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size canvas = Optimizer::canvasFor(request.size, request.wrap, settings.patch);
     const Size padded{canvas.width + settings.patch, canvas.height + settings.patch};
@@ -75,10 +71,7 @@ const Method self = method<Settings>(
          .help(TR(
              "Side of the patches, which lie a quarter of it apart: larger keeps larger structures, smaller "
              "varies more.")),
-     field(&Settings::scales, "scales", TR("Scales"))
-         .range(1, 8)
-         .symbol("S")
-         .help(TR("At most so many, each half the size of the one before: more keep larger structures.")),
+     scalesField(&Settings::scales),
      field(&Settings::coarseIterations, "coarse-iterations", TR("Coarse iterations"))
          .range(1, 500)
          .help(TR("At most so many on each scale but the finest: more join better, but take longer.")),
@@ -116,12 +109,7 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(TR("How the geometric median of overlapping patches is found; the result is the same to four "
                   "digits.")),
-     field(&Settings::finish, "finish", TR("Finish"))
-         .choices({{"blend", TR("Blend")}, {"copy", TR("Copy")}})
-         .group(TR("Advanced"))
-         .help(TR(
-             "Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with "
-             "an exact map."))},
-    run, check, estimate);
+     finishField(&Settings::finish)},
+    run, checkPatch, estimate);
 
 } // namespace texloom::patch_assignment

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/methods/patch_fields.h"
+
 namespace texloom::patch_assignment {
 
 /// Where the exemplar's patches lie: at every stride-th pixel, at random, or at random but on the finest
@@ -11,9 +13,6 @@ enum class Supply { Duplicate, Bootstrap };
 
 /// How the geometric median is found.
 enum class Median { Weiszfeld, DouglasRachford };
-
-/// What becomes of the image at the end.
-enum class Finish { Blend, Copy };
 
 /// Parameters of patch assignment (Gutierrez, thesis 2020, algorithm 1 and sections 3.4 and 3.5).
 struct Settings {
@@ -27,7 +26,7 @@ struct Settings {
     double rho = 5;       ///< ρ: what each time costs
     Supply supply = Supply::Duplicate;
     Median median = Median::Weiszfeld;
-    Finish finish = Finish::Blend;
+    PatchFinish finish = PatchFinish::Blend;
 
     int stride() const { return patch / 4; }
 };

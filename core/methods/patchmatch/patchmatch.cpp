@@ -7,10 +7,6 @@ namespace texloom::patchmatch {
 
 namespace {
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size canvas = Synthesizer::canvasFor(request.size, request.wrap, settings.patch);
     const auto area = static_cast<std::uint64_t>(canvas.area());
@@ -59,16 +55,7 @@ const Method self = method<Settings>(
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 50)
          .help(TR("Rounds of matching and voting on each scale: more join better, but take longer.")),
-     field(&Settings::scales, "scales", TR("Scales"))
-         .range(1, 8)
-         .symbol("S")
-         .help(TR("At most so many, each half the size of the one before: more keep larger structures.")),
-     field(&Settings::uniformity, "uniformity", TR("Uniformity"))
-         .range(0, 100)
-         .symbol("λ_occ")
-         .help(TR(
-             "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
-             "whatever fits best."))},
-    run, check, estimate);
+     scalesField(&Settings::scales), uniformityField(&Settings::uniformity)},
+    run, checkPatch, estimate);
 
 } // namespace texloom::patchmatch

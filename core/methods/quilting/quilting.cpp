@@ -7,19 +7,11 @@ namespace texloom::quilting {
 
 namespace {
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    const int overlap = settings.overlapPixels();
-    Estimate need;
-    need.bytes =
-        PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch, overlap) +
-        PositionMap::bytesFor({request.size.width + settings.patch, request.size.height + settings.patch}) +
-        patchSearchBytes(request, settings.patch, threads, settings.contrast > 0);
-    need.seconds = PatchCanvas::countFor(request.size, request.wrap, settings.patch, overlap) *
-                   patchSearchSeconds(request);
+    Estimate need =
+        growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
+    need.bytes +=
+        PositionMap::bytesFor({request.size.width + settings.patch, request.size.height + settings.patch});
     return need;
 }
 
@@ -42,21 +34,16 @@ const Method self = method<Settings>(
      .severalExemplars = true,
      .weighsExemplars = true,
      .copiesPixels = true},
-    {field(&Settings::patch, "patch", TR("Patch size"))
+    {patchField(&Settings::patch, 0.16)
          .range(4, 512)
-         .unit("px")
-         .scaled(0.16)
          .symbol("w_p")
          .help(TR("Side of the squares that are copied: larger keeps larger structures whole, smaller varies "
                   "more.")),
-     field(&Settings::overlap, "overlap", TR("Overlap"))
-         .range(0.02, 0.5)
+     overlapField(&Settings::overlap)
          .symbol("w_o")
          .help(TR("Share of the patch that overlaps its neighbours: larger joins better, but repeats itself "
                   "sooner.")),
-     field(&Settings::tolerance, "tolerance", TR("Tolerance"))
-         .range(0, 10)
-         .symbol("ε")
+     toleranceField(&Settings::tolerance)
          .help(TR("How much worse than the best a patch may fit and still be drawn: larger varies more, "
                   "smaller copies "
                   "longer stretches.")),
@@ -71,6 +58,6 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(TR("How far the smoothed cut blends to either side.")),
      contrastField(&Settings::contrast)},
-    run, check, estimate);
+    run, checkPatch, estimate);
 
 } // namespace texloom::quilting

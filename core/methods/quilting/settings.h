@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "core/match/patch_grid.h"
 
 namespace texloom::quilting {
 
@@ -17,10 +16,8 @@ struct Settings {
     int softness = 3;    ///< half the width in pixels over which a smooth cut blends
     double contrast = 0; ///< see ContrastBalance::share
 
-    /// w_o in pixels: at least 1, at most half the patch.
-    int overlapPixels() const {
-        return std::clamp(static_cast<int>(std::lround(overlap * patch)), 1, patch / 2);
-    }
+    /// w_o in pixels.
+    int overlapPixels() const { return overlapFor(patch, overlap); }
 };
 
 } // namespace texloom::quilting

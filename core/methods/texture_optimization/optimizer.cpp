@@ -372,23 +372,9 @@ void Optimizer::aggregate(Pass& pass) {
 
 void Optimizer::finish(Pass& pass) {
     m_context.stage(0.02, TR("Tracing the pixels"));
-    PositionMap map(m_size, m_request.exemplarSizes());
-    Pool<ProposalRow> rows;
-    m_context.parallel(0, (m_size.height + kBand - 1) / kBand, [&](int band) {
-        const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
-        for (int y = band * kBand; y < std::min(m_size.height, (band + 1) * kBand); ++y)
-            row->nearest(y, m_canvas->at(0, y), &map.at(0, y));
-    });
-    map.shrink(m_request.size);
-    if (m_settings.finish == Finish::Copy) {
-        m_result.image = copied(map, m_request, m_context);
-        m_result.mapKind = MapKind::Exact;
-    } else {
-        m_result.image = image(1);
-        m_result.image.shrink(m_request.size);
-        m_result.mapKind = MapKind::Dominant;
-    }
-    m_result.map = std::move(map);
+    finishPatches(
+        m_settings.finish, nearestProposed(pass.proposals, *m_canvas, m_request.exemplarSizes(), m_context),
+        [this] { return image(1); }, m_request, m_context, m_result);
     m_context.progress(1);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/methods/patch_fields.h"
+
 namespace texloom::texture_optimization {
 
 /// How the nearest patch is found.
@@ -8,9 +10,6 @@ enum class Search { Exact, PatchMatch };
 /// How overlapping patches are joined: the mean (r = 2), iteratively reweighted least squares (r = 0.8), the
 /// same with a Gaussian over the patch, or the geometric median.
 enum class Aggregation { Mean, Robust, RobustFalloff, Median };
-
-/// What becomes of the image at the end.
-enum class Finish { Blend, Copy };
 
 /// Parameters of texture optimisation (Kwatra et al. 2005; Gutierrez, thesis 2020, sections 3.1 and 3.2).
 struct Settings {
@@ -23,7 +22,7 @@ struct Settings {
     bool bidirectional = false; ///< let exemplar patches choose, too (section 3.2.2)
     double alpha = 0.5;         ///< share of the forward energy where both directions count
     double uniformity = 0;      ///< λ_occ of the spatial uniformity (section 3.2.3)
-    Finish finish = Finish::Blend;
+    PatchFinish finish = PatchFinish::Blend;
 };
 
 } // namespace texloom::texture_optimization

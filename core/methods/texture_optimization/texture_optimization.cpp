@@ -60,10 +60,7 @@ const Method self = method<Settings>(
      .usesMask = true,
      .severalExemplars = true,
      .copiesPixels = true},
-    {field(&Settings::scales, "scales", TR("Scales"))
-         .range(1, 8)
-         .symbol("S")
-         .help(TR("At most so many, each half the size of the one before: more keep larger structures.")),
+    {scalesField(&Settings::scales),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 100)
          .help(TR("At most so many for each patch size on each scale: more join better, but take longer.")),
@@ -103,19 +100,7 @@ const Method self = method<Settings>(
          .help(TR(
              "How much the output's patches count against the exemplar's: larger joins better, smaller loses "
              "less.")),
-     field(&Settings::uniformity, "uniformity", TR("Uniformity"))
-         .range(0, 100)
-         .symbol("λ_occ")
-         .group(TR("Uniformity"))
-         .help(TR(
-             "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
-             "whatever fits best.")),
-     field(&Settings::finish, "finish", TR("Finish"))
-         .choices({{"blend", TR("Blend")}, {"copy", TR("Copy")}})
-         .group(TR("Advanced"))
-         .help(TR(
-             "Keeps the joined patches, or copies for each pixel the exemplar's nearest to it: sharper, with "
-             "an exact map."))},
+     uniformityField(&Settings::uniformity).group(TR("Uniformity")), finishField(&Settings::finish)},
     run, check, estimate);
 
 } // namespace texloom::texture_optimization
