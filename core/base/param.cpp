@@ -88,6 +88,19 @@ void Param::refuse(const std::string& value) const {
     failUsage("{} = {}: {} {} {}.", m_name, value, m_title, verb, limitsText());
 }
 
+namespace {
+
+/// The id that a value names; empty if it names none. A choice of yes and no may have been a toggle when a
+/// recipe was written.
+std::string choiceId(const Value& value) {
+    if (const auto* toggle = std::get_if<bool>(&value))
+        return *toggle ? "yes" : "no";
+    const auto* id = std::get_if<std::string>(&value);
+    return id != nullptr ? *id : std::string();
+}
+
+} // namespace
+
 Value Param::checked(const Value& value) const {
     switch (m_type) {
     case Type::Toggle:
@@ -95,11 +108,10 @@ Value Param::checked(const Value& value) const {
             refuse(toText(value));
         return value;
     case Type::Choice: {
-        const auto* id = std::get_if<std::string>(&value);
-        if (!id ||
-            std::none_of(m_choices.begin(), m_choices.end(), [&](const Choice& c) { return c.id == *id; }))
+        const std::string id = choiceId(value);
+        if (std::none_of(m_choices.begin(), m_choices.end(), [&](const Choice& c) { return c.id == id; }))
             refuse(toText(value));
-        return value;
+        return id;
     }
     case Type::Integer:
     case Type::Real:

@@ -64,7 +64,8 @@ public:
     /// The default for an exemplar whose shorter side is `shorterSide` px; 0 stands for an unknown exemplar
     /// and gives the member's own default.
     Value defaultFor(int shorterSide) const;
-    /// The value after checks, in the parameter's own type (a whole real is taken as an integer and so on).
+    /// The value after checks, in the parameter's own type: a whole real is taken as an integer, and true and
+    /// false as the choices yes and no where there are such, as in recipes from when it was a toggle.
     /// @throws UsageError with name, value and limits.
     Value checked(const Value& value) const;
     /// Reads the value from text as written on a command line. @throws UsageError as checked().

@@ -113,6 +113,15 @@ TEST(Param, RefusesValuesOfAnotherKind) {
     EXPECT_THROW(join().checked(0), UsageError);
 }
 
+TEST(Param, TakesTogglesOfOldRecipesAsYesAndNo) {
+    const Param light = field(&Sample::join, "light", "Light")
+                            .choices({{"automatic", "Automatic"}, {"yes", "Always"}, {"no", "Never"}});
+    EXPECT_EQ(light.checked(true), Value("yes"));
+    EXPECT_EQ(light.checked(false), Value("no"));
+    EXPECT_THAT([&] { light.checked(1); }, usageRefusal("light", "1", "automatic, yes, no"));
+    EXPECT_THAT([] { join().checked(true); }, usageRefusal("join", "hard, soft, no-join"));
+}
+
 TEST(Param, RefusesAChoiceThatIsNoneAndListsThem) {
     EXPECT_THAT([] { join().parse("sharp"); }, usageRefusal("join = sharp", "hard, soft, no-join"));
 }
