@@ -156,6 +156,26 @@ private Q_SLOTS:
         QVERIFY(given.length() > 5);
     }
 
+    void aGivenLatticeStaysWithItsExemplar() {
+        MainWindow window;
+        QVERIFY(openLattice(window, m_bricks));
+        const LatticeTool& tool = *window.lattice();
+        child<QPushButton>(tool, "useLattice")->click();
+        const auto given = [&] {
+            return givenLattice(*window.inspector()->method(), window.inspector()->values());
+        };
+        QVERIFY(given());
+        const int bricks = window.store()->current()->id;
+        window.openFiles({m_grain});
+        QTRY_VERIFY(window.store()->current()->id != bricks);
+        QVERIFY(!given());
+        QTRY_VERIFY_WITH_TIMEOUT(tool.analysis(), kPatience);
+        QVERIFY(!tool.lattice() || !tool.lattice()->like(kBricks, 0.5));
+        window.store()->setCurrent(bricks);
+        QVERIFY(given() && given()->like(kBricks, 0.5));
+        QVERIFY(tool.lattice() && *tool.lattice() == *given());
+    }
+
     void vectorsThatSpanNoTileAreRefusedInWords() {
         MainWindow window;
         QVERIFY(openLattice(window, m_bricks));

@@ -63,8 +63,6 @@ LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* pa
         setLattice(candidate.lattice);
     });
     connect(m_fields, &LatticeFields::edited, this, &LatticeTool::fieldsEdited);
-    connect(m_store, &ExemplarStore::changed, this, &LatticeTool::followExemplar);
-    connect(m_store, &ExemplarStore::currentChanged, this, &LatticeTool::followExemplar);
     connect(m_inspector, &Inspector::edited, this, &LatticeTool::refreshUse);
     connect(m_bar, &TaskBar::cancelled, this, [this] {
         m_detection.cancel();
@@ -141,6 +139,7 @@ void LatticeTool::showEvent(QShowEvent* event) {
 
 void LatticeTool::followExemplar() {
     const ExemplarEntry* const entry = m_store->current();
+    m_given.follow(entry, *m_inspector);
     const std::shared_ptr<const Image> image = entry != nullptr ? entry->file().image : nullptr;
     if (!isVisible() || image == m_exemplar)
         return;

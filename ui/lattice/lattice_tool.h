@@ -3,6 +3,7 @@
 #include "core/analysis/lattice_detector.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/jobs/task.h"
+#include "ui/lattice/given_lattices.h"
 #include "ui/lattice/lattice_canvas.h"
 
 #include <QWidget>
@@ -27,6 +28,8 @@ class LatticeTool : public QWidget {
 public:
     LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* parent = nullptr);
 
+    /// To be called when the exemplars changed: a lattice given for one is not another's.
+    void followExemplar();
     /// Looks for the lattice again.
     void detect();
     LatticeCanvas* canvas() const { return m_canvas; }
@@ -54,7 +57,6 @@ private:
     QWidget* makePanel();
     QWidget* makeButtons();
     void connectCanvases();
-    void followExemplar();
     void take(Detected detected);
     void lookAtVectors();
     void setLattice(const std::optional<Lattice>& lattice);
@@ -80,6 +82,7 @@ private:
     QLabel* m_verdict;
     QLabel* m_useText;
     TaskBar* m_bar;
+    GivenLattices m_given;
     std::shared_ptr<const Image> m_exemplar;
     QString m_name;
     std::shared_ptr<const LatticeAnalysis> m_analysis;

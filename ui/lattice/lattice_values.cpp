@@ -49,6 +49,15 @@ Values latticeValues(const Method& method, const Lattice& lattice, const std::op
     return values;
 }
 
+Values latticeValues(const Values& settings) {
+    Values values;
+    for (const char* name :
+         {"lattice", "v1-x", "v1-y", "v2-x", "v2-y", "origin-x", "origin-y", "tile", "tile-x", "tile-y"})
+        if (const auto found = settings.find(name); found != settings.end())
+            values.insert(*found);
+    return values;
+}
+
 std::optional<Lattice> givenLattice(const Method& method, const Values& values) {
     if (!followsLattice(method) || values.at("lattice") != Value(kGiven))
         return {};

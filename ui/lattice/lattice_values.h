@@ -16,6 +16,9 @@ bool followsLattice(const Method& method);
 /// @param origin where a tile begins, in pixels of the exemplar; none where the method chooses.
 Values latticeValues(const Method& method, const Lattice& lattice, const std::optional<Vec2>& origin);
 
+/// Those of a method's settings that say which lattice it uses, and where it begins.
+Values latticeValues(const Values& settings);
+
 /// The lattice that these settings of the method give; none where it finds one by itself or follows none.
 std::optional<Lattice> givenLattice(const Method& method, const Values& values);
 

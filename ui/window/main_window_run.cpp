@@ -6,6 +6,7 @@
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
+#include "ui/lattice/lattice_tool.h"
 #include "ui/log/log_panel.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/session/document.h"
@@ -136,6 +137,7 @@ void MainWindow::exemplarsChanged() {
     m_document->touch();
     const std::vector<RunExemplar> used = usedExemplars();
     m_inspector->setExemplarSize(used.empty() ? Size{} : used.front().image.image->size());
+    m_lattice->followExemplar();
 
     const ExemplarEntry* const current = m_store->current();
     int index = 0;
