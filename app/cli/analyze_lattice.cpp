@@ -47,10 +47,14 @@ void printText(const ExemplarFile& exemplar, const LatticeAnalysis& analysis, in
     }
     const LatticeCandidate& best = analysis.candidates.front();
     fmt::print("{}\n  confidence {:.0f} %: {}\n", toLine(best), 100 * analysis.confidence,
-               !analysis.found()         ? "too little to rely on; methods treat the texture as irregular"
+               !analysis.found() ? "too little to rely on; methods treat the texture as irregular"
+               : best.lattice.keepsOrder(exemplar.image->size())
+                   ? "rows that run through it but do not repeat"
                : best.lattice.rowsOnly() ? "rows, along which it does not repeat"
                                          : "a lattice");
-    if (best.lattice.rowsOnly())
+    if (best.lattice.keepsOrder(exemplar.image->size()))
+        fmt::print("  rows in their order, again after {:.0f} px\n", best.lattice.area());
+    else if (best.lattice.rowsOnly())
         fmt::print("  rows {:.2f} px apart\n", best.lattice.area());
     else if (const Size rectangle = wrappingRectangle(best.lattice, limit); !rectangle.empty())
         fmt::print("  tiles as a rectangle of {} × {} px\n", rectangle.width, rectangle.height);

@@ -91,6 +91,16 @@ Lattice Lattice::reduced() const {
     return {a, b};
 }
 
+bool Lattice::keepsOrder(Size exemplar) const {
+    constexpr double kRepeats = 2.5;
+    if (!rowsOnly())
+        return false;
+    const Vec2 along = alongRows(v1) ? v1 : v2;
+    // In pixels square to the rows, times the length of the vector along them.
+    const double across = std::abs(along.y) * exemplar.width + std::abs(along.x) * exemplar.height;
+    return kRepeats * area() > across;
+}
+
 bool Lattice::includes(const Lattice& other, double tolerance) const {
     const Lattice shortest = other.reduced();
     return (shortest.v1 - nearest(shortest.v1)).length() <= tolerance &&

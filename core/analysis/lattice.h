@@ -50,6 +50,9 @@ struct Lattice {
     Vec2 extent() const { return {std::abs(v1.x) + std::abs(v2.x), std::abs(v1.y) + std::abs(v2.y)}; }
     /// Whether only rows repeat: one of the vectors is alongRows().
     bool rowsOnly() const { return alongRows(v1) != alongRows(v2); }
+    /// Whether rows lie so far apart that an exemplar does not show whether they repeat: they come in the
+    /// order that they have in it, and each from one place.
+    bool keepsOrder(Size exemplar) const;
     /// Whether every displacement is allowed: the lattice of a texture without one.
     bool free() const { return *this == Lattice{}; }
 

@@ -83,6 +83,7 @@ public:
     void report(const std::optional<Rows>& rows, LatticeAnalysis& analysis) const;
 
 private:
+    void reportRepeating(const std::optional<Rows>& rows, LatticeAnalysis& analysis) const;
     std::vector<Lattice> likelyPairs() const;
     void addUnlike(const Lattice& lattice);
     void addFiner();
@@ -240,6 +241,21 @@ std::optional<LatticeCandidate> smallestTile(const CorrelationPeaks& peaks,
 }
 
 void Search::report(const std::optional<Rows>& rows, LatticeAnalysis& analysis) const {
+    reportRepeating(rows, analysis);
+    if (analysis.confidence >= kTrusted)
+        return;
+    // Where nothing repeats, a direction may still be of use.
+    const std::optional<Rows> ordered = findOrderedRows(m_peaks);
+    if (!ordered || ordered->confidence < kTrusted)
+        return;
+    analysis.confidence = ordered->confidence;
+    std::vector<LatticeCandidate>& reported = analysis.candidates;
+    std::erase_if(reported, [](const LatticeCandidate& c) { return c.lattice.rowsOnly(); });
+    reported.insert(reported.begin(), ordered->candidate);
+    reported.resize(std::min(reported.size(), kReported));
+}
+
+void Search::reportRepeating(const std::optional<Rows>& rows, LatticeAnalysis& analysis) const {
     const std::vector<LatticeCandidate> all = candidates(rows);
     std::vector<LatticeCandidate>& reported = analysis.candidates;
     if (!all.empty()) {

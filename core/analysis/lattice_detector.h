@@ -30,8 +30,9 @@ struct LatticeAnalysis {
 /// pair is fitted to the maxima at all its multiples, which gives fractions of a pixel, and lattices with two
 /// and three times the points of a good one are tried as well. A vector is found if the exemplar is about two
 /// of it long. Where only rows repeat (findRows()), the lattice has a vector of one pixel along them:
-/// lattices that explain nothing of what lies in the rows are left out. Among the runners-up are the smallest
-/// tile that is half as good, and the rows.
+/// lattices that explain nothing of what lies in the rows are left out. Where nothing repeats, but rows run
+/// through the whole exemplar (findOrderedRows()), their direction is the answer. Among the runners-up are
+/// the smallest tile that is half as good, and the rows.
 /// @param check called every few milliseconds; may throw.
 LatticeAnalysis analyzeLattice(
     const ImageView& exemplar, const std::function<void()>& check = [] {});

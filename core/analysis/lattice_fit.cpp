@@ -35,7 +35,10 @@ Lattice fittedTo(const CorrelationPeaks& peaks, const Lattice& lattice, int ring
     const Size size = peaks.size();
     double aa = 0, ab = 0, bb = 0;
     Vec2 pa, pb;
+    const Thinned thinned(size, lattice, rings);
     eachMultiple(size, lattice, rings, [&](int a, int b, Vec2 p) {
+        if (!thinned.keeps(a, b))
+            return;
         const std::optional<Maximum> top = maximumNear(peaks, p, reach);
         if (!top)
             return;

@@ -32,6 +32,22 @@ template <class Visit> void eachMultiple(Size exemplar, const Lattice& lattice, 
         }
 }
 
+/// Of very many multiples a few thousand, spread evenly, tell as much as all: whether (a, b) is one of them.
+class Thinned {
+public:
+    /// @param rings as eachMultiple().
+    Thinned(Size exemplar, const Lattice& lattice, int rings) {
+        constexpr double kEnough = 1500;
+        const double all = std::min(2.0 * static_cast<double>(exemplar.area()) / lattice.area(),
+                                    2.0 * rings * (rings + 1.0));
+        m_step = std::max(1, static_cast<int>(all / kEnough));
+    }
+    bool keeps(int a, int b) const { return (a + b) % m_step == 0; }
+
+private:
+    int m_step = 1;
+};
+
 /// Whether an exemplar moved by this much overlaps itself by a rectangle round the lattice's tile.
 inline bool overlapHoldsTile(Size exemplar, const Lattice& lattice, Vec2 displacement) {
     const Vec2 extent = lattice.extent();

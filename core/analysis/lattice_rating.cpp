@@ -60,17 +60,23 @@ double roughGoodness(const CorrelationPeaks& peaks, const Lattice& lattice) {
 LatticeCandidate rated(const CorrelationPeaks& peaks, const Lattice& lattice) {
     LatticeCandidate candidate{lattice};
     double sum = 0;
+    int summed = 0;
     bool first = false, second = false;
-    eachMultiple(peaks.size(), lattice, ringsOf(peaks.size(), lattice), [&](int a, int b, Vec2 p) {
+    const int rings = ringsOf(peaks.size(), lattice);
+    const Thinned thinned(peaks.size(), lattice, rings);
+    eachMultiple(peaks.size(), lattice, rings, [&](int a, int b, Vec2 p) {
         if (!significant(peaks.size(), lattice, p))
             return;
-        sum += peaks.height(p);
         ++candidate.multiples;
+        if (thinned.keeps(a, b)) {
+            sum += peaks.height(p);
+            ++summed;
+        }
         first = first || a != 0;
         second = second || b != 0;
     });
-    if (candidate.multiples > 0)
-        candidate.correlation = sum / candidate.multiples;
+    if (summed > 0)
+        candidate.correlation = sum / summed;
     if (first && second)
         candidate.goodness = goodnessOf(candidate.correlation, candidate.multiples);
     return candidate;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace texloom {
@@ -15,6 +16,8 @@ namespace {
 
 /// Displacements by more than this share of the exemplar compare too little of it.
 constexpr double kFarthest = 0.8;
+/// Displacements along a row by less than this share of them are alike for other reasons too.
+constexpr double kNearOrigin = 0.25;
 
 /// How much of the exemplar two copies of it share.
 double overlapShare(Size exemplar, int dx, int dy) {
@@ -35,14 +38,17 @@ template <class Visit> void eachDisplacement(const CorrelationPeaks& peaks, doub
 /// Means of γ over lines, by their distance from the origin in pixels.
 class Profile {
 public:
-    /// @param normal unit vector square to the lines. @param reach share of the exemplar.
-    Profile(const CorrelationPeaks& peaks, Vec2 normal, double reach) {
+    /// @param normal unit vector square to the lines. @param reach share of the exemplar. @param keep says
+    /// which displacements are looked at.
+    template <class Keep> Profile(const CorrelationPeaks& peaks, Vec2 normal, double reach, Keep keep) {
         const Size size = peaks.size();
         const auto length = static_cast<std::size_t>(
             reach * (std::abs(normal.x) * size.width + std::abs(normal.y) * size.height) + 3);
         m_means.assign(length, 0.0);
         std::vector<double> weights(length, 0.0);
         eachDisplacement(peaks, reach, [&](int x, int y) {
+            if (!keep(x, y))
+                return;
             const double distance = std::abs(normal.x * x + normal.y * y);
             const auto line = static_cast<std::size_t>(distance);
             const double weight = overlapShare(size, x, y), next = distance - static_cast<double>(line);
@@ -60,6 +66,9 @@ public:
             m_means[end] /= weights[end];
         m_means.resize(end);
     }
+
+    Profile(const CorrelationPeaks& peaks, Vec2 normal, double reach)
+        : Profile(peaks, normal, reach, [](int, int) { return true; }) {}
 
     int length() const { return static_cast<int>(m_means.size()); }
     double operator[](int line) const { return m_means[static_cast<std::size_t>(line)]; }
@@ -110,11 +119,24 @@ double steepestAngle(const CorrelationPeaks& peaks) {
     return 0.5 * std::atan2(2 * xy, xx - yy);
 }
 
-/// The angle nearby whose means differ most from line to line: gradients are too coarse for lines as long as
-/// the exemplar.
-double sharpestAngle(const CorrelationPeaks& peaks, double angle) {
-    const auto variance = [&](double at) { return Profile(peaks, unit(at), kLongestVector).variance(); };
+/// The angle near one of two whose means differ most from line to line: gradients are too coarse for lines as
+/// long as the exemplar.
+double sharpestAngle(const CorrelationPeaks& peaks, double angle, double other) {
+    // A few of very many displacements, as if drawn by lot, lie on all lines of any direction.
+    constexpr double kMany = 400'000;
+    const auto all = static_cast<double>(peaks.size().area()) * 2 * kFarthest * kFarthest;
+    const auto limit = static_cast<std::uint32_t>(std::min(1.0, kMany / all) * 0xffffffff);
+    const auto some = [limit](int x, int y) {
+        const std::uint32_t mixed =
+            (static_cast<std::uint32_t>(x) * 0x9e3779b1U + static_cast<std::uint32_t>(y)) * 0x85ebca77U;
+        return (mixed ^ (mixed >> 15U)) * 0xc2b2ae3dU <= limit;
+    };
+    const auto variance = [&](double at) { return Profile(peaks, unit(at), kFarthest, some).variance(); };
     double best = variance(angle);
+    if (const double instead = variance(other); instead > best) {
+        best = instead;
+        angle = other;
+    }
     const double finest = 0.25 / peaks.size().longerSide();
     for (double step = 0.02; step > finest; step /= 2) {
         const double more = variance(angle + step), less = variance(angle - step);
@@ -181,6 +203,12 @@ Rise riseAt(const Profile& profile, double distance, double extent) {
     return rise;
 }
 
+/// γ at the displacement nearest to a point inside.
+double nearestTo(const CorrelationPeaks& peaks, Vec2 point) {
+    const auto whole = [](double v) { return static_cast<int>(std::floor(v + 0.5)); };
+    return static_cast<double>(peaks.smooth().at(whole(point.x), whole(point.y)));
+}
+
 /// γ along one row.
 struct Row {
     double mean = 0;
@@ -199,7 +227,7 @@ Row rowThrough(const CorrelationPeaks& peaks, Vec2 from, Vec2 along, double near
         if (std::abs(at) < near * reach || !peaks.inside(point, 1))
             continue;
         const auto part = static_cast<std::size_t>((at + reach) / (2 * reach) * kParts);
-        sums[std::min(part, kParts - 1)] += static_cast<double>(peaks.summit(point, 0).height);
+        sums[std::min(part, kParts - 1)] += nearestTo(peaks, point);
         ++counts[std::min(part, kParts - 1)];
     }
     double mean = 0, squares = 0;
@@ -220,9 +248,9 @@ Row rowThrough(const CorrelationPeaks& peaks, Vec2 from, Vec2 along, double near
 
 /// How sure it is that the rows repeat. @param tried number of distances of which this is the best.
 double confidenceInRows(const CorrelationPeaks& peaks, Vec2 normal, const Rise& rise, int tried) {
-    constexpr double kVisible = 0.02, kUnlikely = 0.5, kNear = 0.25, kSure = 20;
+    constexpr double kVisible = 0.02, kUnlikely = 0.5, kSure = 20;
     const Vec2 along{-normal.y, normal.x};
-    const double own = rowThrough(peaks, {}, along, kNear).mean;
+    const double own = rowThrough(peaks, {}, along, kNearOrigin).mean;
     if (rise.count < 2 || rise.height <= 0 || own <= 0)
         return 0;
     const double unlike =
@@ -255,6 +283,42 @@ std::pair<Rise, int> bestRise(const Profile& profile, double extent) {
     return {best, tried};
 }
 
+/// The direction along which γ stays highest, as a unit vector: of rows that need not repeat.
+Vec2 straightestDirection(const CorrelationPeaks& peaks) {
+    const auto score = [&](Vec2 along) {
+        const Row row = rowThrough(peaks, {}, along, kNearOrigin);
+        return row.mean - 2 * row.uncertainty;
+    };
+    const double half = std::acos(-1.0);
+    const int steps = static_cast<int>(std::ceil(half * peaks.size().longerSide()));
+    Vec2 best{1, 0};
+    double highest = score(best);
+    for (int i = 1; i < steps; ++i) {
+        peaks.check();
+        const Vec2 along = unit(half * i / steps);
+        if (const double own = score(along); own > highest) {
+            highest = own;
+            best = along;
+        }
+    }
+    // A slope of a pixel or two is more likely to be by chance than to be meant.
+    constexpr double kHardly = 3, kAlmost = 0.9;
+    for (const Vec2 axis : {Vec2{1, 0}, Vec2{0, 1}})
+        if (std::abs(cross(axis, best)) * peaks.size().longerSide() < kHardly &&
+            score(axis) > kAlmost * highest)
+            return axis;
+    return best;
+}
+
+/// The share of the line through the origin on which γ wavers no more than to half its mean: all of it where
+/// rows run through the whole exemplar, less where it is high by chance.
+double steadiness(const CorrelationPeaks& peaks, Vec2 along, double mean) {
+    int steady = 0, all = 0;
+    for (double at = 1; peaks.inside((at / kFarthest) * along, 1); ++at, ++all)
+        steady += nearestTo(peaks, at * along) >= 0.5 * mean ? 1 : 0;
+    return all == 0 ? 0 : static_cast<double>(steady) / all;
+}
+
 } // namespace
 
 Lattice fittedRows(const CorrelationPeaks& peaks, const Lattice& rough) {
@@ -270,8 +334,41 @@ Lattice fittedRows(const CorrelationPeaks& peaks, const Lattice& rough) {
     return first ? Lattice{step, moved} : Lattice{moved, step};
 }
 
+std::optional<Rows> findOrderedRows(const CorrelationPeaks& peaks) {
+    constexpr double kMiddle = 0.04, kNearest = 0.5, kFarthestApart = 0.65;
+    const Vec2 along = straightestDirection(peaks), normal{-along.y, along.x};
+    const double extent = std::abs(normal.x) * peaks.size().width + std::abs(normal.y) * peaks.size().height;
+    const Profile profile(peaks, normal, kFarthest);
+    const auto at = [&](double share) {
+        return std::min(static_cast<int>(share * extent) + 1, profile.length() - 1);
+    };
+    const Row own = rowThrough(peaks, {}, along, kNearOrigin);
+    if (own.mean <= 0 || profile.length() < 3)
+        return {};
+    double other = 0; // the highest line that is not the row itself
+    for (int line = at(kMiddle); line < profile.length(); ++line)
+        other = std::max(other, profile[line]);
+    int apart = at(kNearest);
+    for (int line = apart; line <= at(kFarthestApart); ++line)
+        if (profile[line] > profile[apart])
+            apart = line;
+    constexpr double kVisible = 0.02, kSure = 8, kUnlike = 0.05, kWavering = 0.04;
+    const double times = own.mean / std::max(1e-9, kSure * own.uncertainty);
+    const double ahead = std::max(0.0, 1 - other / own.mean) / kUnlike;
+    const double wavers = (1 - steadiness(peaks, along, own.mean)) / kWavering;
+    Rows rows{{}, 0, along, double(apart)};
+    rows.confidence = own.mean / (own.mean + kVisible) * (1 - std::exp(-times * times)) * ahead * ahead /
+                      (1 + ahead * ahead) * std::exp(-wavers * wavers);
+    rows.candidate.lattice = Lattice{along, rows.distance * normal}.reduced();
+    rows.candidate.correlation = own.mean;
+    rows.candidate.multiples = 1;
+    rows.candidate.goodness = goodnessOf(own.mean, 1);
+    return rows;
+}
+
 std::optional<Rows> findRows(const CorrelationPeaks& peaks) {
-    const double angle = sharpestAngle(peaks, steepestAngle(peaks));
+    const Vec2 straight = straightestDirection(peaks);
+    const double angle = sharpestAngle(peaks, steepestAngle(peaks), std::atan2(straight.x, -straight.y));
     const Vec2 normal = unit(angle), along{-normal.y, normal.x};
     const double extent = std::abs(normal.x) * peaks.size().width + std::abs(normal.y) * peaks.size().height;
     const Profile profile(peaks, normal, kFarthest);

@@ -26,6 +26,13 @@ struct Rows {
 /// @return nothing if the means have no maximum.
 std::optional<Rows> findRows(const CorrelationPeaks& peaks);
 
+/// Finds the direction of rows of which no two need be alike: planks of any width, courses of any height. γ
+/// stays high along the line through the origin, from end to end, and is lower on all other lines. The rows
+/// come as far apart, of half to two thirds of the exemplar, as they are most alike: a lattice by which the
+/// rows keep their order (Lattice::keepsOrder()).
+/// @return nothing if γ falls to nothing in all directions.
+std::optional<Rows> findOrderedRows(const CorrelationPeaks& peaks);
+
 /// Rows drawn roughly, as a lattice whose shorter vector lies along them, moved apart or together to fit γ.
 Lattice fittedRows(const CorrelationPeaks& peaks, const Lattice& rough);
 

@@ -1869,6 +1869,10 @@
         <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
         <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ des Fensters oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
+    <message>
+        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; lattice=none lets patches come from anywhere.</source>
+        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; mit lattice=none dürfen Stücke von überall kommen.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -3666,6 +3670,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines, ziehen Sie die Vektoren auf das, was Sie sehen, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn sich nichts wiederholt, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px.</source>
+        <translation>Nichts in %1 wiederholt sich, aber Reihen laufen durch alles hindurch (Sicherheit %2): Sie behalten ihre Reihenfolge und beginnen nach %3 px von vorn.</translation>
     </message>
 </context>
 <context>

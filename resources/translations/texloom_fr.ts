@@ -1869,6 +1869,10 @@
         <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
         <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, tracez ses vecteurs dans l’espace de travail « Réseau » de la fenêtre ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
+    <message>
+        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; lattice=none lets patches come from anywhere.</source>
+        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; lattice=none laisse venir les morceaux de partout.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -3666,6 +3670,10 @@ Déposez une image ici.</translation>
     <message>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous, glissez les vecteurs sur ce que vous voyez, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px.</source>
+        <translation>Rien dans %1 ne se répète, mais des rangées la traversent entièrement (confiance %2) : elles gardent leur ordre et recommencent après %3 px.</translation>
     </message>
 </context>
 <context>

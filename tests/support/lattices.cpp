@@ -132,6 +132,31 @@ Image coursesTexture(Size size, int channels, Vec2 along, double distance, const
     return image;
 }
 
+Image planksTexture(Size size, int channels, Vec2 along, double widest, std::uint64_t seed) {
+    const Random random(seed);
+    const Vec2 across{-along.y, along.x};
+    const double reach = std::hypot(size.width, size.height);
+    std::vector<double> joints = {-reach};
+    while (joints.back() < reach)
+        joints.push_back(joints.back() +
+                         widest * (0.3 + 0.7 * random.uniform(static_cast<int>(joints.size()), 0)));
+    Image image(size, channels);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const double place = dot({x + 0.5, y + 0.5}, across);
+            const auto next = std::upper_bound(joints.begin() + 1, joints.end() - 1, place);
+            const int plank = static_cast<int>(next - joints.begin());
+            const double joint = std::min(*next - place, place - *(next - 1));
+            const double shade = 0.2 * random.uniform(plank, 1);
+            const double streak = 0.1 * random.uniform(static_cast<int>(std::floor(place)), 2);
+            for (int c = 0; c < channels; ++c)
+                image(x, y, c) =
+                    static_cast<float>((joint < 1.5 ? 0.1 : 0.4 + shade + streak) +
+                                       0.05 * normal(random, x, y, 20 + 2 * static_cast<std::uint32_t>(c)));
+        }
+    return image;
+}
+
 LatticeCase latticeCase(int index) {
     static const char* const kKinds[] = {"square", "rectangular", "hexagonal", "oblique", "brick bond"};
     const Random random(static_cast<std::uint64_t>(index) + 1000);

@@ -25,6 +25,10 @@ Image regularTexture(Size size, int channels, const Lattice& lattice, const Regu
 Image coursesTexture(Size size, int channels, Vec2 along, double distance, const Regularity& regularity,
                      std::uint64_t seed);
 
+/// Planks of any width, which run through the whole picture: darker and lighter ones with streaks along them
+/// and blots that repeat nowhere. @param along unit vector of the planks.
+Image planksTexture(Size size, int channels, Vec2 along, double widest, std::uint64_t seed);
+
 /// One random case of the kinds that a lattice comes in.
 struct LatticeCase {
     std::string kind; ///< square, rectangular, hexagonal, oblique or brick bond

@@ -35,6 +35,12 @@ int borderFor(const Settings& settings, int block) {
     return std::clamp(std::max(asked, band), 2, std::max(2, block / 4 * 2));
 }
 
+/// How long the exemplar is square to a lattice's rows.
+double acrossRows(Size exemplar, const Lattice& lattice) {
+    const Vec2 along = alongRows(lattice.v1) ? lattice.v1 : lattice.v2;
+    return std::abs(along.y) * exemplar.width + std::abs(along.x) * exemplar.height;
+}
+
 /// The largest block of about the source's share of the exemplar, and not much below it, for which the
 /// lattice leaves several patches to choose from, or half of what there are where those are few.
 int blockFor(const Settings& settings, Size exemplar, const Lattice& lattice) {
@@ -48,8 +54,12 @@ int blockFor(const Settings& settings, Size exemplar, const Lattice& lattice) {
         return static_cast<double>(exemplar.width - patch + 1) * (exemplar.height - patch + 1) /
                lattice.area();
     };
+    // Rows that keep their order need a patch for each place of a period.
+    const double left = lattice.keepsOrder(exemplar) ? acrossRows(exemplar, lattice) - lattice.area()
+                                                     : exemplar.shorterSide();
     int block = std::max(kSmallestBlock, static_cast<int>(std::lround(most)));
-    while (block > std::max<double>(kSmallestBlock, kLeastShare * most) && choices(block) < wanted)
+    while (block > kSmallestBlock && (block + borderFor(settings, block) > left ||
+                                      (block > kLeastShare * most && choices(block) < wanted)))
         --block;
     return block;
 }
@@ -258,9 +268,20 @@ std::string longTiles(const Settings& settings, const Plan& plan) {
         tile, plan.block, works);
 }
 
-void describe(const Settings& settings, const Plan& plan, Synthesis& result) {
+/// Rows of which the exemplar shows only the direction.
+std::string orderedRows(const std::string& exemplar, const Plan& plan) {
+    return fmt::format(
+        "Nothing in {} repeats itself, but rows run through all of it: they keep the order "
+        "that they have there, and begin again every {:.0f} px; lattice=none lets patches come "
+        "from anywhere.",
+        exemplar, plan.from.area());
+}
+
+void describe(const std::string& exemplar, const Settings& settings, const Plan& plan, Synthesis& result) {
     const Vec2 extent = plan.from.extent();
-    if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
+    if (plan.from.keepsOrder(plan.exemplar.size()))
+        result.notes.push_back(orderedRows(exemplar, plan));
+    else if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
         result.notes.push_back(longTiles(settings, plan));
     result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
     result.figures.push_back({TR("Lattice, first vector right"), plan.from.v1.x});
@@ -284,7 +305,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                           largestBlock(settings, plan.exemplar.size()));
     plan.block = fittingMask(settings, plan);
     plan.border = borderFor(settings, plan.block);
-    describe(settings, plan, result);
+    describe(exemplar.name, settings, plan, result);
     Filler(request, settings, plan, context).fill(result, 0.9);
     result.mapKind = settings.join == Join::Cut && !sampled.even ? MapKind::Exact : MapKind::Dominant;
     if (sampled.change) {

@@ -8,7 +8,8 @@ namespace texloom::near_regular {
 Sampler::Sampler(Size exemplar, const Lattice& from, const Lattice& to, Vec2 origin, const Layout& layout,
                  const Random& random, const BorderMatch& match)
     : m_positions{exemplar.width - layout.patch() + 1, exemplar.height - layout.patch() + 1}, m_from(from),
-      m_to(to), m_origin(origin), m_layout(layout), m_random(random), m_match(match) {
+      m_to(to), m_origin(origin), m_layout(layout), m_random(random), m_match(match),
+      m_ordered(from.keepsOrder(exemplar)) {
     if (match.allowed() == m_positions.area())
         return;
     for (int y = 0; y < m_positions.height; ++y)
@@ -49,8 +50,19 @@ std::vector<Point> Sampler::alike(Cell cell) const {
                 points.push_back({std::clamp(static_cast<int>(std::lround(p.x)), 0, m_positions.width - 1),
                                   std::clamp(static_cast<int>(std::lround(p.y)), 0, m_positions.height - 1)});
         }
-    std::erase_if(points, [this](const Point& p) { return !m_match.allows(p.x, p.y); });
+    std::erase_if(points, [this](const Point& p) { return !m_match.allows(p.x, p.y) || !inOrder(p); });
     return points;
+}
+
+/// Of rows that keep their order, those of one period about the middle count.
+bool Sampler::inOrder(const Point& p) const {
+    if (!m_ordered)
+        return true;
+    const Vec2 fromMiddle{p.x - 0.5 * (m_positions.width - 1), p.y - 0.5 * (m_positions.height - 1)};
+    const Vec2 at = m_from.coordinates(fromMiddle);
+    const double across = alongRows(m_from.v1) ? at.y : at.x;
+    constexpr double kRounding = 0.01; // positions are whole pixels
+    return across >= -0.5 - kRounding && across <= 0.5 + kRounding;
 }
 
 /// Where no patch lies as the lattice asks, the one that lies least off it.

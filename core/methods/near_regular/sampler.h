@@ -30,6 +30,7 @@ public:
 
 private:
     Vec2 target(Cell cell) const;
+    bool inOrder(const Point& p) const;
     Point nearestAllowed(Cell cell) const;
 
     Size m_positions;
@@ -38,6 +39,7 @@ private:
     const Layout& m_layout;
     const Random& m_random;
     const BorderMatch& m_match;
+    bool m_ordered;               ///< rows keep the order of the exemplar
     std::vector<Point> m_allowed; ///< all patches, row by row, where a mask leaves some out
 };
 

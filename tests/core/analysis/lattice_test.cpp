@@ -198,6 +198,36 @@ TEST(LatticeDetector, DISABLED_finds95OfAHundredCourses) {
     EXPECT_GE(shareOfCoursesFound(200), 0.95);
 }
 
+TEST(LatticeDetector, findsTheDirectionOfRowsThatDoNotRepeat) {
+    int right = 0, cases = 0;
+    for (const double angle : {0.0, 1.5707963, 0.6, -0.2})
+        for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+            const Vec2 along{std::cos(angle), std::sin(angle)};
+            const Size size{220, 200};
+            const LatticeAnalysis analysis = analyzeLattice(planksTexture(size, 3, along, 60, seed));
+            const Lattice found =
+                analysis.candidates.empty() ? Lattice{} : analysis.candidates.front().lattice;
+            const Vec2 step = alongRows(found.v1) ? found.v1 : found.v2;
+            ++cases;
+            right +=
+                analysis.found() && found.keepsOrder(size) && std::abs(cross(step, along)) < 0.01 ? 1 : 0;
+        }
+    EXPECT_GE(right, 19) << "of " << cases;
+    // One and a half courses do not repeat either.
+    const LatticeAnalysis tall = analyzeLattice(coursesTexture({128, 120}, 1, {1, 0}, 80, {}, 1));
+    EXPECT_TRUE(!tall.found() || tall.candidates.front().lattice.keepsOrder({128, 120}));
+}
+
+TEST(Lattice, keepsTheOrderOfRowsThatTheExemplarShowsLessThanTwice) {
+    const Size size{200, 100};
+    EXPECT_TRUE((Lattice{{1, 0}, {0, 50}}.keepsOrder(size)));
+    EXPECT_FALSE((Lattice{{1, 0}, {0, 35}}.keepsOrder(size)));
+    EXPECT_TRUE((Lattice{{90, 0}, {0, 1}}.keepsOrder(size)));
+    EXPECT_FALSE((Lattice{{70, 0}, {0, 1}}.keepsOrder(size)));
+    EXPECT_FALSE((Lattice{{90, 0}, {0, 50}}.keepsOrder(size)));
+    EXPECT_FALSE(Lattice{}.keepsOrder(size));
+}
+
 TEST(LatticeDetector, offersTheSmallestTileAndTheRowsAsRunnersUp) {
     // Two tiles of 24 × 20 px that differ a little: the pair is the better fit, one tile half as good.
     Image pairs = regularTexture({240, 220}, 1, {{24, 0}, {0, 20}}, {}, 3);
@@ -227,8 +257,6 @@ TEST(LatticeDetector, doesNotTrustALatticeWhereThereIsNone) {
     EXPECT_FALSE(analyzeLattice(noise({5, 90}, 1)).found());
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U})
         EXPECT_FALSE(analyzeLattice(blobs({128, 128}, 3, seed)).found()) << seed;
-    // One and a half courses are no rows.
-    EXPECT_FALSE(analyzeLattice(coursesTexture({128, 120}, 1, {1, 0}, 80, {}, 1)).found());
     const Lattice large{{150, 4}, {3, 160}};
     EXPECT_FALSE(analyzeLattice(regularTexture({200, 210}, 3, large, {}, 1)).found());
 }

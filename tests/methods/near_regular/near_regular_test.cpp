@@ -22,6 +22,7 @@ namespace {
 using test::blobs;
 using test::coursesTexture;
 using test::noise;
+using test::planksTexture;
 using test::regularTexture;
 
 TEST(Layout, dividesAWrappingAxisIntoAnEvenNumberOfBlocks) {
@@ -257,6 +258,25 @@ TEST(NearRegular, keepsRowsWhereOnlyRowsRepeat) {
         different.insert(stones);
     }
     EXPECT_GT(different.size(), 20U);
+}
+
+TEST(NearRegular, keepsTheOrderOfRowsThatDoNotRepeat) {
+    const Image exemplar = planksTexture({180, 170}, 1, {0, 1}, 50, 4);
+    const Synthesis result = run(exemplar, {500, 260}, {});
+    ASSERT_EQ(result.notes.size(), 1U);
+    EXPECT_THAT(result.notes.front(), testing::HasSubstr("they keep the order"));
+    const auto found = std::find_if(result.figures.begin(), result.figures.end(), [](const Figure& figure) {
+        return figure.name == "Lattice, first vector right";
+    });
+    ASSERT_NE(found, result.figures.end());
+    const double period = found->value;
+    EXPECT_GT(period, 0.4 * exemplar.width());
+    constexpr double kTolerance = 4; // of the gaps, and rounding
+    for (int x = 0; x < 500; ++x)
+        for (int y = 0; y < 260; ++y) {
+            const double off = std::remainder(result.map.at(x, y).x - x, period);
+            ASSERT_LE(std::abs(off), kTolerance) << x << ", " << y;
+        }
 }
 
 TEST(NearRegular, blendsAsTheSourceSays) {
