@@ -72,12 +72,15 @@ std::string attempt(const BatchItem& item, const BatchOptions& options) {
         return error.what();
     } catch (const std::bad_alloc&) {
         return "There is not enough memory for this; try a smaller output.";
+    } catch (const std::exception& error) {
+        return error.what();
     }
 }
 
 void runItem(std::size_t number, const BatchItem& item, const BatchOptions& options, Tally& tally) {
     checkInterrupt();
-    if (options.skipExisting && fs::exists(item.output)) {
+    std::error_code error;
+    if (options.skipExisting && fs::exists(item.output, error)) {
         ++tally.skipped;
         tally.add(number, item, "skipped");
         return;

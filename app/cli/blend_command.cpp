@@ -30,16 +30,7 @@ Image blended(const ExemplarFile& first, const ExemplarFile& second, const Blend
         const BlendCurve curve = BlendCurve::at(command.curve, command.position, first.image->size());
         return blend(*first.image, *second.image, curve, command.blend, context);
     });
-    follow(job, command.quiet);
-    Outcome<Image> outcome = job.take();
-    if (std::holds_alternative<Cancelled>(outcome))
-        throw Cancelled{};
-    if (const auto* failure = std::get_if<Failure>(&outcome)) {
-        if (failure->usage)
-            throw UsageError(failure->message);
-        throw Error(failure->message);
-    }
-    return std::get<Image>(std::move(outcome));
+    return followed(job, command.quiet);
 }
 
 void run(const BlendCommand& command) {
@@ -52,12 +43,7 @@ void run(const BlendCommand& command) {
         failUsage("--band {}: it goes up to half the images' shorter side, {} px.", command.blend.band,
                   size.shorterSide() / 2);
     checkWritable(command.output, first.image->channels(), depthLike(first, command.output));
-    for (const fs::path& source : {command.first, command.second}) {
-        std::error_code error;
-        if (fs::weakly_canonical(source, error) == fs::weakly_canonical(command.output, error))
-            failUsage("-o {}: it is one of the images, which would be lost; name another file.",
-                      command.output.string());
-    }
+    checkKept({command.first, command.second}, command.output);
     exportPicture(command.output, blended(first, second, command), first, checkInterrupt);
     if (!command.quiet)
         fmt::print("{}: {} × {} px\n", command.output.string(), size.width, size.height);

@@ -218,20 +218,21 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 /// Refuses before the work what would fail after it, or write over what it was made from.
 void checkOutputs(const RunPlan& plan, const OutputOptions& out, Depth depth) {
     checkWritable(out.output, plan.request.resultChannels(), depth);
-    for (const RecipeExemplar& exemplar : plan.recipe.exemplars)
-        if (sameFile(exemplar.image.path, out.output))
-            failUsage("-o {}: it is the exemplar, which would be lost; name another file.",
-                      out.output.string());
+    const std::vector<fs::path> sources = sourcesOf(plan.recipe);
+    checkKept(sources, out.output);
     if (!out.space.empty())
         color::findSpace(out.space);
     for (const fs::path& map : out.maps) {
         mapConvention(map);
+        checkKept(sources, map);
         if (sameFile(map, out.output))
             failUsage("--map {}: it is the output; name another file.", map.string());
         checkWritable(map, 3, depthsFor(map).back());
     }
-    if (!out.report.empty())
+    if (!out.report.empty()) {
         checkFolder(out.report);
+        checkKept(sources, out.report);
+    }
 }
 
 /// Runs a planned synthesis to the end and writes what was asked for.
@@ -286,14 +287,7 @@ RunInput inputFor(const SynthOptions& options) {
 }
 
 Result runToEnd(RunPlan plan, bool quiet) {
-    const auto job = startRun(std::move(plan), false);
-    follow(*job, quiet);
-    Outcome<Result> outcome = job->take();
-    if (std::holds_alternative<Cancelled>(outcome))
-        throw Cancelled{};
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Result>(std::move(outcome));
+    return followed(*startRun(std::move(plan), false), quiet);
 }
 
 void listMethods(const std::string& id, bool json) {
@@ -359,6 +353,9 @@ void applyMap(const ApplyOptions& options) {
         sizes.push_back(files.back().image->size());
     }
     checkWritable(options.output, images.front().channels, depthLike(files.front(), options.output));
+    std::vector<fs::path> sources = options.exemplars;
+    sources.push_back(options.map);
+    checkKept(sources, options.output);
     const PositionMap map = readPositionMap(options.map, sizes);
     checkInterrupt();
     WriteOptions write;

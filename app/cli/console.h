@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/base/error.h"
 #include "core/job/job.h"
 
 #include <atomic>
 #include <cstdio>
+#include <utility>
+#include <variant>
 
 namespace texloom::cli {
 
@@ -26,5 +29,19 @@ void checkInterrupt();
 /// Waits for a job, cancels it on Ctrl+C, and draws a progress bar on stderr if that is a terminal and
 /// `quiet` is false.
 void follow(JobRunner& job, bool quiet);
+
+/// The same, and the job's result. @throws Cancelled, Error or UsageError as it ended
+template <class R> R followed(Job<R>& job, bool quiet) {
+    follow(job, quiet);
+    Outcome<R> outcome = job.take();
+    if (std::holds_alternative<Cancelled>(outcome))
+        throw Cancelled{};
+    if (const auto* failure = std::get_if<Failure>(&outcome)) {
+        if (failure->usage)
+            throw UsageError(failure->message);
+        throw Error(failure->message);
+    }
+    return std::get<R>(std::move(outcome));
+}
 
 } // namespace texloom::cli

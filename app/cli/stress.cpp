@@ -22,19 +22,6 @@ Json figuresOf(const Result& result, const TextureDistance& distance) {
     return json;
 }
 
-TextureDistance distanceFrom(const std::vector<RunExemplar>& exemplars, const Image& image, int threads) {
-    std::vector<ImageView> views;
-    for (const RunExemplar& exemplar : exemplars)
-        views.push_back(*exemplar.image.image);
-    Job<TextureDistance> job({0, threads, false},
-                             [&](JobContext& context) { return textureDistance(image, views, context); });
-    follow(job, true);
-    const Outcome<TextureDistance> outcome = job.take();
-    if (const auto* distance = std::get_if<TextureDistance>(&outcome))
-        return *distance;
-    throw Cancelled{};
-}
-
 void printRound(int round, const TextureDistance& distance) {
     fmt::print("{:5} {:8.4f} {:8.4f} {:8.4f} {:8.4f} {:8.4f} {:8.4f}\n", round, distance.color,
                distance.components[0], distance.components[1], distance.wasserstein[0],
@@ -53,8 +40,10 @@ void stress(const StressOptions& options) {
     if (!options.synth.out.quiet)
         fmt::print("round   colour     PCA1     PCA2      SW 1    SW 1/2    SW 1/4\n");
     for (int round = 1; round <= options.rounds; ++round) {
-        const Result result = runToEnd(planRun(input), options.synth.out.quiet);
-        const TextureDistance distance = distanceFrom(first, result.synthesis.image, input.threads);
+        const RunPlan plan = planRun(input);
+        Job<StressRound> job({plan.request.seed, plan.threads, false},
+                             [&](JobContext& context) { return stressRound(plan, first, context); });
+        const auto [result, distance] = followed(job, options.synth.out.quiet);
         ExportOptions file;
         file.image = fmt::format("{}_{}.png", options.synth.out.output.string(), round);
         file.sidecar = false;

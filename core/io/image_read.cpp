@@ -36,11 +36,15 @@ constexpr std::array<Signature, 8> kSignatures = {{
 }};
 
 std::string formatOf(const fs::path& path) {
-    if (!fs::exists(path))
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found)
         fail("There is no file {}.", path.string());
-    if (!fs::is_regular_file(path))
+    if (error)
+        fail("{} cannot be read: {}.", path.string(), error.message());
+    if (!fs::is_regular_file(status))
         fail("{} is {}, not an image.", path.string(),
-             fs::is_directory(path) ? "a folder" : "no ordinary file");
+             fs::is_directory(status) ? "a folder" : "no ordinary file");
     std::ifstream file(path, std::ios::binary);
     if (!file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));

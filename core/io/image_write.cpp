@@ -171,10 +171,14 @@ void writeImage(const fs::path& path, const ImageView& image, const WriteOptions
 }
 
 void checkFolder(const fs::path& path) {
-    if (fs::is_directory(path))
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status))
         fail("{} cannot be written: it is a folder.", path.string());
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder))
+    if (status.type() == fs::file_type::none)
+        fail("{} cannot be written: {}.", path.string(), error.message());
+    if (!fs::is_directory(folder, error))
         fail("{} cannot be written: there is no folder {}.", path.string(), folder.string());
     if (::access(folder.c_str(), W_OK) != 0)
         fail("{} cannot be written: the folder {} is not writable.", path.string(), folder.string());

@@ -148,6 +148,21 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder, bool needsExemp
     return recipe;
 }
 
+/// Of a recipe, const or not.
+template <class File, class Recipe> std::vector<File*> filesOf(Recipe& recipe) {
+    std::vector<File*> files;
+    for (auto& exemplar : recipe.exemplars) {
+        files.push_back(&exemplar.image);
+        if (exemplar.mask)
+            files.push_back(&*exemplar.mask);
+        for (File& companion : exemplar.companions)
+            files.push_back(&companion);
+    }
+    if (recipe.initial)
+        files.push_back(&*recipe.initial);
+    return files;
+}
+
 } // namespace
 
 std::vector<RecipeStep> stepsFrom(const JsonField& field) {
@@ -162,6 +177,14 @@ std::vector<RecipeStep> stepsFrom(const JsonField& field) {
             steps.back().parameters = step.at("parameters").values();
     }
     return steps;
+}
+
+std::vector<RecipeFile*> Recipe::files() {
+    return filesOf<RecipeFile>(*this);
+}
+
+std::vector<const RecipeFile*> Recipe::files() const {
+    return filesOf<const RecipeFile>(*this);
 }
 
 std::string Recipe::toJson(const fs::path& folder) const {

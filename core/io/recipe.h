@@ -25,6 +25,7 @@ struct RecipeFile {
     std::string role = {};
 };
 
+/// The files that a run learns one exemplar from, and what is done to them first.
 struct RecipeExemplar {
     RecipeFile image;
     std::optional<RecipeFile> mask;
@@ -57,6 +58,10 @@ struct Recipe {
     Wrap wrap;
     std::uint64_t seed = 0;
     std::optional<Region> region; ///< the part that was made, if not all
+
+    /// Every file that it names: images, masks and companions of the exemplars, and the initial image.
+    std::vector<RecipeFile*> files();
+    std::vector<const RecipeFile*> files() const;
 
     /// JSON text with paths relative to `folder`.
     std::string toJson(const std::filesystem::path& folder) const;

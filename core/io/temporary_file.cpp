@@ -28,11 +28,15 @@ constexpr mode_t kPermissions = 0666; // less what the user's mask takes away
 
 TemporaryFile::TemporaryFile(const fs::path& target) : m_target(target) {
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder))
+    std::error_code error;
+    if (!fs::is_directory(folder, error))
         fail("{} cannot be written: there is no folder {}.", target.string(), folder.string());
     static std::atomic<int> count = 0;
-    m_path = folder / fmt::format(".texloom-{}-{}{}", ::getpid(), count++, target.extension().string());
-    m_handle = ::open(m_path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, kPermissions);
+    // In a shared folder a process of another machine may have this one's number.
+    do {
+        m_path = folder / fmt::format(".texloom-{}-{}{}", ::getpid(), count++, target.extension().string());
+        m_handle = ::open(m_path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kPermissions);
+    } while (m_handle < 0 && errno == EEXIST);
     if (m_handle < 0)
         failWriting(target, errno);
 }

@@ -23,8 +23,10 @@ struct CloseFile {
 using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 
 FileHandle openForReading(const fs::path& path) {
-    if (fs::exists(path) && !fs::is_regular_file(path))
-        fail("{} is {}.", path.string(), fs::is_directory(path) ? "a folder" : "no ordinary file");
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        fail("{} is {}.", path.string(), fs::is_directory(status) ? "a folder" : "no ordinary file");
     FileHandle file(std::fopen(path.c_str(), "rb"));
     if (!file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
@@ -60,6 +62,8 @@ std::string readText(const fs::path& path, std::uintmax_t largestBytes) {
             fail("{} is longer than {}, too long for what it should be.", path.string(),
                  byteText(largestBytes));
     }
+    if (std::ferror(file.get()))
+        fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
     return text;
 }
 

@@ -259,9 +259,14 @@ void JobContext::parallel(int begin, int end, const std::function<void(int)>& bo
     std::atomic<int> next = begin;
     m_arena->arena().execute([&] {
         Crew crew([&](int) {
-            for (int i = next++; i < end; i = next++) {
-                check();
-                body(i);
+            try {
+                for (int i = next++; i < end; i = next++) {
+                    check();
+                    body(i);
+                }
+            } catch (...) {
+                next = end; // what the other threads still did would be thrown away
+                throw;
             }
         });
         for (int worker = 0; worker < std::min(m_threads, end - begin); ++worker)

@@ -83,7 +83,7 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
                   fs::absolute(map).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
                  {"content", "position map"},
                  {"convention", mapConvention(map)}});
-    writeText(path, json.dump(2) + "\n");
+    writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 /// Where green of a normal map should point when it is written.
@@ -272,12 +272,32 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
         steps.push_back({{path, TR("recipe"), false},
                          [&result, &options, path] { writeSidecar(result, options, path); }});
     }
-    for (Step& step : steps)
-        step.entry.exists = fs::exists(step.entry.path);
+    const std::vector<fs::path> sources = sourcesOf(result.plan.recipe);
+    for (Step& step : steps) {
+        std::error_code error;
+        step.entry.exists = fs::exists(step.entry.path, error);
+        checkKept(sources, step.entry.path);
+    }
     return steps;
 }
 
 } // namespace
+
+std::vector<fs::path> sourcesOf(const Recipe& recipe) {
+    std::vector<fs::path> sources;
+    for (const RecipeFile* file : recipe.files())
+        sources.push_back(file->path);
+    return sources;
+}
+
+void checkKept(const std::vector<fs::path>& sources, const fs::path& written) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(written, error);
+    for (const fs::path& source : sources)
+        if (fs::weakly_canonical(source, error) == target)
+            failUsage("{} is what the result is made from and would be lost; name another file.",
+                      written.string());
+}
 
 NameWords nameWords(const Result& result, const std::string& map) {
     const Size size = result.plan.request.part().size;
@@ -389,7 +409,7 @@ std::string reportJson(const Result& result, const fs::path& folder) {
         json["notes"].push_back(note);
     for (const Figure& figure : result.figures)
         json["figures"][figure.name] = figure.value;
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace texloom

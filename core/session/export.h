@@ -43,11 +43,18 @@ struct ExportEntry {
     std::optional<Depth> depth = {}; ///< of pictures
 };
 
+/// Every file that a recipe is made from.
+std::vector<std::filesystem::path> sourcesOf(const Recipe& recipe);
+
+/// Refuses to write over one of the files that something is made from. @throws UsageError
+void checkKept(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& written);
+
 /// The words that templates of a result's names know: $name, $method, $seed, $w, $h, $size, $place (of a
 /// region), and $map, which is `map`.
 NameWords nameWords(const Result& result, const std::string& map);
 
-/// The files that exportResult() would write, in order.
+/// The files that exportResult() would write, in order. @throws UsageError, also where one is a file that the
+/// result was made from.
 std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options);
 
 /// The depth nearest to a source file's own that the format of `path` holds.

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -22,19 +21,6 @@ namespace {
 
 fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
-/// Calls `look(file)` for every file of a session.
-void forFiles(Session& session, const std::function<void(RecipeFile&)>& look) {
-    for (RecipeExemplar& exemplar : session.settings.exemplars) {
-        look(exemplar.image);
-        if (exemplar.mask)
-            look(*exemplar.mask);
-        for (RecipeFile& companion : exemplar.companions)
-            look(companion);
-    }
-    if (session.settings.initial)
-        look(*session.settings.initial);
 }
 
 void checkFormat(const JsonField& root) {
@@ -52,12 +38,30 @@ bool flagFrom(const JsonField& field) {
     return field.json().get<bool>();
 }
 
-/// A name in `folder` that no other file of the session has taken.
-fs::path freeName(const fs::path& folder, const fs::path& name, std::set<fs::path>& taken) {
+/// Where a copy of `file` goes in `folder`: a name that no other file of the session has taken, and no file
+/// has that is there, unless it is such a copy.
+fs::path placeFor(const fs::path& file, const fs::path& folder, std::set<fs::path>& taken) {
+    const fs::path name = file.filename();
+    std::error_code error;
+    const auto others = [&](const fs::path& path) {
+        return !taken.insert(path).second || (fs::exists(path, error) && (!fs::is_regular_file(path, error) ||
+                                                                          fileHash(path) != fileHash(file)));
+    };
     fs::path path = folder / name;
-    for (int copy = 2; !taken.insert(path).second; ++copy)
+    for (int copy = 2; others(path); ++copy)
         path = folder / fmt::format("{}_{}{}", name.stem().string(), copy, name.extension().string());
     return path;
+}
+
+/// Copies a file to where none is, whole or not at all.
+void copyTo(const fs::path& place, const fs::path& file) {
+    std::error_code error;
+    fs::create_directories(place.parent_path(), error);
+    if (!fs::exists(place, error))
+        fs::copy_file(file, place, error);
+    if (error)
+        fail("{} could not be copied to {}: {}.", file.string(), place.parent_path().string(),
+             error.message());
 }
 
 bool liesIn(const fs::path& file, const fs::path& folder) {
@@ -156,27 +160,19 @@ Session packSession(const fs::path& path, Session session, const fs::path& only)
     const fs::path folder = folderOf(path) / (path.stem().string() + "_files");
     std::set<fs::path> taken;
     std::map<fs::path, fs::path> places;
-    forFiles(session, [&](const RecipeFile& file) {
-        if (liesIn(file.path, folder)) {
-            taken.insert(file.path);
-            places[file.path] = file.path;
+    for (const RecipeFile* file : session.settings.files())
+        if (liesIn(file->path, folder)) {
+            taken.insert(file->path);
+            places[file->path] = file->path;
         }
-    });
-    forFiles(session, [&](RecipeFile& file) {
-        const auto [place, isNew] = places.try_emplace(file.path);
-        if (isNew && (only.empty() || liesIn(file.path, only))) {
-            place->second = freeName(folder, file.path.filename(), taken);
-            std::error_code error;
-            fs::create_directories(folder, error);
-            fs::copy_file(file.path, place->second, fs::copy_options::overwrite_existing, error);
-            if (error)
-                fail("{} could not be copied to {}: {}.", file.path.string(), folder.string(),
-                     error.message());
-        } else if (isNew) {
-            place->second = file.path;
+    for (RecipeFile* file : session.settings.files()) {
+        const auto [place, isNew] = places.try_emplace(file->path, file->path);
+        if (isNew && (only.empty() || liesIn(file->path, only))) {
+            place->second = placeFor(file->path, folder, taken);
+            copyTo(place->second, file->path);
         }
-        file.path = place->second;
-    });
+        file->path = place->second;
+    }
     writeSession(path, session);
     return session;
 }
@@ -184,38 +180,44 @@ Session packSession(const fs::path& path, Session session, const fs::path& only)
 std::vector<fs::path> missingFiles(const Session& session) {
     std::set<fs::path> seen;
     std::vector<fs::path> missing;
-    Session copy = session;
-    forFiles(copy, [&](const RecipeFile& file) {
+    for (const RecipeFile* file : session.settings.files()) {
         std::error_code error;
-        if (seen.insert(file.path).second && !fs::is_regular_file(file.path, error))
-            missing.push_back(file.path);
-    });
+        if (seen.insert(file->path).second && !fs::is_regular_file(file->path, error))
+            missing.push_back(file->path);
+    }
     return missing;
 }
 
 SessionFiles checkFiles(const Session& session) {
     SessionFiles files{missingFiles(session), {}};
     std::set<fs::path> seen(files.missing.begin(), files.missing.end());
-    Session copy = session;
-    forFiles(copy, [&](const RecipeFile& file) {
-        if (seen.insert(file.path).second && !file.hash.empty() && fileHash(file.path) != file.hash)
-            files.changed.push_back(file.path);
-    });
+    for (const RecipeFile* file : session.settings.files())
+        if (seen.insert(file->path).second && !file->hash.empty() && fileHash(file->path) != file->hash)
+            files.changed.push_back(file->path);
     return files;
 }
 
 void relocate(Session& session, const fs::path& from, const fs::path& to) {
-    forFiles(session, [&](RecipeFile& file) {
+    for (RecipeFile* file : session.settings.files()) {
         std::error_code error;
-        if (file.path == from) {
-            file.path = to;
-        } else if (!fs::exists(file.path, error)) {
+        if (file->path == from) {
+            file->path = to;
+        } else if (!fs::exists(file->path, error)) {
             const fs::path guess =
-                (folderOf(to) / file.path.lexically_relative(folderOf(from))).lexically_normal();
+                (folderOf(to) / file->path.lexically_relative(folderOf(from))).lexically_normal();
             if (fs::is_regular_file(guess, error))
-                file.path = guess;
+                file->path = guess;
         }
-    });
+    }
+}
+
+void leaveOut(Session& session, std::size_t exemplar) {
+    const auto at = static_cast<std::ptrdiff_t>(exemplar);
+    std::vector<RecipeExemplar>& exemplars = session.settings.exemplars;
+    exemplars.erase(exemplars.begin() + at);
+    session.used.erase(session.used.begin() + at);
+    if (session.current > at || session.current == static_cast<int>(exemplars.size()))
+        session.current = std::max(0, session.current - 1);
 }
 
 void leaveOut(Session& session, const fs::path& file) {
@@ -226,12 +228,8 @@ void leaveOut(Session& session, const fs::path& file) {
             exemplar.mask.reset();
         std::erase_if(exemplar.companions,
                       [&](const RecipeFile& companion) { return companion.path == file; });
-        if (exemplar.image.path != file)
-            continue;
-        exemplars.erase(exemplars.begin() + static_cast<std::ptrdiff_t>(i));
-        session.used.erase(session.used.begin() + static_cast<std::ptrdiff_t>(i));
-        if (session.current > static_cast<int>(i) || session.current == static_cast<int>(exemplars.size()))
-            session.current = std::max(0, session.current - 1);
+        if (exemplar.image.path == file)
+            leaveOut(session, i);
     }
     if (session.settings.initial && session.settings.initial->path == file)
         session.settings.initial.reset();

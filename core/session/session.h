@@ -43,7 +43,7 @@ Recipe runOf(const Session& session);
 Recipe readRun(const std::filesystem::path& path);
 
 /// Writes a session with copies of its files in the folder NAME_files beside it, to be moved or given away
-/// together. Files already in that folder stay as they are.
+/// together. Files already in that folder stay as they are; one that is a copy already serves as one.
 /// @param only copies only what lies in this folder; everything if empty. @return the session as written.
 /// @throws Error; then no session is written.
 Session packSession(const std::filesystem::path& path, Session session,
@@ -66,5 +66,7 @@ void relocate(Session& session, const std::filesystem::path& from, const std::fi
 /// Goes on without a file: without the exemplar whose image it is, or without the mask, companion map or
 /// initial image.
 void leaveOut(Session& session, const std::filesystem::path& file);
+/// Goes on without one of its exemplars.
+void leaveOut(Session& session, std::size_t exemplar);
 
 } // namespace texloom

@@ -1,4 +1,5 @@
 #include "core/io/image_file.h"
+#include "core/io/map_file.h"
 #include "core/session/run.h"
 #include "tests/cli/program.h"
 #include "tests/support/textures.h"
@@ -89,6 +90,18 @@ const std::vector<Row>& rows() {
         {"MapFolderNotThere", synth("bark.png", {"--map", "gone/map.exr"}), kFailed, {"gone"}},
         {"MapIsTheOutput", synth("bark.png", {"--map", "out.png"}), kUsage, {"out.png"}},
         {"OutputIsTheExemplar", synth("bark.png", {}, "./bark.png"), kUsage, {"bark.png"}},
+        {"MapIsTheExemplar", synth("bark.png", {"--map", "bark.png"}), kUsage, {"bark.png", "lost"}},
+        {"OutputIsTheMask", synth("bark.png", {"--mask", "white.png"}, "white.png"), kUsage, {"white.png"}},
+        {"OutputIsACompanion",
+         synth("bark.png", {"--companion", "white.png"}, "white.png"),
+         kUsage,
+         {"white.png"}},
+        {"ReportIsTheExemplar", synth("bark.png", {"--report", "bark.png"}), kUsage, {"bark.png", "lost"}},
+        {"ExemplarsNameIsTooLong", synth(std::string(300, 'a') + ".png", {}), kFailed, {"cannot be read"}},
+        {"OutputsNameIsTooLong",
+         synth("bark.png", {}, std::string(300, 'a') + ".png"),
+         kFailed,
+         {"cannot be written"}},
         {"ReportFolderNotThere", synth("bark.png", {"--report", "gone/report.json"}), kFailed, {"gone"}},
         {"DepthThatTheFormatDoesNotHold", synth("bark.png", {"--depth", "half"}), kUsage, {".png", "half"}},
         {"UnknownDepth", synth("bark.png", {"--depth", "12"}), kUsage, {"12", "16"}},
@@ -137,6 +150,8 @@ const std::vector<Row>& rows() {
         {"RecipeNotThere", {"run", "gone.json", "-o", "out.png"}, kFailed, {"gone.json"}},
         {"ImageWithoutARecipe", {"run", "bark.png", "-o", "out.png"}, kFailed, {"bark.png", "recipe"}},
         {"MapThatIsNone", {"apply", "bark.png", "bark.png", "-o", "out.png"}, kFailed, {"bark.png", "map"}},
+        {"AppliedToItself", {"apply", "map.png", "bark.png", "-o", "bark.png"}, kUsage, {"bark.png", "lost"}},
+        {"AppliedOverTheMap", {"apply", "map.png", "bark.png", "-o", "map.png"}, kUsage, {"map.png", "lost"}},
         {"MapNotThere", {"apply", "gone.exr", "bark.png", "-o", "out.png"}, kFailed, {"gone.exr"}},
     };
     return all;
@@ -175,6 +190,8 @@ protected:
         writeImage(m_folder / "bark.png", blobs({48, 44}, 3), {});
         writeImage(m_folder / "small.png", blobs({20, 20}, 3), {});
         writeImage(m_folder / "black.png", constant({48, 44}, 1, 0), {});
+        writeImage(m_folder / "white.png", constant({48, 44}, 1, 1), {});
+        writePositionMap(m_folder / "map.png", PositionMap::identity({48, 44}));
         Image broken = blobs({48, 44}, 3);
         broken(3, 2, 1) = std::numeric_limits<float>::quiet_NaN();
         WriteOptions options;

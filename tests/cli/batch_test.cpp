@@ -59,6 +59,15 @@ TEST_F(Batch, OneFailureDoesNotStopTheOthersAndIsNamed) {
         samePixels(readImage(m_folder / "again.png").image, readImage(m_folder / "bark_12_s2.png").image));
 }
 
+TEST_F(Batch, ARunThatIsRefusedByTheSystemDoesNotStopTheOthers) {
+    const Json recipe = Json::parse(readText(m_folder / "batch.json")).at("runs").at(0).at("recipe");
+    write({{{"recipe", recipe}, {"output", std::string(300, 'a') + ".png"}},
+           {{"recipe", recipe}, {"output", "b.png"}}});
+    const Ended ended = run({"--quiet"});
+    EXPECT_THAT(ended.err, HasSubstr("1 of 2 runs failed: 1; 1 done."));
+    EXPECT_TRUE(has("b.png"));
+}
+
 TEST_F(Batch, ShardsDoEachRunOnce) {
     EXPECT_EQ(run({"--shard", "1/2", "--quiet"}).status, 1);
     EXPECT_TRUE(has("bark_8_s1.png") && has("bark_12_s1.png"));

@@ -191,6 +191,12 @@ TEST_F(Cli, WritesTheSpaceThatWasAsked) {
     EXPECT_EQ(readImageInfo(m_folder / "a.exr").space, "acescg");
 }
 
+TEST_F(Cli, WritesUnderNamesThatAreNoUtf8) {
+    synth({"--report", "r\xe9.json"}, "o\xe9.png");
+    for (const char* name : {"o\xe9.png", "o\xe9.json", "r\xe9.json"})
+        EXPECT_TRUE(fs::exists(m_folder / name)) << name;
+}
+
 TEST_F(Cli, WritesNoSidecarWhenNotWanted) {
     synth({"--no-sidecar"});
     EXPECT_FALSE(fs::exists(m_folder / "out.json"));

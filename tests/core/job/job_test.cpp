@@ -222,6 +222,22 @@ TEST(Job, AnErrorInParallelWorkBecomesAFailure) {
     EXPECT_EQ(failure.message, "Row 57 is broken.");
 }
 
+TEST(Job, AnErrorInParallelWorkStopsTheOtherThreads) {
+    constexpr int kCount = 100000;
+    std::atomic<int> done = 0;
+    Job<int> job({0, 4, false}, [&](JobContext& context) {
+        context.parallel(0, kCount, [&](int i) {
+            if (i == kCount / 20)
+                throw Error("A row is broken.");
+            work(10us);
+            ++done;
+        });
+        return 0;
+    });
+    EXPECT_TRUE(std::holds_alternative<Failure>(job.take()));
+    EXPECT_LT(done, kCount / 2);
+}
+
 TEST(Job, AnErrorInOrderedWorkBecomesAFailure) {
     const Failure failure = failureOf([](JobContext& context) {
         context.parallelAfter(

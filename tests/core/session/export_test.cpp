@@ -2,6 +2,7 @@
 #include "core/io/map_file.h"
 #include "core/session/export.h"
 #include "tests/core/io/file_limit.h"
+#include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
 
 #include <gmock/gmock.h>
@@ -50,6 +51,22 @@ Image again(const Recipe& recipe) {
 }
 
 } // namespace
+
+TEST(ExportResult, NeverWritesOverWhatTheResultWasMadeFrom) {
+    SampleExport sample;
+    const fs::path bark = sample.sample.folder / "bark.png",
+                   normal = sample.sample.folder / "bark_normal.png";
+    const std::string before = contentOf(bark) + contentOf(normal);
+    sample.options.image = sample.sample.folder / "." / "bark.png";
+    EXPECT_THAT([&] { exportResult(sample.result, sample.options); }, usageRefusal("bark.png", "lost"));
+    EXPECT_THAT([&] { exportEntries(sample.result, sample.options); }, usageRefusal("bark.png", "lost"));
+    sample.options.image = sample.out / "made.png";
+    sample.options.maps = {normal};
+    EXPECT_THAT([&] { exportResult(sample.result, sample.options); },
+                usageRefusal("bark_normal.png", "lost"));
+    EXPECT_EQ(contentOf(bark) + contentOf(normal), before);
+    EXPECT_TRUE(filesIn(sample.out.path()).empty());
+}
 
 TEST(ExportResult, WritesExactlyWhatItAnnounced) {
     const SampleExport sample;

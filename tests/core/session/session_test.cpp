@@ -121,6 +121,21 @@ TEST(Session, PacksItsFilesBesideIt) {
     EXPECT_EQ(again.toJson("/"), packed.toJson("/"));
 }
 
+TEST(Session, PackingLeavesFilesOfOthersAsTheyAre) {
+    const SampleSession sample;
+    const TemporaryFolder target;
+    fs::create_directory(target / "given_files");
+    writeText(target / "given_files" / "moss.png", "mine");
+    fs::copy_file(sample.folder / "bark.png", target / "given_files" / "bark.png");
+    const Session packed = packSession(target / "given.texloom", sample.session);
+    EXPECT_EQ(readText(target / "given_files" / "moss.png"), "mine");
+    EXPECT_EQ(packed.settings.exemplars[1].image.path, target / "given_files" / "moss_2.png");
+    EXPECT_EQ(packed.settings.exemplars[0].image.path, target / "given_files" / "bark.png")
+        << "a copy that is there already will do";
+    const SessionFiles files = checkFiles(packed);
+    EXPECT_TRUE(files.missing.empty() && files.changed.empty());
+}
+
 TEST(Session, PacksOnlyWhatLiesInAFolder) {
     const SampleSession sample;
     const TemporaryFolder target;
