@@ -91,12 +91,4 @@ void enlargeRow(const PlaneView& plane, Size size, int y, float* to) {
     }
 }
 
-Image enlarged(const ImageView& image, Size size) {
-    Image result(size, image.channels);
-    for (int c = 0; c < image.channels; ++c)
-        for (int y = 0; y < size.height; ++y)
-            enlargeRow(image.plane(c), size, y, result.plane(c).row(y));
-    return result;
-}
-
 } // namespace texloom

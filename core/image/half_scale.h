@@ -12,9 +12,8 @@ Image halved(const ImageView& image);
 /// A mask of one channel at half its size: 1 where no pixel that halved() joins here is 0.
 Image halvedMask(const PlaneView& mask);
 
-/// The image at this size by bilinear interpolation; rows and columns close on themselves.
-Image enlarged(const ImageView& image, Size size);
-/// One channel of row `y` of it, in `to`.
+/// One channel of row `y` of an image at this size by bilinear interpolation, in `to`; rows and columns close
+/// on themselves.
 void enlargeRow(const PlaneView& plane, Size size, int y, float* to);
 
 } // namespace texloom

@@ -1,6 +1,7 @@
 #include "core/match/exemplar_pyramid.h"
 
 #include "core/image/half_scale.h"
+#include "core/match/whole_patches.h"
 
 #include <algorithm>
 
@@ -8,24 +9,9 @@ namespace texloom {
 
 namespace {
 
-/// Whether the mask leaves a whole square of `patch` pixels, by growing squares from their lower right
-/// corner.
 bool leavesPatch(const PatchSource& source, int patch) {
-    if (source.image.size().shorterSide() < patch)
-        return false;
-    if (!source.mask.data)
-        return true;
-    std::vector<int> above(static_cast<std::size_t>(source.mask.width) + 1, 0), row = above;
-    for (int y = 0; y < source.mask.height; ++y) {
-        for (std::size_t x = 1; x < row.size(); ++x) {
-            const bool free = source.mask(static_cast<int>(x) - 1, y) != 0;
-            row[x] = free ? 1 + std::min({row[x - 1], above[x], above[x - 1]}) : 0;
-            if (row[x] >= patch)
-                return true;
-        }
-        above.swap(row);
-    }
-    return false;
+    return source.image.size().shorterSide() >= patch &&
+           (!source.mask.data || leavesWholePatch(source.mask, patch));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "core/match/patch_distances.h"
 
+#include "core/match/whole_patches.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -136,28 +138,14 @@ double PatchDistances::shapeSum(const Table& table, const Footprint& shape, int 
 }
 
 void PatchDistances::forbid(const PlaneView& mask) {
-    const auto width = static_cast<std::size_t>(m_size.width) + 1;
-    std::vector<std::int32_t> table(width * (static_cast<std::size_t>(m_size.height) + 1), 0);
-    for (int y = 0; y < m_size.height; ++y) {
-        std::int32_t row = 0;
-        for (int x = 0; x < m_size.width; ++x) {
-            row += mask(x, y) == 0 ? 1 : 0;
-            const std::size_t at =
-                (static_cast<std::size_t>(y) + 1) * width + static_cast<std::size_t>(x) + 1;
-            table[at] = table[at - width] + row;
-        }
-    }
-    const auto patch = static_cast<std::size_t>(m_patch);
-    m_forbiddenPatches.reserve(static_cast<std::size_t>(m_positions.area()));
-    for (std::size_t y = 0; y < static_cast<std::size_t>(m_positions.height); ++y)
-        for (std::size_t x = 0; x < static_cast<std::size_t>(m_positions.width); ++x) {
-            const std::size_t top = y * width + x;
-            const std::size_t bottom = top + patch * width;
-            const std::int32_t excluded =
-                table[bottom + patch] - table[bottom] - table[top + patch] + table[top];
-            m_forbiddenPatches.push_back(excluded > 0 ? 1 : 0);
-        }
-    m_allowed = std::count(m_forbiddenPatches.begin(), m_forbiddenPatches.end(), 0);
+    m_forbiddenPatches.assign(static_cast<std::size_t>(m_positions.area()), 1);
+    m_allowed = 0;
+    anyWholePatch(mask, m_patch, [this](int x, int y) {
+        m_forbiddenPatches[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +
+                           static_cast<std::size_t>(x)] = 0;
+        ++m_allowed;
+        return false;
+    });
 }
 
 void PatchDistances::prepare(const Footprint& shape) {
@@ -270,7 +258,7 @@ std::uint64_t PatchDistances::bytesFor(Size exemplar, int channels, int patch, i
     const auto deep = static_cast<std::uint64_t>(channels);
     const std::uint64_t tables = 1 + (balanced ? deep : 0), images = balanced ? 2 : 1;
     return fft.imageSize() * sizeof(float) + fft.spectrumSize() * sizeof(Complex) * deep +
-           area * (tables * sizeof(double) + sizeof(std::int32_t) + 1) +
+           area * (tables * sizeof(double) + 1) +
            images * Image::bytesFor(positions, 1) * static_cast<std::uint64_t>(shapes);
 }
 

@@ -2,8 +2,8 @@
 
 #include "core/match/interleaved.h"
 #include "core/match/patch_match.h"
+#include "core/match/whole_patches.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -47,18 +47,12 @@ private:
     }
 
     void allow(const PlaneView& mask, int patch) {
-        m_allowed.assign(static_cast<std::size_t>(m_positions.area()), 1);
-        for (int y = 0; y < mask.height; ++y)
-            for (int x = 0; x < mask.width; ++x) {
-                if (mask(x, y) != 0)
-                    continue;
-                for (int py = std::max(0, y - patch + 1); py <= std::min(y, m_positions.height - 1); ++py)
-                    for (int px = std::max(0, x - patch + 1); px <= std::min(x, m_positions.width - 1); ++px)
-                        m_allowed[index(px, py)] = 0;
-            }
-        for (std::size_t i = 0; i < m_allowed.size(); ++i)
-            if (m_allowed[i] != 0)
-                m_list.push_back(static_cast<std::int32_t>(i));
+        m_allowed.assign(static_cast<std::size_t>(m_positions.area()), 0);
+        anyWholePatch(mask, patch, [this](int x, int y) {
+            m_allowed[index(x, y)] = 1;
+            m_list.push_back(static_cast<std::int32_t>(index(x, y)));
+            return false;
+        });
     }
 
     Interleaved m_pixels;

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/match/patch_distances.h"
+#include "core/match/whole_patches.h"
 
 #include <cmath>
 
@@ -16,11 +17,6 @@ void checkExemplar(const Exemplar& exemplar, int patch) {
     if (size.shorterSide() < patch)
         failUsage("{} is {} × {} px, smaller than the patch of {} px; choose a patch of at most {} px.",
                   exemplar.name, size.width, size.height, patch, size.shorterSide());
-}
-
-bool leavesPatch(const Image& mask, int patch) {
-    const PatchDistances distances(mask.view(), mask.view().plane(0), {0.0}, patch);
-    return distances.allowed() > 0;
 }
 
 void checkWrap(bool wraps, int length, const char* side, int patch) {
@@ -43,7 +39,7 @@ void checkPatchRequest(const Request& request, int patch) {
     bool anyPatch = false;
     for (const Exemplar& exemplar : request.exemplars) {
         checkExemplar(exemplar, patch);
-        anyPatch = anyPatch || !exemplar.mask || leavesPatch(*exemplar.mask, patch);
+        anyPatch = anyPatch || !exemplar.mask || leavesWholePatch(exemplar.mask->view().plane(0), patch);
     }
     if (!anyPatch)
         failUsage("The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.",
