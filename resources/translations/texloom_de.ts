@@ -1873,6 +1873,10 @@
         <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; lattice=none lets patches come from anywhere.</source>
         <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; mit lattice=none dürfen Stücke von überall kommen.</translation>
     </message>
+    <message>
+        <source>{} is what the result is made from and would be lost; name another file.</source>
+        <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -3102,6 +3106,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Use exemplar</source>
+        <translation>Vorlage verwenden</translation>
+    </message>
+    <message>
+        <source>Leave exemplar out</source>
+        <translation>Vorlage weglassen</translation>
     </message>
 </context>
 <context>

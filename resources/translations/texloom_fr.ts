@@ -1873,6 +1873,10 @@
         <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; lattice=none lets patches come from anywhere.</source>
         <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; lattice=none laisse venir les morceaux de partout.</translation>
     </message>
+    <message>
+        <source>{} is what the result is made from and would be lost; name another file.</source>
+        <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -3102,6 +3106,14 @@ Déposez une image ici.</translation>
     <message>
         <source>Weight</source>
         <translation>Poids</translation>
+    </message>
+    <message>
+        <source>Use exemplar</source>
+        <translation>Utiliser l’échantillon</translation>
+    </message>
+    <message>
+        <source>Leave exemplar out</source>
+        <translation>Laisser l’échantillon de côté</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@
 #include "ui/plots/figures_panel.h"
 #include "ui/session/document.h"
 #include "ui/viewers/result_view.h"
+#include "ui/viewers/viewer_keys.h"
 #include "ui/window/language.h"
 #include "ui/window/shortcuts.h"
 #include "ui/window/start_page.h"
@@ -27,6 +28,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
@@ -294,12 +296,15 @@ private Q_SLOTS:
             child<QPushButton>(*dialog, "shortcutTake")->click();
             QCOMPARE(child<QAction>(window, "repeat")->shortcut(), other);
         }
+        const QKeyEvent w(QEvent::KeyPress, Qt::Key_W, Qt::NoModifier);
+        QVERIFY(!viewerCommandAt(w));
         MainWindow window;
         auto* repeat = child<QAction>(window, "repeat");
         QCOMPARE(repeat->shortcut(), other);
         QVERIFY2(repeat->toolTip().contains(QStringLiteral("Ctrl+Alt+W")), qPrintable(repeat->toolTip()));
         resetShortcut(repeat);
         QCOMPARE(repeat->shortcut(), QKeySequence(QStringLiteral("W")));
+        QVERIFY(viewerCommandAt(w) == ViewerCommand::Repeat);
     }
 
     void everythingIsReachedByTab() {

@@ -380,6 +380,62 @@ private Q_SLOTS:
         QVERIFY(m_window->document()->mayClose());
     }
 
+    void aSaveThatFailsIsKnownBeforeTheWindowCloses() {
+        openBark(false);
+        m_window->store()->setEdits(m_window->store()->current()->id, {RotateEdit{90}}, {});
+        QTRY_VERIFY((current() == Size{48, 64}));
+        m_window->document()->saveTo(m_folder->filePath(QStringLiteral("gone/work.texloom")), false);
+        bool asked = false;
+        QTimer::singleShot(0, this, [&asked] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                asked = true;
+                box->button(QMessageBox::Cancel)->click();
+            }
+        });
+        QVERIFY(!m_window->document()->mayClose());
+        QVERIFY(asked);
+    }
+
+    void whatIsSavedLastIsWhatIsKept() {
+        const QString file = m_folder->filePath(QStringLiteral("work.texloom"));
+        for (int seed = 1; seed <= 20; ++seed) {
+            m_window->inspector()->output()->setSeed(static_cast<quint64>(seed));
+            m_window->document()->saveTo(file, seed % 2 == 0);
+        }
+        QVERIFY(m_window->document()->mayClose());
+        QCOMPARE(readSession(toPath(file)).settings.seed, 20U);
+    }
+
+    void aRecoveryThatIsCalledOffIsOfferedAgain() {
+        const QString folder = m_folder->filePath(QStringLiteral("recovery"));
+        QVERIFY(QDir().mkpath(folder));
+        Session session = m_window->session();
+        session.settings.exemplars = {
+            {{toPath(m_folder->filePath(QStringLiteral("gone.png"))), "srgb", "", ""}, {}, {}}};
+        session.used = {true};
+        const QString copy = folder + QStringLiteral("/lost.texloom");
+        writeSession(toPath(copy), session);
+        m_window->document()->offerRecovery();
+        child<QPushButton>(*child<QMessageBox>(*m_window, "recoveryDialog"), "recover")->click();
+        QTRY_VERIFY(m_window->findChild<MissingFilesDialog*>() != nullptr);
+        m_window->findChild<MissingFilesDialog*>()->reject();
+        m_window.reset();
+        QVERIFY(QFile::exists(copy));
+    }
+
+    void ticksAreUndone() {
+        openBark(false);
+        ExemplarStore* const store = m_window->store();
+        const int id = store->current()->id;
+        auto* undo = child<QAction>(*m_window, "undo");
+        store->setChecked(id, false);
+        QVERIFY(undo->text().contains(QStringLiteral("Leave exemplar out")));
+        undo->trigger();
+        QVERIFY(store->current()->checked);
+        child<QAction>(*m_window, "redo")->trigger();
+        QVERIFY(!store->current()->checked);
+    }
+
     void masksThatNobodyNamesAreRemovedInTime() {
         openBark(false);
         m_window->store()->paintMask(m_window->store()->current()->id, Image({64, 48}, 1), true);

@@ -1,5 +1,6 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/viewers/image_viewer.h"
+#include "ui/viewers/viewer_keys.h"
 #include "ui/window/icons.h"
 
 #include <QSignalSpy>
@@ -72,6 +73,25 @@ private Q_SLOTS:
         viewer.setPicture(pictureOf(testTexture({50, 50})));
         QTest::keyClick(&viewer, Qt::Key_1);
         QCOMPARE(viewer.view().scale() * viewer.devicePixelRatioF(), 1.0);
+    }
+
+    void keysAreThoseThatWereChosen() {
+        ImageViewer viewer;
+        viewer.resize(400, 300);
+        viewer.setPicture(pictureOf(testTexture({50, 50})));
+        setViewerKeys(ViewerCommand::Repeat, {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_W)});
+        QTest::keyClick(&viewer, Qt::Key_W);
+        QVERIFY(!viewer.repeats());
+        QTest::keyClick(&viewer, Qt::Key_W, Qt::ControlModifier | Qt::AltModifier);
+        QVERIFY(viewer.repeats());
+        setViewerKeys(ViewerCommand::Repeat, {QKeySequence(Qt::Key_W)});
+        QTest::keyClick(&viewer, Qt::Key_W, Qt::ShiftModifier); // the wipe's
+        QVERIFY(viewer.repeats());
+        const double before = viewer.view().scale();
+        QTest::keyClick(&viewer, Qt::Key_Plus, Qt::ShiftModifier);
+        QVERIFY(viewer.view().scale() > before);
+        QTest::keyClick(&viewer, Qt::Key_Minus, Qt::KeypadModifier);
+        QCOMPARE(viewer.view().scale(), before);
     }
 
     void panStopsWhileSomeIsInReachButNotWhenRepeated() {

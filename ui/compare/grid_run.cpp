@@ -2,7 +2,6 @@
 
 #include "ui/compare/compare_view.h"
 #include "ui/jobs/background.h"
-#include "ui/window/text.h"
 
 #include <algorithm>
 #include <limits>
@@ -38,7 +37,7 @@ GridRun::Planned GridRun::planned(const GridEntry& entry, const std::vector<Resu
         planned.plan = planRun(entry.input);
         planned.seconds = expectedSeconds(*planned.plan, earlier).value_or(planned.plan->estimate.seconds);
     } catch (const std::exception& error) {
-        planned.refusal = translated(sentence(error).toStdString());
+        planned.refusal = sentence(error);
     }
     return planned;
 }
@@ -81,7 +80,6 @@ void GridRun::showAndQueue(std::vector<Planned> planned, std::vector<CompareItem
             m_open.insert(m_queue->nextId());
             m_queue->add(std::move(*run.plan), layout.quick, false, JobQueue::Place::Last, run.seconds);
         }
-    Q_EMIT queued();
 }
 
 /// The view's cell of a run that is open; −1 where it shows something else by now.

@@ -44,10 +44,6 @@ public:
     /// The run `id` has ended and is this result in the history.
     void keep(int id, const std::string& key, const RunPictures& pictures);
 
-Q_SIGNALS:
-    /// All runs of the grid are queued or refused.
-    void queued();
-
 private:
     struct Planned {
         QString label;

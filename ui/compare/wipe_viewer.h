@@ -16,7 +16,6 @@ public:
 
     /// The picture on the far side of the line; without one, the other is whole.
     void setFarPicture(std::shared_ptr<const DisplayPicture> picture);
-    const std::shared_ptr<const DisplayPicture>& farPicture() const { return m_far; }
 
     /// The direction in which the far side lies, in degrees: 0 is to the right, 90 down.
     double angle() const { return m_angle; }

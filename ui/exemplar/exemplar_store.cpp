@@ -263,8 +263,16 @@ void ExemplarStore::setCurrent(int id) {
 }
 
 void ExemplarStore::setChecked(int id, bool checked) {
+    const ExemplarEntry* const known = find(id);
+    if (known == nullptr || known->checked == checked)
+        return;
+    restoreChecked(id, checked);
+    Q_EMIT ticked(id, checked, checked ? tr("Use exemplar") : tr("Leave exemplar out"));
+}
+
+void ExemplarStore::restoreChecked(int id, bool checked) {
     ExemplarEntry* const changing = entry(id);
-    if (changing == nullptr || changing->checked == checked)
+    if (changing == nullptr)
         return;
     changing->checked = checked;
     Q_EMIT changed();

@@ -62,6 +62,7 @@ public:
     void replaceAll(std::vector<RunExemplar> exemplars);
     void remove(int id);
     void setCurrent(int id);
+    /// Whether methods that learn from several use it.
     void setChecked(int id, bool checked);
     /// How much it counts beside the others; see Exemplar::weight.
     void setWeight(int id, double weight);
@@ -81,6 +82,8 @@ public:
     ExemplarEdits wantedEdits(int id) const;
     /// Goes back to a state, without telling edited().
     void restoreState(int id, const ExemplarState& state);
+    /// The same for setChecked() and ticked().
+    void restoreChecked(int id, bool checked);
 
 Q_SIGNALS:
     /// Entries, their order or anything about them changed.
@@ -93,6 +96,8 @@ Q_SIGNALS:
     /// An exemplar was changed in a way that can be undone.
     void edited(int id, const texloom::ui::ExemplarState& before, const texloom::ui::ExemplarState& after,
                 const QString& what, const QString& key);
+    /// An exemplar was taken into use or left out, which can be undone.
+    void ticked(int id, bool checked, const QString& what);
     /// A file could not be read; the sentence says why. Everything is as it was before.
     void failed(const QString& sentence);
 

@@ -42,82 +42,92 @@ void setQuietly(QSpinBox* pixels, int value) {
 
 } // namespace
 
-CropPage::CropPage(EditCanvas* canvas, QWidget* parent)
-    : QWidget(parent),
-      m_canvas(canvas), m_numbers{makePixels(QStringLiteral("cropX"), tr("Left edge of the crop"), this),
-                                  makePixels(QStringLiteral("cropY"), tr("Upper edge of the crop"), this),
-                                  makePixels(QStringLiteral("cropWidth"), tr("Width of the crop"), this),
-                                  makePixels(QStringLiteral("cropHeight"), tr("Height of the crop"), this)} {
-    auto* apply = new QPushButton(tr("Cr&op"), this);
-    apply->setObjectName(QStringLiteral("applyCrop"));
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("Left, top"), pairOf(m_numbers[0], m_numbers[1]));
-    form->addRow(tr("Width, height"), pairOf(m_numbers[2], m_numbers[3]));
-    form->addRow(noteLabel(tr("Drag the corners; N takes the next one, the arrow keys move it.")));
-    form->addRow(apply);
-    for (QSpinBox* pixels : m_numbers)
-        connect(pixels, &QSpinBox::valueChanged, this, &CropPage::take);
-    connect(apply, &QPushButton::clicked, this, &CropPage::applied);
-    connect(canvas, &EditCanvas::frameMoved, this, &CropPage::showFrame);
+FramePage::FramePage(EditCanvas* canvas, QWidget* parent)
+    : QWidget(parent), m_canvas(canvas), m_form(new QFormLayout(this)) {
+    m_form->setContentsMargins(0, 0, 0, 0);
+    connect(canvas, &EditCanvas::frameMoved, this, &FramePage::showFrame);
 }
 
-void CropPage::showFrame() {
-    const QRect frame = m_canvas->cropFrame();
-    const std::array<int, 4> values{frame.x(), frame.y(), frame.width(), frame.height()};
+void FramePage::addPair(const QString& title, const std::array<std::pair<QString, QString>, 2>& names) {
+    std::array<QSpinBox*, 2> pair{};
+    for (std::size_t i = 0; i < pair.size(); ++i) {
+        pair[i] = makePixels(names[i].first, names[i].second, this);
+        connect(pair[i], &QSpinBox::valueChanged, this, &FramePage::take);
+        m_numbers.push_back(pair[i]);
+    }
+    m_form->addRow(title, pairOf(pair[0], pair[1]));
+}
+
+void FramePage::addEnd(const QString& note, const QString& button, const QString& name) {
+    auto* apply = new QPushButton(button, this);
+    apply->setObjectName(name);
+    connect(apply, &QPushButton::clicked, this, &FramePage::applied);
+    m_form->addRow(noteLabel(note));
+    m_form->addRow(apply);
+}
+
+void FramePage::showFrame() {
+    const std::vector<int> values = frame();
     for (std::size_t i = 0; i < m_numbers.size(); ++i)
         setQuietly(m_numbers[i], values[i]);
 }
 
-void CropPage::take() {
+void FramePage::take() {
     if (!m_canvas->picture())
         return;
-    const Size size = m_canvas->picture()->size();
-    const int x = std::clamp(m_numbers[0]->value(), 0, size.width - 1);
-    const int y = std::clamp(m_numbers[1]->value(), 0, size.height - 1);
-    m_canvas->setCropFrame({x, y, std::clamp(m_numbers[2]->value(), 1, size.width - x),
-                            std::clamp(m_numbers[3]->value(), 1, size.height - y)});
+    std::vector<int> values;
+    for (const QSpinBox* pixels : m_numbers)
+        values.push_back(pixels->value());
+    setFrame(values);
     showFrame();
 }
 
-CornersPage::CornersPage(EditCanvas* canvas, QWidget* parent) : QWidget(parent), m_canvas(canvas) {
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
-    const QString names[] = {tr("Top left"), tr("Top right"), tr("Bottom right"), tr("Bottom left")};
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            QSpinBox* const pixels = makePixels(
-                QStringLiteral("corner%1%2").arg(i).arg(axis == 0 ? QLatin1Char('x') : QLatin1Char('y')),
-                axis == 0 ? tr("%1 corner, across").arg(names[i]) : tr("%1 corner, down").arg(names[i]),
-                this);
-            m_numbers[2 * i + axis] = pixels;
-            connect(pixels, &QSpinBox::valueChanged, this, &CornersPage::take);
-        }
-        form->addRow(names[i], pairOf(m_numbers[2 * i], m_numbers[2 * i + 1]));
-    }
-    auto* apply = new QPushButton(tr("Recti&fy"), this);
-    apply->setObjectName(QStringLiteral("applyRectify"));
-    form->addRow(
-        noteLabel(tr("Put the corners on four that are a rectangle in reality. N takes the next one, "
-                     "the arrow keys move it.")));
-    form->addRow(apply);
-    connect(apply, &QPushButton::clicked, this, &CornersPage::applied);
-    connect(canvas, &EditCanvas::frameMoved, this, &CornersPage::showFrame);
+CropPage::CropPage(EditCanvas* canvas, QWidget* parent) : FramePage(canvas, parent) {
+    addPair(tr("Left, top"), {{{QStringLiteral("cropX"), tr("Left edge of the crop")},
+                               {QStringLiteral("cropY"), tr("Upper edge of the crop")}}});
+    addPair(tr("Width, height"), {{{QStringLiteral("cropWidth"), tr("Width of the crop")},
+                                   {QStringLiteral("cropHeight"), tr("Height of the crop")}}});
+    addEnd(tr("Drag the corners; N takes the next one, the arrow keys move it."), tr("Cr&op"),
+           QStringLiteral("applyCrop"));
 }
 
-void CornersPage::showFrame() {
-    for (std::size_t i = 0; i < m_numbers.size(); ++i) {
-        const PlanePoint& corner = m_canvas->corners()[i / 2];
-        setQuietly(m_numbers[i], static_cast<int>(std::lround(i % 2 == 0 ? corner.x : corner.y)));
-    }
+std::vector<int> CropPage::frame() const {
+    const QRect frame = canvas()->cropFrame();
+    return {frame.x(), frame.y(), frame.width(), frame.height()};
 }
 
-void CornersPage::take() {
+void CropPage::setFrame(const std::vector<int>& values) {
+    const Size size = canvas()->picture()->size();
+    const int x = std::clamp(values[0], 0, size.width - 1);
+    const int y = std::clamp(values[1], 0, size.height - 1);
+    canvas()->setCropFrame(
+        {x, y, std::clamp(values[2], 1, size.width - x), std::clamp(values[3], 1, size.height - y)});
+}
+
+CornersPage::CornersPage(EditCanvas* canvas, QWidget* parent) : FramePage(canvas, parent) {
+    const QString titles[] = {tr("Top left"), tr("Top right"), tr("Bottom right"), tr("Bottom left")};
+    for (int i = 0; i < 4; ++i)
+        addPair(titles[i], {{{QStringLiteral("corner%1x").arg(i), tr("%1 corner, across").arg(titles[i])},
+                             {QStringLiteral("corner%1y").arg(i), tr("%1 corner, down").arg(titles[i])}}});
+    addEnd(tr("Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys "
+              "move it."),
+           tr("Recti&fy"), QStringLiteral("applyRectify"));
+}
+
+std::vector<int> CornersPage::frame() const {
+    std::vector<int> values;
+    for (const PlanePoint& corner : canvas()->corners()) {
+        values.push_back(static_cast<int>(std::lround(corner.x)));
+        values.push_back(static_cast<int>(std::lround(corner.y)));
+    }
+    return values;
+}
+
+void CornersPage::setFrame(const std::vector<int>& values) {
     std::array<PlanePoint, 4> corners;
     for (std::size_t i = 0; i < corners.size(); ++i)
-        corners[i] = {static_cast<double>(m_numbers[2 * i]->value()),
-                      static_cast<double>(m_numbers[2 * i + 1]->value())};
-    m_canvas->setCorners(corners);
+        corners[i] = {static_cast<double>(values[2 * i]), static_cast<double>(values[2 * i + 1])};
+    canvas()->setCorners(corners);
 }
 
 } // namespace texloom::ui

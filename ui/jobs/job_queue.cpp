@@ -1,7 +1,6 @@
 #include "ui/jobs/job_queue.h"
 
 #include "ui/jobs/background.h"
-#include "ui/window/text.h"
 
 #include <algorithm>
 #include <utility>
@@ -154,7 +153,7 @@ void JobQueue::begin(QueuedJob& job) {
     } catch (const std::exception& error) {
         QueuedJob refused = std::move(job);
         m_jobs.pop_front();
-        fail(std::move(refused), translated(sentence(error).toStdString()));
+        fail(std::move(refused), sentence(error));
         return startSoon();
     }
     job.state = QueuedJob::State::Running;

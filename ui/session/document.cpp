@@ -62,7 +62,7 @@ LoadedSession loadAll(Session session) {
             ++i;
         } catch (const std::exception& error) {
             loaded.leftOut += sentence(error);
-            leaveOut(session, entry.image.path);
+            leaveOut(session, i);
         }
     }
     try {
@@ -83,12 +83,15 @@ Document::Document(Window window, QObject* parent) : QObject(parent), m_window(s
     const int asked = qEnvironmentVariableIntValue("TEXLOOM_RECOVERY_SECONDS");
     m_timer.setInterval(asked > 0 ? std::chrono::seconds(asked) : kRecoveryDelay);
     connect(&m_timer, &QTimer::timeout, this, &Document::writeRecovery);
+    m_writer.setMaxThreadCount(1);
     setRecoveryFolder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                       QStringLiteral("/recovery"));
 }
 
 Document::~Document() {
-    // A window that is closed in order leaves nothing to recover.
+    // A window that is closed in order leaves nothing to recover, nor does a copy that is still being
+    // written.
+    m_writer.waitForDone();
     dropRecovery();
 }
 
@@ -190,12 +193,12 @@ void Document::open(const QString& path) {
     QSettings().setValue(kFolder, QFileInfo(file).path());
     inBackground(
         this, [file = toPath(file)] { return readSession(file); },
-        [this, file](const Session& session) { resolve(session, file, false); },
+        [this, file](const Session& session) { resolve(session, file, {}); },
         [this](const QString& why) { m_window.refuse(why); });
 }
 
 /// Finds out which files are gone before anything is loaded.
-void Document::resolve(const Session& session, const QString& file, bool recovered) {
+void Document::resolve(const Session& session, const QString& file, const QString& copy) {
     inBackground(
         this,
         [session] {
@@ -204,40 +207,41 @@ void Document::resolve(const Session& session, const QString& file, bool recover
                 missing += toQString(path);
             return missing;
         },
-        [this, session, file, recovered](const QStringList& missing) {
+        [this, session, file, copy](const QStringList& missing) {
             if (missing.isEmpty())
-                load(session, file, recovered);
+                load(session, file, copy);
             else
-                askForMissing(session, missing, file, recovered);
+                askForMissing(session, missing, file, copy);
         },
         [this](const QString& why) { m_window.refuse(why); });
 }
 
 void Document::askForMissing(const Session& session, const QStringList& missing, const QString& file,
-                             bool recovered) {
+                             const QString& copy) {
     auto* dialog = new MissingFilesDialog(session, missing, m_window.widget);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this,
-            [this, dialog, file, recovered] { load(dialog->session(), file, recovered); });
+            [this, dialog, file, copy] { load(dialog->session(), file, copy); });
     dialog->open();
 }
 
-void Document::load(const Session& session, const QString& file, bool recovered) {
+void Document::load(const Session& session, const QString& file, const QString& copy) {
     inBackground(
         this, [session] { return loadAll(session); },
-        [this, file, recovered](const LoadedSession& loaded) {
+        [this, file, copy](const LoadedSession& loaded) {
             m_loading = true;
-            m_window.show(loaded, [this, loaded, file, recovered] { opened(loaded, file, recovered); });
+            m_window.show(loaded, [this, loaded, file, copy] { opened(loaded, file, copy); });
         },
         [this](const QString& why) { m_window.refuse(why); });
 }
 
-void Document::opened(const LoadedSession& loaded, const QString& file, bool recovered) {
+void Document::opened(const LoadedSession& loaded, const QString& file, const QString& copy) {
     m_loading = false;
-    if (!recovered)
-        dropRecovery();
+    dropRecovery();
+    if (!copy.isEmpty())
+        claimRecoveryFile(copy); // written again as work goes on
     setFile(file);
-    setModified(recovered || !loaded.leftOut.isEmpty());
+    setModified(!copy.isEmpty() || !loaded.leftOut.isEmpty());
     if (!loaded.leftOut.isEmpty())
         m_window.refuse(tr("Opened, but without some files: %1").arg(loaded.leftOut.join(QLatin1Char(' '))));
     else if (!loaded.changed.isEmpty())
@@ -277,22 +281,34 @@ void Document::saveTo(const QString& path, bool packed) {
     // What was painted here has no place of its own: it is always kept with the session.
     const std::filesystem::path only = packed ? std::filesystem::path() : toPath(ownFolder());
     setModified(false);
+    ++m_saving;
     inBackground(
-        this,
+        m_writer, this,
         [path = toPath(path), session = m_window.read(), only] { return packSession(path, session, only); },
         [this, path](const Session&) {
+            --m_saving;
             setFile(path);
             if (!m_modified)
                 dropRecovery();
             m_window.tell(tr("Saved %1.").arg(QFileInfo(path).fileName()));
         },
         [this](const QString& why) {
-            setModified(true);
+            --m_saving;
+            touch();
             m_window.refuse(tr("The session was not saved. %1").arg(why));
         });
 }
 
+/// Waits for what is being saved: that it failed must be known before anything is given up.
+void Document::finishSaving() {
+    if (m_saving == 0)
+        return;
+    m_writer.waitForDone();
+    QCoreApplication::sendPostedEvents(QCoreApplication::instance(), QEvent::MetaCall);
+}
+
 bool Document::askToSave() {
+    finishSaving();
     const bool untitled = m_file.isEmpty();
     if (!m_modified || (untitled && !m_window.handmade()))
         return true;
@@ -354,7 +370,7 @@ void Document::writeRecovery() {
     Session session = m_window.read();
     session.file = toPath(m_file);
     inBackground(
-        this,
+        m_writer, this,
         [path = toPath(m_recoveryFile), session] {
             writeSession(path, session);
             return true;
@@ -417,9 +433,7 @@ void Document::offerRecovery() {
 void Document::recover(const QString& path) {
     try {
         const Session session = readSession(toPath(path));
-        dropRecovery();
-        claimRecoveryFile(path); // written again as work goes on
-        resolve(session, toQString(session.file), true);
+        resolve(session, toQString(session.file), path);
     } catch (const std::exception& error) {
         m_window.refuse(sentence(error));
     }

@@ -4,6 +4,7 @@
 #include "ui/session/settings_state.h"
 
 #include <QObject>
+#include <QThreadPool>
 #include <QTimer>
 
 #include <functional>
@@ -87,13 +88,16 @@ private:
     void savePacked();
     QString askForFile(const QString& title);
     void fillRecent(QMenu* menu) const;
-    void load(const Session& session, const QString& file, bool recovered);
-    void opened(const LoadedSession& loaded, const QString& file, bool recovered);
-    void resolve(const Session& session, const QString& file, bool recovered);
+    /// The steps of opening a session. @param copy the file it is recovered from, which stays for another
+    /// time if it is not opened; empty if it is opened from `file`.
+    void resolve(const Session& session, const QString& file, const QString& copy);
     void askForMissing(const Session& session, const QStringList& missing, const QString& file,
-                       bool recovered);
+                       const QString& copy);
+    void load(const Session& session, const QString& file, const QString& copy);
+    void opened(const LoadedSession& loaded, const QString& file, const QString& copy);
     void setFile(const QString& path);
     void setModified(bool modified);
+    void finishSaving();
     bool askToSave();
     bool saveNow(const QString& path);
     void writeRecovery();
@@ -110,6 +114,8 @@ private:
     QString m_recoveryFolder;
     QString m_recoveryFile;
     std::unique_ptr<QLockFile> m_lock;
+    QThreadPool m_writer; ///< one thread: what is saved later is written later
+    int m_saving = 0;
     bool m_writing = false;
     bool m_recoveryFailed = false;
 };

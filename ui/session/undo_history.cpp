@@ -14,7 +14,7 @@ namespace {
 /// Changes of one setting closer together than this are one step.
 constexpr qint64 kOneGesture = 1000;
 constexpr int kMostSteps = 200;
-enum CommandId { SettingsId = 1, ExemplarId };
+enum CommandId { SettingsId = 1, ExemplarId, TickId };
 
 /// From one state to another, by a function that shows either. Does nothing when it is pushed, since what it
 /// stands for has been done.
@@ -99,6 +99,10 @@ UndoHistory::UndoHistory(ExemplarStore* store, std::function<SettingsState()> re
                     ExemplarId, what, place, before, after,
                     [this, id](const ExemplarState& state) { m_store->restoreState(id, state); }));
             });
+    connect(m_store, &ExemplarStore::ticked, this, [this](int id, bool checked, const QString& what) {
+        m_stack->push(new StateCommand<bool>(TickId, what, {}, !checked, checked,
+                                             [this, id](bool tick) { m_store->restoreChecked(id, tick); }));
+    });
 }
 
 void UndoHistory::settingsEdited() {

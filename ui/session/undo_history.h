@@ -12,8 +12,8 @@ class QUndoStack;
 
 namespace texloom::ui {
 
-/// Undo and redo of settings, exemplar edits, masks and companion maps in one list; results are a history of
-/// their own. Changes of one slider that follow each other closely are one step.
+/// Undo and redo of settings, exemplars in use, their edits, masks and companion maps in one list; results
+/// are a history of their own. Changes of one slider that follow each other closely are one step.
 class UndoHistory : public QObject {
     Q_OBJECT
 

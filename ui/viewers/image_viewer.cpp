@@ -1,5 +1,6 @@
 #include "ui/viewers/image_viewer.h"
 
+#include "ui/viewers/viewer_keys.h"
 #include "ui/window/text.h"
 
 #include <QCursor>
@@ -273,12 +274,7 @@ bool ImageViewer::panKey(const QKeyEvent& event) {
 
 bool ImageViewer::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool plain = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
-        const auto own = {Qt::Key_F,     Qt::Key_1, Qt::Key_Plus, Qt::Key_Equal,
-                          Qt::Key_Minus, Qt::Key_W, Qt::Key_H};
-        const bool wipe = key->key() == Qt::Key_W && key->modifiers() & Qt::ShiftModifier;
-        if (plain && !wipe && std::find(own.begin(), own.end(), key->key()) != own.end())
+        if (viewerCommandAt(*static_cast<QKeyEvent*>(event)))
             event->accept();
     }
     return QWidget::event(event);
@@ -287,22 +283,22 @@ bool ImageViewer::event(QEvent* event) {
 void ImageViewer::keyPressEvent(QKeyEvent* event) {
     if (!m_picture || panKey(*event))
         return;
-    switch (event->key()) {
-    case Qt::Key_F:
+    const std::optional<ViewerCommand> command = viewerCommandAt(*event);
+    if (!command)
+        return QWidget::keyPressEvent(event);
+    switch (*command) {
+    case ViewerCommand::Fit:
         return fit();
-    case Qt::Key_1:
+    case ViewerCommand::ActualSize:
         return actualSize();
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
+    case ViewerCommand::ZoomIn:
         return zoomIn();
-    case Qt::Key_Minus:
+    case ViewerCommand::ZoomOut:
         return zoomOut();
-    case Qt::Key_W:
+    case ViewerCommand::Repeat:
         return setRepeats(!m_repeat);
-    case Qt::Key_H:
+    case ViewerCommand::Seams:
         return showSeams();
-    default:
-        QWidget::keyPressEvent(event);
     }
 }
 

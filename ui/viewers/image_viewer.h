@@ -14,8 +14,9 @@
 namespace texloom::ui {
 
 /// Shows any picture of the program. Wheel, + and − zoom at the cursor, dragging and the arrow keys pan, F
-/// fits, 1 is 100 %, W repeats the picture endlessly, H with half a tile's offset; Shift with the arrow keys
-/// moves a cursor of its own from pixel to pixel, for those who have no mouse.
+/// fits, 1 is 100 %, W repeats the picture endlessly, H with half a tile's offset (or the keys that the user
+/// chose: see ViewerCommand); Shift with the arrow keys moves a cursor of its own from pixel to pixel, for
+/// those who have no mouse.
 class ImageViewer : public QWidget {
     Q_OBJECT
 

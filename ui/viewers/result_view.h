@@ -83,7 +83,6 @@ private:
     ImageViewer* addViewer(ImageViewer* viewer, QWidget* page, const QString& title);
     MapPage* addMap(const QString& name, const QString& title);
     void connectMaps();
-    void showMaps(const RunPictures& pictures);
     void showMapPictures();
     void showCopiesPicture();
     void tabChanged();

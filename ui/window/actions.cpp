@@ -1,5 +1,6 @@
 #include "ui/window/actions.h"
 
+#include "ui/viewers/viewer_keys.h"
 #include "ui/window/icons.h"
 #include "ui/window/shortcuts.h"
 
@@ -28,6 +29,13 @@ struct Maker {
         return action;
     }
 };
+
+/// Viewers do at a key what the action does, with the keys that it has at the moment.
+void shareKeys(QAction* action, ViewerCommand command) {
+    const auto share = [action, command] { setViewerKeys(command, action->shortcuts()); };
+    QObject::connect(action, &QAction::changed, action, share);
+    share();
+}
 
 QString tr(const char* text) {
     return QCoreApplication::translate("texloom::ui::Actions", text);
@@ -92,6 +100,12 @@ Actions::Actions(QMainWindow* window) {
     fullScreen->setCheckable(true);
     shortcuts = make("shortcuts", tr("&Keyboard shortcuts"), {Qt::Key_Question}, {}, "help");
     about = make("about", tr("&About Texloom"));
+    shareKeys(fit, ViewerCommand::Fit);
+    shareKeys(actualSize, ViewerCommand::ActualSize);
+    shareKeys(zoomIn, ViewerCommand::ZoomIn);
+    shareKeys(zoomOut, ViewerCommand::ZoomOut);
+    shareKeys(repeat, ViewerCommand::Repeat);
+    shareKeys(seams, ViewerCommand::Seams);
     about->setMenuRole(QAction::AboutRole);
     quit->setMenuRole(QAction::QuitRole);
 }

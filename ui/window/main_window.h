@@ -58,8 +58,6 @@ public:
     void startRun(bool quick);
     /// Adds a run with the settings as they stand to the end of the queue.
     void queueRun();
-    /// Whether something can be run with the settings as they stand.
-    bool canRun() const { return m_canRun; }
     /// What a run would be given now.
     RunInput input(bool quick) const;
     /// Takes over everything that a recipe says.

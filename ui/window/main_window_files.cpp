@@ -264,7 +264,7 @@ void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
                 input.region.reset();
             restore(input);
         },
-        [this](const QString& why) { fail(translated(why.toStdString())); });
+        [this](const QString& why) { fail(why); });
 }
 
 void MainWindow::exportDialog() {

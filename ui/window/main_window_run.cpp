@@ -38,12 +38,12 @@ struct Outlook {
         try {
             plan = planRun(full);
         } catch (const std::exception& error) {
-            refusal = translated(sentence(error).toStdString());
+            refusal = sentence(error);
         }
         try {
             planRun(quick);
         } catch (const std::exception& error) {
-            quickRefusal = translated(sentence(error).toStdString());
+            quickRefusal = sentence(error);
         }
     }
 };
@@ -223,7 +223,7 @@ void MainWindow::addRun(bool quick, bool next) {
         },
         [this](const QString& why) {
             m_starting = false;
-            fail(translated(why.toStdString()));
+            fail(why);
             updateActions();
         });
 }

@@ -181,7 +181,7 @@ void Workbench::show(const std::string& key) {
             },
             [this](const QString& why) { m_window->fail(why); });
     };
-    m_history->want(key, show, [this](const QString& why) { m_window->fail(translated(why.toStdString())); });
+    m_history->want(key, show, [this](const QString& why) { m_window->fail(why); });
 }
 
 void Workbench::restore(const std::string& key) {
@@ -306,8 +306,7 @@ void Workbench::gather(const std::shared_ptr<Gathering>& gathering) {
     gathering->keys.erase(gathering->keys.begin());
     const auto failed = [this, gathering, key](const QString& why) {
         const ResultEntry* const entry = m_history->find(key);
-        gathering->items.push_back(
-            {entry != nullptr ? labelText(*entry) : QString(), nullptr, translated(why.toStdString()), {}});
+        gathering->items.push_back({entry != nullptr ? labelText(*entry) : QString(), nullptr, why, {}});
         gather(gathering);
     };
     const auto got = [this, gathering, key, failed](const std::shared_ptr<const Result>& result) {
@@ -477,7 +476,7 @@ void Workbench::writeContactSheet() {
         [this](const QString& written) {
             m_window->messages()->say(MessageBar::Kind::Information, tr("Wrote %1.").arg(written));
         },
-        [this](const QString& why) { m_window->fail(translated(why.toStdString())); });
+        [this](const QString& why) { m_window->fail(why); });
 }
 
 } // namespace texloom::ui
