@@ -19,10 +19,12 @@ constexpr double kScaling = 6;
 /// without, as shares of the mean cost.
 constexpr double kFirst = 0.1, kRough = 5e-3, kLast = 2e-4;
 /// Share of ε by which an object may be worse than one whose cost is not known yet.
-constexpr double kUnseen = 0.4;
+constexpr double kUnseen = 0.2;
 /// Rounds in which everybody without an object may push out another.
 constexpr int kPushes = 12;
-/// Fewer bidders than this are not worth waking threads.
+/// Bids made at a time, before prices rise: more would outbid one another.
+constexpr int kBids = 256;
+/// Fewer bids than this are not worth waking threads.
 constexpr int kWorthwhile = 48;
 constexpr int kChunk = 8;
 
@@ -250,29 +252,33 @@ void Assigner::auction(AssignmentCosts& costs, double epsilon, double ceiling, b
             }
     std::vector<int> bidders = stay ? discontented(costs, epsilon, context) : everybody(costs.persons),
                      waiting;
-    std::vector<Bid> bids;
     while (!bidders.empty()) {
-        context.check();
-        const int count = static_cast<int>(bidders.size());
-        bids.resize(bidders.size());
-        const auto bid = [&](int chunk) {
-            for (int i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i)
-                bids[at(i)] = bidOf(costs, bidders[at(i)], epsilon, ceiling);
-        };
-        const int chunks = (count + kChunk - 1) / kChunk;
-        if (count >= kWorthwhile)
-            context.parallel(0, chunks, bid);
-        else
-            for (int chunk = 0; chunk < chunks; ++chunk)
-                bid(chunk);
         waiting.clear();
-        for (int i = 0; i < count; ++i) {
-            if (i % 4096 == 0)
-                context.check();
-            take(bidders[at(i)], bids[at(i)], ceiling, waiting);
-        }
+        for (std::size_t first = 0; first < bidders.size(); first += kBids)
+            bid(costs,
+                std::span(bidders).subspan(first, std::min<std::size_t>(kBids, bidders.size() - first)),
+                epsilon, ceiling, waiting, context);
         bidders.swap(waiting);
     }
+}
+
+/// Some persons bid at the same prices, then objects are given away. @param waiting gets those left without.
+void Assigner::bid(AssignmentCosts& costs, std::span<const int> bidders, double epsilon, double ceiling,
+                   std::vector<int>& waiting, JobContext& context) {
+    context.check();
+    const int count = static_cast<int>(bidders.size()), chunks = (count + kChunk - 1) / kChunk;
+    std::vector<Bid> bids(bidders.size());
+    const auto make = [&](int chunk) {
+        for (int i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i)
+            bids[at(i)] = bidOf(costs, bidders[at(i)], epsilon, ceiling);
+    };
+    if (count >= kWorthwhile)
+        context.parallel(0, chunks, make);
+    else
+        for (int chunk = 0; chunk < chunks; ++chunk)
+            make(chunk);
+    for (int i = 0; i < count; ++i)
+        take(bidders[at(i)], bids[at(i)], ceiling, waiting);
 }
 
 Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int person, double slack) const {

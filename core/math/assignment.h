@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace texloom {
@@ -21,8 +22,9 @@ struct AssignmentCosts {
     /// The objects that the costs of a row belong to, as many for every row; empty: all, in order.
     std::vector<std::int32_t> choices;
     int perRow = 0; ///< costs in a row
-    /// Where there are bounds: what it costs to give a person an object. Called by several threads at a time.
-    std::function<float(int person, int object)> cost;
+    /// Where there are bounds: writes what it costs to give a person each of some objects. Called by several
+    /// threads at a time.
+    std::function<void(int person, std::span<const int> objects, float* to)> cost;
 
     const float* row(int person) const {
         return costs.data() + static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow);
@@ -35,7 +37,7 @@ struct AssignmentCosts {
     float known(int person, int place) {
         float& entry = row(person)[place];
         if (std::signbit(entry))
-            entry = cost(person, place);
+            cost(person, {&place, 1}, &entry);
         return entry;
     }
     int object(int person, int place) const {
@@ -84,6 +86,8 @@ private:
     void reset(double price);
     void lowerFree(double lowest, double highest);
     void auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay, JobContext& context);
+    void bid(AssignmentCosts& costs, std::span<const int> bidders, double epsilon, double ceiling,
+             std::vector<int>& waiting, JobContext& context);
     std::vector<int> everybody(int persons);
     std::vector<int> discontented(AssignmentCosts& costs, double epsilon, JobContext& context);
     Offers offersTo(AssignmentCosts& costs, int person, double slack) const;

@@ -10,6 +10,10 @@ namespace {
 /// Patches of the output that one thread takes at a time, and of the exemplar, which are then at hand for all
 /// of them.
 constexpr int kPersons = 8, kObjects = 64;
+/// Patches of the output, and of the exemplar, whose bounds are compared with the costs, and the share of
+/// these below which so many would be asked for, one by one, that it is quicker to compute all.
+constexpr int kSampledPersons = 32, kSampledObjects = 256;
+constexpr double kNear = 0.9;
 
 std::size_t product(int a, int b) {
     return static_cast<std::size_t>(a) * static_cast<std::size_t>(b);
@@ -27,8 +31,8 @@ void CostTable::update(int persons, const ExemplarPatches& patches, const Wanted
     m_fallen.resize(product(persons, 1));
     m_costs.cost = nullptr;
     if (tolerance.bounds)
-        m_costs.cost = [this, &patches](int person, int object) {
-            return patches.cost(patchOf(person, patches), object);
+        m_costs.cost = [this, &patches](int person, std::span<const int> objects, float* to) {
+            patches.costs(patchOf(person, patches), objects, to);
         };
     compute(moved(patches, wanted, tolerance, context), patches, context);
     m_known = true;
@@ -73,13 +77,31 @@ bool CostTable::outlives(int person, float moved, const Tolerance& tolerance) {
     return true;
 }
 
+/// Whether the bounds of some patches come near the costs.
+bool CostTable::near(const std::vector<int>& persons, const ExemplarPatches& patches) const {
+    std::vector<float> sums(product(1, patches.sumFloats()));
+    double bounds = 0, costs = 0;
+    for (std::size_t i = 0; i < persons.size(); i += 1 + persons.size() / kSampledPersons) {
+        const float* patch = patchOf(persons[i], patches);
+        patches.sums(patch, sums.data());
+        for (int object = 0; object < m_costs.objects; object += 1 + m_costs.objects / kSampledObjects) {
+            float bound = 0;
+            patches.bounds(sums.data(), object, object + 1, &bound);
+            bounds += static_cast<double>(std::abs(bound));
+            costs += static_cast<double>(patches.cost(patch, object));
+        }
+    }
+    return bounds >= kNear * costs;
+}
+
 void CostTable::compute(const std::vector<int>& persons, const ExemplarPatches& patches,
                         JobContext& context) {
     const int count = static_cast<int>(persons.size());
+    const bool bounds = m_costs.bounded() && near(persons, patches);
     context.parallel(0, (count + kPersons - 1) / kPersons, [&](int chunk) {
         const int begin = chunk * kPersons, end = std::min(count, begin + kPersons);
         std::vector<float> sums(product(kPersons, patches.sumFloats()));
-        if (m_costs.bounded())
+        if (bounds)
             for (int i = begin; i < end; ++i)
                 patches.sums(patchOf(persons[static_cast<std::size_t>(i)], patches),
                              sums.data() + product(i - begin, patches.sumFloats()));
@@ -90,7 +112,7 @@ void CostTable::compute(const std::vector<int>& persons, const ExemplarPatches& 
             for (int i = begin; i < end; ++i) {
                 const int person = persons[static_cast<std::size_t>(i)];
                 float* to = m_costs.row(person) + first;
-                if (m_costs.bounded())
+                if (bounds)
                     patches.bounds(sums.data() + product(i - begin, patches.sumFloats()), first, last, to);
                 else
                     patches.costs(patchOf(person, patches), first, last, to);

@@ -11,7 +11,7 @@ namespace texloom::patch_assignment {
 
 /// What it costs to give patches of the output each of the exemplar's, kept from one iteration to the next: a
 /// row is computed again only when its patch has changed. Where the assignment need not be the best, rows
-/// begin as bounds, which take a quarter of the time.
+/// begin as bounds, which take a quarter of the time, as long as these come near the costs.
 class CostTable {
 public:
     /// Writes patch `person` of the output in the form of ExemplarPatches::planar().
@@ -37,6 +37,7 @@ public:
 private:
     std::vector<int> moved(const ExemplarPatches& patches, const Wanted& wanted, const Tolerance& tolerance,
                            JobContext& context);
+    bool near(const std::vector<int>& persons, const ExemplarPatches& patches) const;
     bool outlives(int person, float moved, const Tolerance& tolerance);
     const float* patchOf(int person, const ExemplarPatches& patches) const {
         return m_wanted.data() +

@@ -73,23 +73,35 @@ template <int Channels>
     return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
+/// Which patches of a list distances are wanted from.
+struct Several {
+    const int* places; ///< null for the first of the list
+    int count;
+};
+
 template <int Channels>
-[[gnu::always_inline]] inline void distancesOf(const float* wanted, const float* others, int count,
+[[gnu::always_inline]] inline void distancesOf(const float* wanted, const float* list, Several several,
                                                PlanarShape shape, float* to) {
     const std::ptrdiff_t floats = static_cast<std::ptrdiff_t>(shape.area) * shape.channels;
-    for (int n = 0; n < count; ++n)
-        to[n] = distanceOf<Channels>(wanted, others + n * floats, shape);
+    constexpr std::ptrdiff_t kFetched = 16;
+    for (int n = 0; n < several.count; ++n) {
+        if (several.places != nullptr && n + 1 < several.count)
+            for (std::ptrdiff_t i = 0; i < floats; i += kFetched)
+                __builtin_prefetch(list + several.places[n + 1] * floats + i);
+        const float* own = list + (several.places != nullptr ? several.places[n] : n) * floats;
+        to[n] = distanceOf<Channels>(wanted, own, shape);
+    }
 }
 
-/// The distances of one patch from `count` that follow one another.
-TEXLOOM_WIDE_VECTORS void distances(const float* wanted, const float* others, int count, PlanarShape shape,
-                                    float* to) {
+/// The distances of one patch from several of a list.
+TEXLOOM_WIDE_VECTORS void distances(const float* wanted, const float* list, Several several,
+                                    PlanarShape shape, float* to) {
     if (shape.channels == 1)
-        distancesOf<1>(wanted, others, count, shape, to);
+        distancesOf<1>(wanted, list, several, shape, to);
     else if (shape.channels == 3)
-        distancesOf<3>(wanted, others, count, shape, to);
+        distancesOf<3>(wanted, list, several, shape, to);
     else
-        distancesOf<0>(wanted, others, count, shape, to);
+        distancesOf<0>(wanted, list, several, shape, to);
 }
 
 } // namespace
@@ -247,12 +259,16 @@ void ExemplarPatches::planar(const float* pixels, std::ptrdiff_t stride, float* 
 
 float ExemplarPatches::distance(const float* planar, const float* other) const {
     float distance = 0;
-    distances(planar, other, 1, {m_area, m_channels}, &distance);
+    distances(planar, other, {nullptr, 1}, {m_area, m_channels}, &distance);
     return distance;
 }
 
 void ExemplarPatches::costs(const float* planar, int first, int last, float* to) const {
-    distances(planar, own(first), last - first, {m_area, m_channels}, to);
+    distances(planar, own(first), {nullptr, last - first}, {m_area, m_channels}, to);
+}
+
+void ExemplarPatches::costs(const float* planar, std::span<const int> patches, float* to) const {
+    distances(planar, own(0), {patches.data(), static_cast<int>(patches.size())}, {m_area, m_channels}, to);
 }
 
 void ExemplarPatches::sums(const float* planar, float* to) const {
@@ -265,7 +281,7 @@ void ExemplarPatches::sums(const float* planar, float* to) const {
 }
 
 void ExemplarPatches::bounds(const float* sums, int first, int last, float* to) const {
-    distances(sums, m_sums.data() + static_cast<std::ptrdiff_t>(first) * sumFloats(), last - first,
+    distances(sums, m_sums.data() + static_cast<std::ptrdiff_t>(first) * sumFloats(), {nullptr, last - first},
               {m_sumArea, m_channels}, to);
     for (int n = 0; n < last - first; ++n)
         to[n] *= kRounding - 1;

@@ -44,6 +44,7 @@ public:
     float cost(const float* planar, int patch) const { return distance(planar, own(patch)); }
     /// The costs of the patches from `first` on, `last` excluded.
     void costs(const float* planar, int first, int last, float* to) const;
+    void costs(const float* planar, std::span<const int> patches, float* to) const;
 
     /// Sums of a patch over 2 × 2 pixels, in the form of planar(). No sum of distances between colours is
     /// less than the distance between their sums.

@@ -127,9 +127,10 @@ TEST(Assignment, boundsSpareMostCostsAndKeepThePromise) {
             bounds.row(i)[j] *=
                 -static_cast<float>(std::min(1.0, std::max(0.0, random.uniform(i, j, 1) + 0.4)));
     std::atomic<int> asked = 0;
-    bounds.cost = [&](int person, int object) {
-        ++asked;
-        return costs.row(person)[object];
+    bounds.cost = [&](int person, std::span<const int> objects, float* to) {
+        asked += static_cast<int>(objects.size());
+        for (const int object : objects)
+            *to++ = costs.row(person)[object];
     };
     const std::vector<int> places(kCount, 1);
     const double smallest = smallestCost(costs, places);

@@ -1,0 +1,187 @@
+#include "core/math/cost_rows.h"
+
+#include <array>
+
+namespace texloom {
+
+namespace {
+
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
+/// Most costs that are asked for at a time.
+constexpr int kMost = 16;
+
+using Lane = Lanes<float>;
+/// Places of a row, this far apart, whose lowest sum is kept.
+struct Cell {
+    static constexpr int kPlaces = 16, kApart = Lane::kCount, kSpan = kPlaces * kApart;
+    int first;
+
+    explicit Cell(int index) : first(index / kApart * kSpan + index % kApart) {}
+    static int of(int place) { return place / kSpan * kApart + place % kApart; }
+    static int countFor(int places) { return (places + kSpan - 1) / kSpan * kApart; }
+};
+
+/// Costs, or bounds of them.
+Lane::Values magnitudes(const float* costs) {
+    Lane::Places bits;
+    __builtin_memcpy(&bits, costs, sizeof bits);
+    bits &= Lane::Places{} + std::numeric_limits<std::int32_t>::max();
+    Lane::Values values;
+    __builtin_memcpy(&values, &bits, sizeof values);
+    return values;
+}
+
+/// The lowest sums of costs, or bounds of them, and prices of the cells of `count` places, whole spans.
+void lowestOfCells(const float* costs, const float* prices, int count, float* to) {
+    for (int begin = 0; begin < count; begin += Cell::kSpan, to += Cell::kApart) {
+        Lane::Values lowest = Lane::Values{} + kInfinite;
+        for (int i = begin; i < begin + Cell::kSpan; i += Cell::kApart) {
+            const Lane::Values here = magnitudes(costs + i) + load<Lane::Values>(prices + i);
+            lowest = here < lowest ? here : lowest;
+        }
+        __builtin_memcpy(to, &lowest, sizeof lowest);
+    }
+}
+
+/// The sums of one person's costs and prices, where bounds give way to costs, several at a time.
+class Row {
+public:
+    Row(AssignmentCosts& costs, int person, const float* prices)
+        : m_costs(costs), m_row(costs.row(person)), m_person(person), m_prices(prices),
+          m_lowest(static_cast<std::size_t>(Cell::countFor(costs.perRow))) {
+        const int whole = costs.perRow / Cell::kSpan * Cell::kSpan;
+        lowestOfCells(m_row, m_prices, whole, m_lowest.data());
+        for (int cell = Cell::countFor(whole); cell < cells(); ++cell)
+            refresh(cell);
+    }
+
+    /// The places of the two lowest sums; −1 for none.
+    std::pair<int, int> lowestTwo() const {
+        std::pair<int, int> two{-1, -1};
+        float best = kInfinite, second = kInfinite;
+        for (int cell = 0; cell < cells(); ++cell)
+            if (lowest(cell) < second)
+                forEach(cell, [&](int place) {
+                    if (const float here = value(place); here < best) {
+                        second = std::exchange(best, here);
+                        two = {place, two.first};
+                    } else if (here < second) {
+                        second = here;
+                        two.second = place;
+                    }
+                });
+        return two;
+    }
+    float value(int place) const { return place < 0 ? kInfinite : std::abs(m_row[place]) + m_prices[place]; }
+    /// Asks for what is lowest in each of several parts of the row, where it is less than `limit`: the best
+    /// is soon found then.
+    void askHere(float limit) {
+        constexpr int kParts = 16;
+        for (int part = 0; part < kParts; ++part) {
+            float best = limit;
+            int where = -1;
+            for (int cell = cells() * part / kParts; cell < cells() * (part + 1) / kParts; ++cell)
+                if (lowest(cell) < best) {
+                    best = lowest(cell);
+                    where = cell;
+                }
+            bool asked = where < 0;
+            if (!asked)
+                forEach(where, [&](int place) {
+                    if (!asked && value(place) <= best) {
+                        asked = true;
+                        ask(place);
+                    }
+                });
+        }
+        answer();
+    }
+    /// Asks for every place whose sum is less than limit() then.
+    template <class Limit> void askBelow(const Limit& limit) {
+        for (int cell = 0; cell < cells(); ++cell)
+            if (lowest(cell) < limit())
+                forEach(cell, [&](int place) {
+                    if (value(place) < limit())
+                        ask(place);
+                });
+        answer();
+    }
+    void ask(int place) {
+        if (!std::signbit(m_row[place]))
+            return add(place);
+        m_asked[static_cast<std::size_t>(m_count++)] = place;
+        if (m_count == kMost)
+            answer();
+    }
+    void answer() {
+        std::array<float, kMost> values;
+        if (m_count > 0)
+            m_costs.cost(m_person, {m_asked.data(), static_cast<std::size_t>(m_count)}, values.data());
+        for (int i = 0; i < m_count; ++i) {
+            const int place = m_asked[static_cast<std::size_t>(i)];
+            m_row[place] = values[static_cast<std::size_t>(i)];
+            refresh(Cell::of(place));
+            add(place);
+        }
+        m_count = 0;
+    }
+    /// The best of those that were asked for.
+    const BestTwo<float>& best() const { return m_best; }
+
+private:
+    int cells() const { return static_cast<int>(m_lowest.size()); }
+    float lowest(int cell) const { return m_lowest[static_cast<std::size_t>(cell)]; }
+    template <class Visit> void forEach(int cell, const Visit& visit) const {
+        const int first = Cell(cell).first, end = std::min(m_costs.perRow, first + Cell::kSpan);
+        for (int place = first; place < end; place += Cell::kApart)
+            visit(place);
+    }
+    void refresh(int cell) {
+        float lowest = kInfinite;
+        forEach(cell, [&](int place) { lowest = std::min(lowest, value(place)); });
+        m_lowest[static_cast<std::size_t>(cell)] = lowest;
+    }
+    void add(int place) { // of equal ones the first is the best, in whatever order they come
+        m_best.add(place, value(place), kInfinite);
+    }
+
+    AssignmentCosts& m_costs;
+    float* m_row;
+    int m_person;
+    const float* m_prices;
+    std::vector<float> m_lowest; ///< of each cell
+    std::array<int, kMost> m_asked{};
+    int m_count = 0;
+    BestTwo<float> m_best;
+};
+
+} // namespace
+
+BestTwo<float> bestTwo(AssignmentCosts& costs, int person, const float* prices, float slack) {
+    if (!costs.bounded())
+        return bestTwo(costs.row(person), prices, costs.perRow);
+    Row row(costs, person, prices);
+    const auto [first, next] = row.lowestTwo();
+    if (first >= 0)
+        row.ask(first);
+    row.answer();
+    BestTwo<float> two = row.best();
+    two.second = row.value(next);
+    if (two.best > two.second + slack) {
+        row.askHere(two.best - slack);
+        row.askBelow([&] { return row.best().best - slack; });
+        two = row.best();
+        const auto [lowest, second] = row.lowestTwo();
+        two.second = row.value(lowest == two.place ? second : lowest);
+    }
+    return two;
+}
+
+bool anyBelow(AssignmentCosts& costs, int person, const float* prices, float limit) {
+    Row row(costs, person, prices);
+    const auto found = [&] { return row.best().best < limit; };
+    row.askBelow([&] { return found() ? -kInfinite : limit; });
+    return found();
+}
+
+} // namespace texloom
