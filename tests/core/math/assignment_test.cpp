@@ -1,6 +1,7 @@
 #include "core/job/job.h"
 #include "core/job/random.h"
 #include "core/math/assignment.h"
+#include "core/math/cost_rows.h"
 
 #include <gtest/gtest.h>
 #include <lemon/network_simplex.h>
@@ -117,21 +118,56 @@ TEST(Assignment, auctionComesWithinEpsilonForEachPerson) {
     }
 }
 
-TEST(Assignment, boundsSpareMostCostsAndKeepThePromise) {
-    constexpr int kCount = 300;
+/// Bounds of costs, of which a share of `nearness` are the costs themselves, and a count of those asked for.
+AssignmentCosts boundsOf(const AssignmentCosts& costs, double nearness, std::atomic<int>& asked) {
     const Random random(12);
-    AssignmentCosts costs = randomCosts(kCount, kCount, 1000000, 7);
     AssignmentCosts bounds = costs;
-    for (int i = 0; i < kCount; ++i)
-        for (int j = 0; j < kCount; ++j) // a few bounds say nothing at all
+    for (int i = 0; i < costs.persons; ++i)
+        for (int j = 0; j < costs.objects; ++j)
             bounds.row(i)[j] *=
-                -static_cast<float>(std::min(1.0, std::max(0.0, random.uniform(i, j, 1) + 0.4)));
-    std::atomic<int> asked = 0;
+                -static_cast<float>(std::min(1.0, std::max(0.0, random.uniform(i, j, 1) + nearness)));
     bounds.cost = [&](int person, std::span<const int> objects, float* to) {
         asked += static_cast<int>(objects.size());
         for (const int object : objects)
             *to++ = costs.row(person)[object];
     };
+    return bounds;
+}
+
+TEST(Assignment, theBestOfARowIsWithinTheSlackAndNoOtherBelowTheSecond) {
+    const Random random(3);
+    for (const int count : {1, 5, 63, 64, 65, 300, 3000}) {
+        const AssignmentCosts costs = randomCosts(40, count, 1000, 5);
+        std::vector<float> prices(static_cast<std::size_t>(count));
+        for (int j = 0; j < count; ++j)
+            prices[static_cast<std::size_t>(j)] = static_cast<float>(std::floor(600 * random.uniform(j, 0)));
+        std::atomic<int> asked = 0;
+        AssignmentCosts bounds = boundsOf(costs, 0, asked);
+        for (int person = 0; person < 40; ++person) {
+            const float slack = person % 2 == 0 ? 0.0F : 50.0F;
+            const auto sum = [&](int j) {
+                return costs.row(person)[j] + prices[static_cast<std::size_t>(j)];
+            };
+            const BestTwo<float> two = bestTwo(bounds, person, prices.data(), slack);
+            EXPECT_EQ(two.best, sum(two.place));
+            for (int j = 0; j < count; ++j) {
+                EXPECT_LE(two.best, sum(j) + slack);
+                EXPECT_TRUE(j == two.place || two.second <= sum(j));
+            }
+            float best = sum(0);
+            for (int j = 1; j < count; ++j)
+                best = std::min(best, sum(j));
+            EXPECT_TRUE(anyBelow(bounds, person, prices.data(), best + 1));
+            EXPECT_FALSE(anyBelow(bounds, person, prices.data(), best));
+        }
+    }
+}
+
+TEST(Assignment, boundsSpareMostCostsAndKeepThePromise) {
+    constexpr int kCount = 300;
+    const AssignmentCosts costs = randomCosts(kCount, kCount, 1000000, 7);
+    std::atomic<int> asked = 0;
+    AssignmentCosts bounds = boundsOf(costs, 0.4, asked);
     const std::vector<int> places(kCount, 1);
     const double smallest = smallestCost(costs, places);
     EXPECT_EQ(costOf(costs, solved(bounds, places, {}).first), smallest);
