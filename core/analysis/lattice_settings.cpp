@@ -87,20 +87,19 @@ Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
     if (!found.lattice.free())
         return found.lattice;
     if (found.candidates)
-        notes.push_back(
-            fmt::format("No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so "
-                        "it was taken as "
-                        "a texture that does not repeat; if it does, draw its vectors in the window's "
-                        "Lattice workspace or "
-                        "give them with lattice=given, and if not, image quilting may suit it better.",
-                        name, 100 * found.confidence));
+        notes.push_back(fmt::format(
+            "No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it "
+            "was taken as a texture that does not repeat; if it does, rectify it in the window "
+            "(Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give "
+            "them with lattice=given, and if not, image quilting may suit it better.",
+            name, 100 * found.confidence));
     else
-        notes.push_back(fmt::format("Nothing in {} repeats itself about twice, so it was taken as a texture "
-                                    "that does not repeat; if it "
-                                    "does, draw its vectors in the window's Lattice workspace or give them "
-                                    "with lattice=given, and if "
-                                    "not, image quilting may suit it better.",
-                                    name));
+        notes.push_back(fmt::format(
+            "Nothing in {} repeats itself about twice, so it was taken as a texture that does not "
+            "repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw "
+            "its vectors in the Lattice workspace or give them with lattice=given, and if not, image "
+            "quilting may suit it better.",
+            name));
     return {};
 }
 

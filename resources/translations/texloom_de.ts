@@ -1862,16 +1862,16 @@
         <translation>„{}“ ist nicht von:bis:Anzahl wie 8:64:5 mit einer Anzahl von 2 bis {}.</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>In {} wurde kein Gitter gefunden (Sicherheit {} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ des Fensters oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ des Fensters oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; lattice=none lets patches come from anywhere.</source>
-        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; mit lattice=none dürfen Stücke von überall kommen.</translation>
+        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
+        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; wiederholt es sich doch, entzerren Sie es im Fenster (Strg+D), wo es schräg gesehen ist, oder geben Sie seine Vektoren mit lattice=given an.</translation>
     </message>
     <message>
         <source>{} is what the result is made from and would be lost; name another file.</source>
@@ -3684,8 +3684,8 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines, ziehen Sie die Vektoren auf das, was Sie sehen, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn sich nichts wiederholt, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
     </message>
     <message>
-        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px.</source>
-        <translation>Nichts in %1 wiederholt sich, aber Reihen laufen durch alles hindurch (Sicherheit %2): Sie behalten ihre Reihenfolge und beginnen nach %3 px von vorn.</translation>
+        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first (Ctrl+D) where it is seen aslant, or drag the vectors.</source>
+        <translation>Nichts in %1 wiederholt sich, aber Reihen laufen durch alles hindurch (Sicherheit %2): Sie behalten ihre Reihenfolge und beginnen nach %3 px von vorn. Wenn Sie sehen, dass es sich wiederholt, entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist, oder ziehen Sie die Vektoren.</translation>
     </message>
 </context>
 <context>

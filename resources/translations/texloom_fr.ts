@@ -1862,16 +1862,16 @@
         <translation>« {} » n’est pas de:à:nombre, comme 8:64:5, avec un nombre de 2 à {}.</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>Aucun réseau n’a été trouvé dans {} (confiance {} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, tracez ses vecteurs dans l’espace de travail « Réseau » de la fenêtre ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, draw its vectors in the window&apos;s Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, tracez ses vecteurs dans l’espace de travail « Réseau » de la fenêtre ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
+        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; lattice=none lets patches come from anywhere.</source>
-        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; lattice=none laisse venir les morceaux de partout.</translation>
+        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
+        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais ou donnez ses vecteurs avec lattice=given.</translation>
     </message>
     <message>
         <source>{} is what the result is made from and would be lost; name another file.</source>
@@ -3684,8 +3684,8 @@ Déposez une image ici.</translation>
         <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous, glissez les vecteurs sur ce que vous voyez, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
     </message>
     <message>
-        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px.</source>
-        <translation>Rien dans %1 ne se répète, mais des rangées la traversent entièrement (confiance %2) : elles gardent leur ordre et recommencent après %3 px.</translation>
+        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first (Ctrl+D) where it is seen aslant, or drag the vectors.</source>
+        <translation>Rien dans %1 ne se répète, mais des rangées la traversent entièrement (confiance %2) : elles gardent leur ordre et recommencent après %3 px. Si vous la voyez se répéter, redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais, ou glissez les vecteurs.</translation>
     </message>
 </context>
 <context>

@@ -293,6 +293,10 @@ private:
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
         shoot(window, "lattice-of-rows");
+        window.openFiles({bundledNamed(QStringLiteral("plank_wall"))});
+        QVERIFY(opened.wait());
+        QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
+        shoot(window, "rows-in-order");
         window.openFiles({bundledNamed(QStringLiteral("gravel"))});
         QVERIFY(opened.wait());
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);

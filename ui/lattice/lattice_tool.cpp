@@ -353,10 +353,12 @@ void LatticeTool::sayVerdict() {
     else if (!m_analysis)
         text = tr("Press Detect to look for the lattice, or give its vectors.");
     else if (m_analysis->found() && m_analysis->candidates.front().lattice.keepsOrder(m_exemplar->size()))
-        text = tr("Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep "
-                  "their order, and begin again after %3 px.")
-                   .arg(m_name, percentText(m_analysis->confidence))
-                   .arg(m_analysis->candidates.front().lattice.area(), 0, 'f', 0);
+        text =
+            tr("Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep "
+               "their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first "
+               "(Ctrl+D) where it is seen aslant, or drag the vectors.")
+                .arg(m_name, percentText(m_analysis->confidence))
+                .arg(m_analysis->candidates.front().lattice.area(), 0, 'f', 0);
     else if (m_analysis->found() && m_analysis->candidates.front().lattice.rowsOnly())
         text =
             tr("%1 repeats itself in rows (confidence %2); what lies along them may come from anywhere in a "

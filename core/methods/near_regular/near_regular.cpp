@@ -272,8 +272,8 @@ std::string longTiles(const Settings& settings, const Plan& plan) {
 std::string orderedRows(const std::string& exemplar, const Plan& plan) {
     return fmt::format(
         "Nothing in {} repeats itself, but rows run through all of it: they keep the order "
-        "that they have there, and begin again every {:.0f} px; lattice=none lets patches come "
-        "from anywhere.",
+        "that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the "
+        "window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.",
         exemplar, plan.from.area());
 }
 
