@@ -214,12 +214,13 @@ void LatticeTool::lookAtVectors() {
                     std::min<double>(size.shorterSide(), kMultiples * longest));
 }
 
-/// A place for the arrows in the middle of the exemplar, on a multiple of the vectors.
+/// A place for the arrows in the middle of the exemplar, on a multiple of the vectors where those repeat.
 Vec2 LatticeTool::middleOrigin(const Lattice& lattice) const {
     if (!m_exemplar || lattice.area() < 1e-6)
         return {};
     const Vec2 middle{0.5 * m_exemplar->width(), 0.5 * m_exemplar->height()};
-    return lattice.nearest(middle - lattice.at(0.5, 0.5));
+    const Vec2 start = middle - lattice.at(0.5, 0.5);
+    return lattice.keepsOrder(m_exemplar->size()) ? start : lattice.nearest(start);
 }
 
 void LatticeTool::setLattice(const std::optional<Lattice>& lattice) {
