@@ -5,6 +5,7 @@
 #include "core/color/color_pipeline.h"
 #include "core/image/normal_map.h"
 #include "core/io/map_file.h"
+#include "core/session/memory.h"
 
 #include <nlohmann/json.hpp>
 

@@ -132,11 +132,4 @@ Result runPlan(const RunPlan& plan, JobContext& context);
 /// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
 std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});
 
-/// The resident set of this process now, and the largest so far, in bytes.
-std::uint64_t residentMemory();
-std::uint64_t peakMemory();
-
-/// Memory that a run may take on this machine now, in bytes.
-std::uint64_t availableMemory();
-
 } // namespace texloom

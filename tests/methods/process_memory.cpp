@@ -1,5 +1,6 @@
 #include "tests/methods/process_memory.h"
 
+#include "core/session/memory.h"
 #include "core/session/run.h"
 
 #include <malloc.h>

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/session/export.h"
+#include "core/session/memory.h"
 #include "ui/exemplar/files.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/window/text.h"

@@ -80,7 +80,18 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     m_problem->setObjectName(QStringLiteral("exportProblem"));
     fillFormats();
     fillDepths();
-    makeForm();
+    makeTable();
+    m_problem->setWordWrap(true);
+    m_problem->setTextFormat(Qt::PlainText);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, errorColor(colors));
+    m_problem->setPalette(colors);
+    auto* column = new QVBoxLayout(this);
+    column->addLayout(makeForm());
+    column->addWidget(m_table, 1);
+    column->addWidget(m_problem);
+    column->addWidget(makeButtons());
+    connectFields();
     refresh();
     m_name->setFocus();
     m_name->selectAll();
@@ -144,7 +155,7 @@ QWidget* ExportDialog::makeFolderRow() {
     return row;
 }
 
-void ExportDialog::makeForm() {
+void ExportDialog::makeChecks() {
     const bool map = m_result->synthesis.mapKind != MapKind::None;
     for (QCheckBox* box : {m_stMap, m_exactMap}) {
         box->setEnabled(map);
@@ -155,7 +166,10 @@ void ExportDialog::makeForm() {
     m_sidecar->setToolTip(tr("All settings, to make the same result again."));
     m_companions->setChecked(hasCompanions(m_result->plan));
     m_companions->setVisible(hasCompanions(m_result->plan));
+}
 
+QFormLayout* ExportDialog::makeForm() {
+    makeChecks();
     auto* form = new QFormLayout;
     QWidget* const folderRow = makeFolderRow();
     form->addRow(tr("&Folder"), folderRow);
@@ -177,7 +191,10 @@ void ExportDialog::makeForm() {
     form->addRow(QString(), m_exactMap);
     form->addRow(tr("Also"), m_sidecar);
     form->addRow(QString(), m_companions);
+    return form;
+}
 
+void ExportDialog::makeTable() {
     m_table->setHorizontalHeaderLabels({tr("File"), tr("Holds"), tr("Depth"), tr("On disk")});
     m_table->setAccessibleName(tr("Files that will be written"));
     m_table->verticalHeader()->hide();
@@ -190,24 +207,19 @@ void ExportDialog::makeForm() {
     m_table->setTabKeyNavigation(false);
     m_table->setTextElideMode(Qt::ElideMiddle);
     m_table->setMinimumHeight(fontMetrics().height() * kTableLines);
-    m_problem->setWordWrap(true);
-    m_problem->setTextFormat(Qt::PlainText);
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, errorColor(colors));
-    m_problem->setPalette(colors);
+}
 
+QWidget* ExportDialog::makeButtons() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_write = buttons->addButton(tr("&Write files"), QDialogButtonBox::AcceptRole);
     m_write->setObjectName(QStringLiteral("exportWrite"));
     m_write->setIcon(icon(QStringLiteral("export")));
-    auto* column = new QVBoxLayout(this);
-    column->addLayout(form);
-    column->addWidget(m_table, 1);
-    column->addWidget(m_problem);
-    column->addWidget(buttons);
-
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    return buttons;
+}
+
+void ExportDialog::connectFields() {
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
         fillDepths();
         refresh();

@@ -8,6 +8,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -31,7 +32,11 @@ public:
     QString folder() const;
 
 private:
-    void makeForm();
+    void makeChecks();
+    QFormLayout* makeForm();
+    void makeTable();
+    QWidget* makeButtons();
+    void connectFields();
     QWidget* makeFolderRow();
     void fillFormats();
     void fillDepths();

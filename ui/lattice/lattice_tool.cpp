@@ -3,6 +3,7 @@
 #include "core/analysis/lattice_settings.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/session/memory.h"
 #include "ui/inspector/inspector.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/lattice/candidate_table.h"
