@@ -410,6 +410,8 @@ std::string reportJson(const Result& result, const fs::path& folder) {
         json["notes"].push_back(note);
     for (const Figure& figure : result.figures)
         json["figures"][figure.name] = figure.value;
+    for (const Curve& curve : result.synthesis.curves)
+        json["curves"][curve.name] = curve.values;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -78,7 +78,7 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
 Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                     const std::function<Result(RunPlan)>& make);
 
-/// Recipe, timings by stage, peak memory and figures as JSON: the command line's --report.
+/// Recipe, timings by stage, peak memory, figures and curves as JSON: the command line's --report.
 std::string reportJson(const Result& result, const std::filesystem::path& folder);
 
 } // namespace texloom

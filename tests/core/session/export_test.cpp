@@ -296,8 +296,9 @@ TEST(DepthLike, KeepsTheSourcesDepthWhereItCan) {
     EXPECT_EQ(depthLike(source, "a.tif"), Depth::Float);
 }
 
-TEST(ReportJson, HoldsRecipeTimesMemoryAndFigures) {
-    const SampleExport sample;
+TEST(ReportJson, HoldsRecipeTimesMemoryFiguresAndCurves) {
+    SampleExport sample;
+    sample.result.synthesis.curves = {{"Energy", {2, 1}}};
     const auto report = nlohmann::json::parse(reportJson(sample.result, sample.out.path()));
     EXPECT_EQ(report.at("recipe").at("seed"), 3);
     EXPECT_EQ(report.at("threads"), 2);
@@ -305,6 +306,7 @@ TEST(ReportJson, HoldsRecipeTimesMemoryAndFigures) {
     EXPECT_FALSE(report.at("stages").empty());
     EXPECT_GT(report.at("peakMemoryBytes").get<double>(), 1e6);
     EXPECT_TRUE(report.at("figures").contains("Innovation"));
+    EXPECT_EQ(report.at("curves").at("Energy"), (std::vector<double>{2, 1}));
 }
 
 } // namespace texloom::test
