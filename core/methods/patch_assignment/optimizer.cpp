@@ -26,6 +26,9 @@ constexpr double kNarrowChange = 0.02;
 /// last changes are but a choice among equals. On the finest scale, and on the others, which what follows
 /// builds on.
 constexpr double kSettledFine = 0.03, kSettled = 0.005;
+/// On the finest scale ε falls by this factor with each iteration after the second, down to this share: when
+/// costs are low, the same ε would be most of them, and few patches still change.
+constexpr double kFinerEpsilon = 0.5, kLeastEpsilon = 0.1;
 /// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
 constexpr float kKeptShare = 0.05F;
 
@@ -65,6 +68,7 @@ struct Optimizer::Pass {
     CostTable all;        ///< of every patch for every one of the exemplar's
     AssignmentCosts some; ///< where choices are narrowed
     double meanCost = 0;
+    double epsilon = 0; ///< of the next assignment
     PatchProposals proposals;
 };
 
@@ -199,6 +203,7 @@ void Optimizer::optimize(int level) {
     const int count = iterations(level);
     const std::vector<double>& costs = m_result.curves.front().values;
     for (int iteration = 0; iteration < count; ++iteration) {
+        pass.epsilon = toleranceAt(level, iteration);
         const double changed = project(pass);
         aggregate(pass);
         offer();
@@ -211,6 +216,12 @@ void Optimizer::optimize(int level) {
     }
     if (level == 0)
         finish(pass);
+}
+
+/// ε in the exemplar's values.
+double Optimizer::toleranceAt(int level, int iteration) const {
+    const double share = level > 0 ? 1 : std::pow(kFinerEpsilon, std::max(0, iteration - 1));
+    return m_settings.epsilon * m_range * std::max(kLeastEpsilon, share);
 }
 
 /// Shares the lattice and the exemplar's patches out to bands that are assigned one after another.
@@ -236,7 +247,7 @@ void Optimizer::plan(Pass& pass, int level) const {
 
 AssignmentOptions Optimizer::options(const Pass& pass) const {
     AssignmentOptions options;
-    options.epsilon = (1 - 2 * static_cast<double>(kKeptShare)) * m_settings.epsilon * m_range;
+    options.epsilon = (1 - 2 * static_cast<double>(kKeptShare)) * pass.epsilon;
     if (m_settings.relaxed)
         options.relaxation = m_settings.rho * m_range;
     if (pass.narrowed) {
@@ -272,7 +283,7 @@ double Optimizer::assign(Pass& pass, Band& band) {
     } else {
         if (pass.bands.size() > 1)
             pass.all.forget();
-        const auto epsilon = static_cast<float>(m_settings.epsilon * m_range);
+        const auto epsilon = static_cast<float>(pass.epsilon);
         pass.all.update((band.bottom - band.top) * columns, pass.patches, wanted,
                         {kKeptShare * epsilon, nearOptimal(), epsilon}, m_context);
     }

@@ -53,6 +53,7 @@ private:
     void load(const ImageView& image);
     void close();
     void optimize(int level);
+    double toleranceAt(int level, int iteration) const;
     void plan(Pass& pass, int level) const;
     double project(Pass& pass);
     double assign(Pass& pass, Band& band);
