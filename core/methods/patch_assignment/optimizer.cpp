@@ -25,8 +25,8 @@ constexpr double kNarrowChange = 0.02;
 /// Where assignments need not be the best, iterations end when the cost falls by less than this share: the
 /// last changes are but a choice among equals. On the finest scale, and on the others, which what follows
 /// builds on.
-constexpr double kSettledFine = 0.03, kSettled = 0.005;
-/// On the finest scale ε falls by this factor with each iteration after the second, down to this share: when
+constexpr double kSettledFine = 0.04, kSettled = 0.005;
+/// On the finest scale ε falls by this factor with each iteration, down to this share: when
 /// costs are low, the same ε would be most of them, and few patches still change.
 constexpr double kFinerEpsilon = 0.5, kLeastEpsilon = 0.1;
 /// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
@@ -220,7 +220,7 @@ void Optimizer::optimize(int level) {
 
 /// ε in the exemplar's values.
 double Optimizer::toleranceAt(int level, int iteration) const {
-    const double share = level > 0 ? 1 : std::pow(kFinerEpsilon, std::max(0, iteration - 1));
+    const double share = level > 0 ? 1 : std::pow(kFinerEpsilon, iteration);
     return m_settings.epsilon * m_range * std::max(kLeastEpsilon, share);
 }
 
@@ -284,8 +284,10 @@ double Optimizer::assign(Pass& pass, Band& band) {
         if (pass.bands.size() > 1)
             pass.all.forget();
         const auto epsilon = static_cast<float>(pass.epsilon);
-        pass.all.update((band.bottom - band.top) * columns, pass.patches, wanted,
-                        {kKeptShare * epsilon, nearOptimal(), epsilon}, m_context);
+        pass.all.update(
+            (band.bottom - band.top) * columns, pass.patches, wanted,
+            {kKeptShare * epsilon, nearOptimal(), static_cast<float>(m_settings.epsilon * m_range)},
+            m_context);
     }
     pass.meanCost = sampledMean(costs);
     const std::vector<int> objects = band.assigner.assign(costs, options(pass), m_context);
