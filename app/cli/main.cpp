@@ -35,7 +35,8 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
                     "Most memory in MiB that the run may take; what is free if not given. Methods that make "
                     "regions write larger outputs strip by strip")
         ->check(CLI::Range(1, 1 << 24));
-    command.add_option("--report", out.report, "JSON file for recipe, timings, peak memory, figures and curves");
+    command.add_option("--report", out.report,
+                       "JSON file for recipe, timings, peak memory, figures and curves");
     command.add_flag("--no-sidecar", out.noSidecar, "Do not write the recipe beside the output");
     command.add_flag("--quiet", out.quiet, "Print nothing but errors");
 }
