@@ -91,14 +91,14 @@ Lattice Lattice::reduced() const {
     return {a, b};
 }
 
+double Lattice::acrossRows(Size exemplar) const {
+    const Vec2 along = alongRows(v1) ? v1 : v2;
+    return std::abs(along.y) * exemplar.width + std::abs(along.x) * exemplar.height;
+}
+
 bool Lattice::keepsOrder(Size exemplar) const {
     constexpr double kRepeats = 2.5;
-    if (!rowsOnly())
-        return false;
-    const Vec2 along = alongRows(v1) ? v1 : v2;
-    // In pixels square to the rows, times the length of the vector along them.
-    const double across = std::abs(along.y) * exemplar.width + std::abs(along.x) * exemplar.height;
-    return kRepeats * area() > across;
+    return rowsOnly() && kRepeats * area() > acrossRows(exemplar);
 }
 
 bool Lattice::includes(const Lattice& other, double tolerance) const {

@@ -50,6 +50,9 @@ struct Lattice {
     Vec2 extent() const { return {std::abs(v1.x) + std::abs(v2.x), std::abs(v1.y) + std::abs(v2.y)}; }
     /// Whether only rows repeat: one of the vectors is alongRows().
     bool rowsOnly() const { return alongRows(v1) != alongRows(v2); }
+    /// How long an exemplar is square to the rows, in pixels times the length of the vector along them, as is
+    /// area(). @pre rowsOnly()
+    double acrossRows(Size exemplar) const;
     /// Whether rows lie so far apart that an exemplar does not show whether they repeat: they come in the
     /// order that they have in it, and each from one place.
     bool keepsOrder(Size exemplar) const;

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/match/patch_distances.h"
+#include "core/match/whole_patches.h"
 #include "core/methods/method.h"
 #include "core/methods/near_regular/filler.h"
 #include "core/methods/near_regular/preparation.h"
@@ -35,12 +36,6 @@ int borderFor(const Settings& settings, int block) {
     return std::clamp(std::max(asked, band), 2, std::max(2, block / 4 * 2));
 }
 
-/// How long the exemplar is square to a lattice's rows.
-double acrossRows(Size exemplar, const Lattice& lattice) {
-    const Vec2 along = alongRows(lattice.v1) ? lattice.v1 : lattice.v2;
-    return std::abs(along.y) * exemplar.width + std::abs(along.x) * exemplar.height;
-}
-
 /// The largest block of about the source's share of the exemplar, and not much below it, for which the
 /// lattice leaves several patches to choose from, or half of what there are where those are few.
 int blockFor(const Settings& settings, Size exemplar, const Lattice& lattice) {
@@ -55,8 +50,8 @@ int blockFor(const Settings& settings, Size exemplar, const Lattice& lattice) {
                lattice.area();
     };
     // Rows that keep their order need a patch for each place of a period.
-    const double left = lattice.keepsOrder(exemplar) ? acrossRows(exemplar, lattice) - lattice.area()
-                                                     : exemplar.shorterSide();
+    const double left =
+        lattice.keepsOrder(exemplar) ? lattice.acrossRows(exemplar) - lattice.area() : exemplar.shorterSide();
     int block = std::max(kSmallestBlock, static_cast<int>(std::lround(most)));
     while (block > kSmallestBlock && (block + borderFor(settings, block) > left ||
                                       (block > kLeastShare * most && choices(block) < wanted)))
@@ -69,12 +64,6 @@ int largestBlock(const Settings& settings, Size exemplar) {
     while (block > kSmallestBlock && block + borderFor(settings, block) > exemplar.shorterSide())
         --block;
     return block;
-}
-
-/// Whether a mask leaves a patch of this side.
-bool leavesPatch(const PlaneView& mask, int patch) {
-    const ImageView image{mask.data, mask.width, mask.height, 1, mask.stride, 0};
-    return PatchDistances(image, mask, {0.0}, patch).allowed() > 0;
 }
 
 /// Side of a patch, at most; blocks that wrap differ by a pixel.
@@ -117,7 +106,7 @@ void check(const Request& request, const Settings& settings) {
                   exemplar.name, size.width, size.height, settings.block, most);
     const int least = settings.block > 0 ? settings.block : kSmallestBlock;
     const int patch = std::min(patchFor(settings, least) - 1, size.shorterSide());
-    if (exemplar.mask && !leavesPatch(exemplar.mask->view().plane(0), patch))
+    if (exemplar.mask && !leavesWholePatch(exemplar.mask->view().plane(0), patch))
         failUsage("The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.",
                   patch);
     const auto checkWrap = [](bool wraps, int length, const char* side) {
@@ -156,8 +145,9 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 /// Smaller blocks where the mask leaves no patch of the size that was chosen.
 int fittingMask(const Settings& settings, const Plan& plan) {
     int block = plan.block;
-    while (settings.block == 0 && plan.mask.data != nullptr && block > kSmallestBlock &&
-           !leavesPatch(plan.mask, std::min(patchFor(settings, block), plan.exemplar.size().shorterSide())))
+    while (
+        settings.block == 0 && plan.mask.data != nullptr && block > kSmallestBlock &&
+        !leavesWholePatch(plan.mask, std::min(patchFor(settings, block), plan.exemplar.size().shorterSide())))
         block = std::max(kSmallestBlock, block * 3 / 4);
     return block;
 }
