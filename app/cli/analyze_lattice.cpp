@@ -2,7 +2,7 @@
 #include "app/cli/console.h"
 #include "core/analysis/lattice_detector.h"
 #include "core/io/image_file.h"
-#include "core/session/exemplar_file.h"
+#include "core/session/run/exemplar_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

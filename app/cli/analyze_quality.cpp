@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 
 #include <CLI/CLI.hpp>
 

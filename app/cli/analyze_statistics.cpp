@@ -4,7 +4,7 @@
 #include "core/analysis/patch_variance.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/session/exemplar_file.h"
+#include "core/session/run/exemplar_file.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/io/image_file.h"
-#include "core/session/batch.h"
+#include "core/session/batch/batch.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

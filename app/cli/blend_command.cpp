@@ -3,8 +3,8 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/match/blend.h"
-#include "core/session/exemplar_file.h"
-#include "core/session/export.h"
+#include "core/session/export/export.h"
+#include "core/session/run/exemplar_file.h"
 
 #include <CLI/CLI.hpp>
 

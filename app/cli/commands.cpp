@@ -6,9 +6,9 @@
 #include "core/color/color_pipeline.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
-#include "core/session/export.h"
+#include "core/session/export/export.h"
 #include "core/session/preset.h"
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "core/session/session.h"
 
 #include <algorithm>

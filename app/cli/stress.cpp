@@ -1,10 +1,10 @@
-#include "core/session/stress.h"
+#include "core/session/run/stress.h"
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/io/json_field.h"
-#include "core/session/export.h"
+#include "core/session/export/export.h"
 
 namespace texloom::cli {
 

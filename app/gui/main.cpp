@@ -1,8 +1,8 @@
 #include "core/base/version.h"
-#include "ui/jobs/background.h"
+#include "ui/common/appearance.h"
+#include "ui/common/background.h"
+#include "ui/common/language.h"
 #include "ui/session/document.h"
-#include "ui/window/appearance.h"
-#include "ui/window/language.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
-#include "core/session/memory.h"
-#include "core/session/run.h"
+#include "core/job/memory.h"
+#include "core/session/run/run.h"
 #include "tests/cli/program.h"
 #include "tests/support/textures.h"
 

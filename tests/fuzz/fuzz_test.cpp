@@ -3,7 +3,7 @@
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
 #include "core/io/recipe.h"
-#include "core/session/batch.h"
+#include "core/session/batch/batch.h"
 #include "tests/fuzz/damage.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"

@@ -1,7 +1,7 @@
 #include "tests/methods/process_memory.h"
 
-#include "core/session/memory.h"
-#include "core/session/run.h"
+#include "core/job/memory.h"
+#include "core/session/run/run.h"
 
 #include <malloc.h>
 

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
 #include "ui/compare/sweep_dialog.h"
@@ -7,7 +8,6 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/text.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

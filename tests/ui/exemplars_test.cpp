@@ -1,14 +1,14 @@
 #include "core/io/image_file.h"
-#include "core/session/export.h"
+#include "core/session/export/export.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/elided_label.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/elided_label.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QClipboard>

@@ -1,11 +1,11 @@
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/output_group.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,8 +1,12 @@
 // The window as people use it from end to end, and what holds for all of it: room for every text, a way by
 // keys to everything, nothing lost where the program is killed.
 
-#include "core/session/exemplar_file.h"
+#include "core/session/run/exemplar_file.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/background.h"
+#include "ui/common/language.h"
+#include "ui/common/shortcuts.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
 #include "ui/exemplar/exemplar_editor.h"
@@ -11,16 +15,12 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
-#include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/session/document.h"
 #include "ui/viewers/result_view.h"
 #include "ui/viewers/viewer_keys.h"
-#include "ui/window/language.h"
-#include "ui/window/shortcuts.h"
 #include "ui/window/start_page.h"
-#include "ui/window/text.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

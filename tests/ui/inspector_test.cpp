@@ -1,9 +1,9 @@
 #include "tests/ui/window_fixture.h"
+#include "ui/common/value_editor.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
 #include "ui/inspector/seed_edit.h"
-#include "ui/inspector/value_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,11 +1,11 @@
 #include "core/session/session.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/text.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,11 +1,11 @@
 #include "core/analysis/map_pictures.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/message_bar.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
 #include "ui/window/workbench.h"
 

@@ -2,6 +2,10 @@
 #include "core/io/image_file.h"
 #include "core/session/session.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/background.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 #include "ui/exemplar/companion_list.h"
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
@@ -9,15 +13,11 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
-#include "ui/inspector/value_editor.h"
-#include "ui/jobs/background.h"
 #include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
 #include "ui/session/preset_menu.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/drop_targets.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QComboBox>

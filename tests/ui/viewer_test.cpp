@@ -1,7 +1,7 @@
 #include "tests/ui/window_fixture.h"
+#include "ui/common/icons.h"
 #include "ui/viewers/image_viewer.h"
 #include "ui/viewers/viewer_keys.h"
-#include "ui/window/icons.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>

@@ -2,9 +2,9 @@
 
 #include "core/io/image_file.h"
 #include "core/job/random.h"
-#include "ui/jobs/background.h"
-#include "ui/window/appearance.h"
-#include "ui/window/text.h"
+#include "ui/common/appearance.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 
 #include <QAccessible>
 #include <QLabel>

@@ -1,5 +1,7 @@
 #include "core/io/image_file.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
@@ -7,8 +9,6 @@
 #include "ui/log/log_panel.h"
 #include "ui/results/limits_dialog.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/text.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

@@ -5,6 +5,7 @@
 #include "tests/support/textures.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/blend/blend_window.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
@@ -16,7 +17,6 @@
 #include "ui/plots/variance_dialog.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/readout.h"
-#include "ui/window/text.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

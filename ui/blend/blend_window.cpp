@@ -2,11 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/session/export.h"
-#include "core/session/memory.h"
+#include "core/job/memory.h"
+#include "core/session/export/export.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/jobs/task_bar.h"
-#include "ui/window/text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

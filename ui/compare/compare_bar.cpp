@@ -1,7 +1,7 @@
 #include "ui/compare/compare_bar.h"
 
-#include "ui/window/icons.h"
-#include "ui/window/shortcuts.h"
+#include "ui/common/icons.h"
+#include "ui/common/shortcuts.h"
 
 #include <QAction>
 #include <QActionGroup>

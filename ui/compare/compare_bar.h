@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/difference.h"
-#include "ui/viewers/display_picture.h"
+#include "ui/picture/display_picture.h"
 
 #include <QWidget>
 

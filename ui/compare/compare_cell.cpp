@@ -1,8 +1,8 @@
 #include "ui/compare/compare_cell.h"
 
+#include "ui/common/elided_label.h"
+#include "ui/common/icons.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/window/elided_label.h"
-#include "ui/window/icons.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/viewers/display_picture.h"
+#include "ui/picture/display_picture.h"
 
 #include <QString>
 

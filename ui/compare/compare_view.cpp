@@ -1,10 +1,10 @@
 #include "ui/compare/compare_view.h"
 
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_cell.h"
 #include "ui/compare/view_link.h"
 #include "ui/compare/wipe_viewer.h"
-#include "ui/jobs/background.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QGridLayout>

@@ -1,7 +1,7 @@
 #include "ui/compare/grid_run.h"
 
+#include "ui/common/background.h"
 #include "ui/compare/compare_view.h"
-#include "ui/jobs/background.h"
 
 #include <algorithm>
 #include <limits>

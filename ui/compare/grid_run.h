@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "ui/compare/compare_item.h"
 #include "ui/jobs/job_queue.h"
 #include "ui/results/result_history.h"

@@ -1,7 +1,7 @@
 #include "ui/compare/methods_dialog.h"
 
 #include "core/methods/method.h"
-#include "ui/window/text.h"
+#include "ui/common/text.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

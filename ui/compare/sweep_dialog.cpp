@@ -2,8 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "ui/window/appearance.h"
-#include "ui/window/text.h"
+#include "ui/common/appearance.h"
+#include "ui/common/text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/sweep.h"
+#include "core/session/batch/sweep.h"
 
 #include <QDialog>
 

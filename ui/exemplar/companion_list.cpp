@@ -1,10 +1,10 @@
 #include "ui/exemplar/companion_list.h"
 
 #include "core/image/map_role.h"
+#include "ui/common/icons.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/exemplar/files.h"
-#include "ui/window/icons.h"
-#include "ui/window/text.h"
 
 #include <QComboBox>
 #include <QFileDialog>

@@ -3,8 +3,8 @@
 #include "core/base/param.h"
 #include "core/base/text.h"
 #include "core/image/exemplar_edit.h"
-#include "ui/inspector/value_editor.h"
-#include "ui/window/text.h"
+#include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 
 #include <QFormLayout>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "ui/exemplar/edit_list.h"
 
-#include "ui/window/text.h"
+#include "ui/common/text.h"
 
 #include <QCoreApplication>
 

@@ -1,14 +1,14 @@
 #include "ui/exemplar/exemplar_editor.h"
 
-#include "core/session/edited_exemplar.h"
+#include "core/session/run/edited_exemplar.h"
+#include "ui/common/background.h"
+#include "ui/common/elided_label.h"
+#include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 #include "ui/exemplar/edit_fields.h"
 #include "ui/exemplar/edit_list.h"
 #include "ui/exemplar/frame_pages.h"
 #include "ui/exemplar/light_group.h"
-#include "ui/inspector/value_editor.h"
-#include "ui/jobs/background.h"
-#include "ui/window/elided_label.h"
-#include "ui/window/text.h"
 
 #include <QButtonGroup>
 #include <QFormLayout>

@@ -1,12 +1,12 @@
 #include "ui/exemplar/exemplar_panel.h"
 
 #include "core/color/color_pipeline.h"
+#include "ui/common/elided_label.h"
+#include "ui/common/icons.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/companion_list.h"
 #include "ui/exemplar/files.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/window/elided_label.h"
-#include "ui/window/icons.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QComboBox>

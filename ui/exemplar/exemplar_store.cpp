@@ -2,10 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/image/mask_paint.h"
-#include "core/session/edited_exemplar.h"
+#include "core/session/run/edited_exemplar.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/files.h"
-#include "ui/jobs/background.h"
-#include "ui/window/text.h"
 
 #include <QFileInfo>
 

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/session/session.h"
-#include "ui/window/text.h"
+#include "ui/common/text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/recipe.h"
-#include "core/session/exemplar_file.h"
+#include "core/session/run/exemplar_file.h"
 
 #include <QImage>
 #include <QString>

@@ -1,7 +1,7 @@
 #include "ui/exemplar/light_group.h"
 
+#include "ui/common/value_editor.h"
 #include "ui/exemplar/edit_fields.h"
-#include "ui/inspector/value_editor.h"
 
 #include <QCheckBox>
 #include <QFormLayout>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/exemplar_file.h"
+#include "core/session/run/exemplar_file.h"
 
 #include <QString>
 

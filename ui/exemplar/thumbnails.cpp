@@ -1,9 +1,9 @@
 #include "ui/exemplar/thumbnails.h"
 
-#include "core/session/exemplar_file.h"
-#include "ui/jobs/background.h"
-#include "ui/viewers/display_picture.h"
-#include "ui/window/text.h"
+#include "core/session/run/exemplar_file.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
+#include "ui/picture/display_picture.h"
 
 #include <QFileInfo>
 #include <QImageReader>

@@ -1,10 +1,10 @@
 #include "ui/export/export_dialog.h"
 
 #include "core/color/color_pipeline.h"
-#include "ui/jobs/background.h"
-#include "ui/window/appearance.h"
-#include "ui/window/icons.h"
-#include "ui/window/text.h"
+#include "ui/common/appearance.h"
+#include "ui/common/background.h"
+#include "ui/common/icons.h"
+#include "ui/common/text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/export.h"
+#include "core/session/export/export.h"
 
 #include <QDialog>
 

@@ -1,12 +1,12 @@
 #include "ui/inspector/inspector.h"
 
+#include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 #include "ui/inspector/method_form.h"
 #include "ui/inspector/mnemonics.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
 #include "ui/inspector/step_chain.h"
-#include "ui/inspector/value_editor.h"
-#include "ui/window/text.h"
 
 #include <QEvent>
 #include <QLabel>

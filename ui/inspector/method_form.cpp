@@ -1,9 +1,9 @@
 #include "ui/inspector/method_form.h"
 
+#include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 #include "ui/inspector/mnemonics.h"
 #include "ui/inspector/param_row.h"
-#include "ui/inspector/value_editor.h"
-#include "ui/window/text.h"
 
 #include <QGridLayout>
 #include <QGroupBox>

@@ -1,12 +1,12 @@
 #include "ui/inspector/output_group.h"
 
+#include "ui/common/background.h"
+#include "ui/common/elided_label.h"
+#include "ui/common/icons.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/part_editor.h"
 #include "ui/inspector/seed_edit.h"
-#include "ui/jobs/background.h"
-#include "ui/window/elided_label.h"
-#include "ui/window/icons.h"
-#include "ui/window/text.h"
 
 #include <QCheckBox>
 #include <QEvent>

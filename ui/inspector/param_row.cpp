@@ -1,9 +1,9 @@
 #include "ui/inspector/param_row.h"
 
+#include "ui/common/icons.h"
+#include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 #include "ui/inspector/mnemonics.h"
-#include "ui/inspector/value_editor.h"
-#include "ui/window/icons.h"
-#include "ui/window/text.h"
 
 #include <QEvent>
 #include <QGridLayout>

@@ -1,9 +1,9 @@
 #include "ui/inspector/step_chain.h"
 
 #include "core/methods/method.h"
+#include "ui/common/text.h"
 #include "ui/inspector/method_form.h"
 #include "ui/inspector/mnemonics.h"
-#include "ui/window/text.h"
 
 #include <QComboBox>
 #include <QEvent>

@@ -1,8 +1,8 @@
 #include "ui/jobs/job_panel.h"
 
 #include "core/base/text.h"
-#include "ui/window/icons.h"
-#include "ui/window/text.h"
+#include "ui/common/icons.h"
+#include "ui/common/text.h"
 
 #include <QAction>
 #include <QApplication>

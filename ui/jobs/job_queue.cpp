@@ -1,6 +1,6 @@
 #include "ui/jobs/job_queue.h"
 
-#include "ui/jobs/background.h"
+#include "ui/common/background.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "ui/jobs/run_controller.h"
 
-#include "ui/jobs/background.h"
-#include "ui/window/text.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 
 #include <chrono>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "ui/jobs/run_pictures.h"
 
 #include <QObject>

@@ -1,9 +1,9 @@
 #include "ui/jobs/run_panel.h"
 
 #include "core/base/text.h"
-#include "ui/window/action_button.h"
-#include "ui/window/appearance.h"
-#include "ui/window/text.h"
+#include "ui/common/action_button.h"
+#include "ui/common/appearance.h"
+#include "ui/common/text.h"
 
 #include <QAction>
 #include <QEvent>

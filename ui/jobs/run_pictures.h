@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/session/run.h"
-#include "ui/viewers/display_picture.h"
+#include "core/session/run/run.h"
+#include "ui/picture/display_picture.h"
 
 #include <memory>
 

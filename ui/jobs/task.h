@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/job/job.h"
-#include "ui/jobs/background.h"
-#include "ui/window/text.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 
 #include <memory>
 #include <utility>

@@ -3,14 +3,14 @@
 #include "core/analysis/lattice_settings.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/session/memory.h"
+#include "core/job/memory.h"
+#include "ui/common/text.h"
 #include "ui/inspector/inspector.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/lattice/candidate_table.h"
 #include "ui/lattice/correlation_picture.h"
 #include "ui/lattice/lattice_fields.h"
 #include "ui/lattice/lattice_values.h"
-#include "ui/window/text.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "ui/log/log_panel.h"
 
-#include "ui/window/icons.h"
+#include "ui/common/icons.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -5,7 +5,7 @@
 #include "core/analysis/map_usage.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/session/memory.h"
+#include "core/job/memory.h"
 
 #include <utility>
 

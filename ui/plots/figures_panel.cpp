@@ -5,11 +5,11 @@
 #include "core/analysis/lattice_detector.h"
 #include "core/analysis/map_usage.h"
 #include "core/base/text.h"
-#include "core/session/memory.h"
+#include "core/job/memory.h"
+#include "ui/common/text.h"
 #include "ui/jobs/run_pictures.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/window/text.h"
 
 #include <QHeaderView>
 #include <QLabel>

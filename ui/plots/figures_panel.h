@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "ui/jobs/task.h"
+#include "ui/picture/display_picture.h"
 #include "ui/plots/plot.h"
-#include "ui/viewers/display_picture.h"
 
 #include <QWidget>
 

@@ -1,6 +1,6 @@
 #include "ui/plots/plot.h"
 
-#include "ui/window/appearance.h"
+#include "ui/common/appearance.h"
 
 #include <QApplication>
 #include <QChart>

@@ -1,6 +1,6 @@
 #include "ui/plots/stress_dialog.h"
 
-#include "ui/jobs/background.h"
+#include "ui/common/background.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/plots/plot.h"
 #include "ui/viewers/image_viewer.h"

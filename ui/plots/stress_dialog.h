@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/stress.h"
+#include "core/session/run/stress.h"
 #include "ui/jobs/task.h"
 
 #include <QDialog>

@@ -1,9 +1,9 @@
 #include "ui/plots/variance_dialog.h"
 
 #include "core/base/text.h"
+#include "ui/common/text.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/plots/plot.h"
-#include "ui/window/text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

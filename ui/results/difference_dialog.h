@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/result_store.h"
+#include "core/session/results/result_store.h"
 
 #include <QDialog>
 

@@ -1,6 +1,6 @@
 #include "ui/results/limits_dialog.h"
 
-#include "ui/window/elided_label.h"
+#include "ui/common/elided_label.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

@@ -1,9 +1,9 @@
 #include "ui/results/result_history.h"
 
 #include "core/base/text.h"
-#include "ui/jobs/background.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 #include "ui/results/result_text.h"
-#include "ui/window/text.h"
 
 #include <QPixmap>
 

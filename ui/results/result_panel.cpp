@@ -1,11 +1,11 @@
 #include "ui/results/result_panel.h"
 
 #include "core/base/text.h"
+#include "ui/common/icons.h"
+#include "ui/common/shortcuts.h"
 #include "ui/results/result_delegate.h"
 #include "ui/results/result_filter.h"
 #include "ui/results/result_text.h"
-#include "ui/window/icons.h"
-#include "ui/window/shortcuts.h"
 
 #include <QAction>
 #include <QComboBox>

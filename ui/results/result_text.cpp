@@ -1,7 +1,7 @@
 #include "ui/results/result_text.h"
 
 #include "core/base/text.h"
-#include "ui/window/text.h"
+#include "ui/common/text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

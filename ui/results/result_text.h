@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/result_files.h"
+#include "core/session/results/result_files.h"
 
 #include <QString>
 #include <QStringList>

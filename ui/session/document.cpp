@@ -1,11 +1,11 @@
 #include "ui/session/document.h"
 
 #include "core/base/error.h"
-#include "core/session/edited_exemplar.h"
+#include "core/session/run/edited_exemplar.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/files.h"
-#include "ui/jobs/background.h"
 #include "ui/session/missing_files_dialog.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QDateTime>

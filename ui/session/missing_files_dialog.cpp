@@ -1,6 +1,6 @@
 #include "ui/session/missing_files_dialog.h"
 
-#include "ui/window/text.h"
+#include "ui/common/text.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>

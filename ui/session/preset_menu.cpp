@@ -1,8 +1,8 @@
 #include "ui/session/preset_menu.h"
 
 #include "core/io/image_file.h"
-#include "ui/jobs/background.h"
-#include "ui/window/text.h"
+#include "ui/common/background.h"
+#include "ui/common/text.h"
 
 #include <QDir>
 #include <QFile>

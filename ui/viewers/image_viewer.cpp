@@ -1,7 +1,7 @@
 #include "ui/viewers/image_viewer.h"
 
+#include "ui/common/text.h"
 #include "ui/viewers/viewer_keys.h"
-#include "ui/window/text.h"
 
 #include <QCursor>
 #include <QKeyEvent>

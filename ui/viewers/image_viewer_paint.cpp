@@ -1,5 +1,5 @@
+#include "ui/common/appearance.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/window/appearance.h"
 
 #include <QPaintEvent>
 #include <QPainter>

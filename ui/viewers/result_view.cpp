@@ -1,12 +1,12 @@
 #include "ui/viewers/result_view.h"
 
 #include "core/analysis/map_pictures.h"
-#include "ui/jobs/background.h"
+#include "ui/common/background.h"
+#include "ui/common/elided_label.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/maps/map_page.h"
 #include "ui/maps/result_maps.h"
-#include "ui/window/elided_label.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/text.h"
 
 #include <QSignalBlocker>
 #include <QTabWidget>

@@ -1,8 +1,8 @@
 #include "ui/window/actions.h"
 
+#include "ui/common/icons.h"
+#include "ui/common/shortcuts.h"
 #include "ui/viewers/viewer_keys.h"
-#include "ui/window/icons.h"
-#include "ui/window/shortcuts.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -1,5 +1,10 @@
 #include "ui/window/main_window.h"
 
+#include "ui/common/appearance.h"
+#include "ui/common/background.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/shortcuts.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/exemplar/companion_list.h"
 #include "ui/exemplar/exemplar_editor.h"
@@ -7,7 +12,6 @@
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
@@ -15,13 +19,9 @@
 #include "ui/session/preset_menu.h"
 #include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/appearance.h"
 #include "ui/window/drop_targets.h"
-#include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
-#include "ui/window/shortcuts.h"
 #include "ui/window/start_page.h"
-#include "ui/window/text.h"
 #include "ui/window/workbench.h"
 
 #include <QActionGroup>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/session/preset.h"
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "core/session/session.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/exemplar/named_image.h"

@@ -1,18 +1,18 @@
 #include "core/base/version.h"
+#include "ui/common/background.h"
+#include "ui/common/icons.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/shortcuts_dialog.h"
+#include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/jobs/background.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/icons.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/shortcuts_dialog.h"
 #include "ui/window/start_page.h"
-#include "ui/window/text.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,10 +1,12 @@
 #include "core/base/text.h"
+#include "ui/common/background.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/jobs/background.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/log/log_panel.h"
@@ -13,9 +15,7 @@
 #include "ui/session/undo_history.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
 #include "ui/window/readout.h"
-#include "ui/window/text.h"
 #include "ui/window/workbench.h"
 
 #include <QComboBox>

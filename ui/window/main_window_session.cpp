@@ -1,11 +1,11 @@
+#include "ui/common/background.h"
+#include "ui/common/message_bar.h"
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
-#include "ui/jobs/background.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

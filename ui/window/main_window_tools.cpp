@@ -1,4 +1,5 @@
 #include "ui/blend/blend_window.h"
+#include "ui/common/message_bar.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
@@ -6,7 +7,6 @@
 #include "ui/results/result_text.h"
 #include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
 #include "ui/window/workbench.h"
 
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #include "ui/window/readout.h"
 
-#include "ui/window/elided_label.h"
+#include "ui/common/elided_label.h"
 
 #include <QHBoxLayout>
 

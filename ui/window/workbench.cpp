@@ -1,23 +1,23 @@
 #include "ui/window/workbench.h"
 
 #include "core/base/text.h"
+#include "ui/common/background.h"
+#include "ui/common/icons.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/shortcuts.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
 #include "ui/compare/grid_run.h"
 #include "ui/compare/methods_dialog.h"
 #include "ui/compare/sweep_dialog.h"
-#include "ui/jobs/background.h"
 #include "ui/jobs/job_panel.h"
 #include "ui/log/log_panel.h"
 #include "ui/results/difference_dialog.h"
 #include "ui/results/limits_dialog.h"
 #include "ui/results/result_text.h"
 #include "ui/viewers/result_view.h"
-#include "ui/window/icons.h"
 #include "ui/window/main_window.h"
-#include "ui/window/message_bar.h"
-#include "ui/window/shortcuts.h"
-#include "ui/window/text.h"
 
 #include <QAction>
 #include <QDir>

@@ -1,6 +1,6 @@
 #include "core/base/error.h"
-#include "core/session/batch.h"
-#include "core/session/name_template.h"
+#include "core/session/batch/batch.h"
+#include "core/session/export/name_template.h"
 #include "tests/core/refusal.h"
 
 #include <gmock/gmock.h>

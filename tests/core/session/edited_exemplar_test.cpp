@@ -1,5 +1,5 @@
 #include "core/image/normal_map.h"
-#include "core/session/edited_exemplar.h"
+#include "core/session/run/edited_exemplar.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
 

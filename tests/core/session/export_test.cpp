@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/io/map_file.h"
-#include "core/session/export.h"
+#include "core/session/export/export.h"
 #include "tests/core/io/file_limit.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"

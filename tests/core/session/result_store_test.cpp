@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/io/image_file.h"
-#include "core/session/result_store.h"
+#include "core/session/results/result_store.h"
 #include "tests/core/session/sample_run.h"
 
 #include <gmock/gmock.h>

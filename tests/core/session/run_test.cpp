@@ -1,4 +1,4 @@
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "tests/core/io/write_as.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"

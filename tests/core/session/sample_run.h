@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/run.h"
+#include "core/session/run/run.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"
 

@@ -1,6 +1,6 @@
 #include "core/image/mask_paint.h"
-#include "core/session/edited_exemplar.h"
 #include "core/session/preset.h"
+#include "core/session/run/edited_exemplar.h"
 #include "core/session/session.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"

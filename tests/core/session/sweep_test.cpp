@@ -1,5 +1,5 @@
 #include "core/base/error.h"
-#include "core/session/sweep.h"
+#include "core/session/batch/sweep.h"
 #include "tests/core/session/sample_run.h"
 
 #include <gmock/gmock.h>

@@ -1,0 +1,418 @@
+#include "core/session/export/export.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/color/color_pipeline.h"
+#include "core/image/normal_map.h"
+#include "core/io/map_file.h"
+#include "core/job/memory.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// One file to write and how.
+struct Step {
+    ExportEntry entry;
+    std::function<void()> write;
+};
+
+fs::path folderOf(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// NAME_SUFFIX.ext beside NAME.ext.
+fs::path beside(const fs::path& image, const std::string& suffix, const std::string& extension) {
+    return folderOf(image) / (image.stem().string() + suffix + extension);
+}
+
+/// The space to write in: as asked, or what the format's users expect.
+std::string spaceFor(const Result& result, const ExportOptions& options) {
+    if (!options.space.empty())
+        return options.space;
+    const bool floating = options.depth == Depth::Half || options.depth == Depth::Float;
+    const std::string& source = result.plan.recipe.exemplars.front().image.space;
+    if (floating)
+        return source == "srgb" ? "linear" : source;
+    return source == "raw" ? source : "srgb";
+}
+
+bool hasMap(const Result& result) {
+    return result.synthesis.mapKind != MapKind::None;
+}
+
+WriteOptions writeOptions(const Result& result, const ExportOptions& options) {
+    WriteOptions write;
+    write.check = options.check;
+    write.depth = options.depth;
+    write.space = spaceFor(result, options);
+    write.recipe = result.plan.recipe.toJson(folderOf(options.image));
+    return write;
+}
+
+void writeResult(const Result& result, const ExportOptions& options) {
+    const WriteOptions write = writeOptions(result, options);
+    if (write.space == "srgb" || write.space == "raw") {
+        writeImage(options.image, result.synthesis.image, write);
+        return;
+    }
+    Image converted = result.synthesis.image;
+    color::fromWorking(converted, write.space);
+    writeImage(options.image, converted, write);
+}
+
+void writeSidecar(const Result& result, const ExportOptions& options, const fs::path& path) {
+    Json json = Json::parse(result.plan.recipe.toJson(folderOf(path)));
+    Json& outputs = json["outputs"];
+    outputs.push_back({{"file", options.image.filename().string()},
+                       {"content", "result"},
+                       {"space", spaceFor(result, options)},
+                       {"depth", depthName(options.depth)}});
+    if (hasMap(result))
+        for (const fs::path& map : options.maps)
+            outputs.push_back(
+                {{"file",
+                  fs::absolute(map).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
+                 {"content", "position map"},
+                 {"convention", mapConvention(map)}});
+    writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// Where green of a normal map should point when it is written.
+MapRole normalsWanted(const ExportOptions& options) {
+    return options.normals != MapRole::Other ? options.normals : findExportPreset(options.preset).normals;
+}
+
+/// Companion `index` as it is written.
+Image companionImage(const Result& result, const ExportOptions& options, std::size_t index) {
+    Image image = result.companion(index);
+    const MapRole role = result.plan.companions.front()[index].role;
+    if (!isNormal(role))
+        return image;
+    if (result.synthesis.mapKind == MapKind::Dominant)
+        renormalize(image);
+    const MapRole wanted = normalsWanted(options);
+    if (isNormal(wanted) && wanted != role)
+        flipGreen(image);
+    return image;
+}
+
+WriteOptions dataOptions(const Result& result, const ExportOptions& options, Depth depth,
+                         const fs::path& path) {
+    WriteOptions write;
+    write.check = options.check;
+    write.depth = depth;
+    write.space = "raw";
+    write.recipe = result.plan.recipe.toJson(folderOf(path));
+    return write;
+}
+
+/// The depth of a companion file: as asked for, else as the preset says, else its source's own; where the
+/// format has it.
+Depth companionDepth(const ExportOptions& options, const std::string& word, std::optional<Depth> preset,
+                     Depth own, const fs::path& path) {
+    const std::vector<Depth> held = depthsFor(path);
+    const auto holds = [&](Depth depth) { return std::find(held.begin(), held.end(), depth) != held.end(); };
+    if (const auto asked = options.depths.find(word); asked != options.depths.end() && holds(asked->second))
+        return asked->second;
+    const bool whole =
+        own == Depth::Bits8 || own == Depth::Bits16; // a preset lessens no file of real numbers
+    return preset && whole && holds(*preset) ? *preset : own;
+}
+
+void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
+                    const ExportEntry& entry) {
+    writeImage(entry.path, companionImage(result, options, index),
+               dataOptions(result, options, *entry.depth, entry.path));
+}
+
+/// The companion that holds this; a normal map of either direction counts. None if there is none.
+std::optional<std::size_t> companionFor(const Result& result, MapRole role) {
+    const std::vector<ExemplarFile>& companions = result.plan.companions.front();
+    for (std::size_t i = 0; i < companions.size(); ++i)
+        if (role != MapRole::Other &&
+            (companions[i].role == role || (isNormal(role) && isNormal(companions[i].role))))
+            return i;
+    return std::nullopt;
+}
+
+void writePacked(const Result& result, const ExportOptions& options, const PresetFile& file,
+                 const ExportEntry& entry) {
+    Image packed(result.synthesis.image.size(), static_cast<int>(file.channels.size()));
+    for (int c = 0; c < packed.channels(); ++c) {
+        const PackedChannel& channel = file.channels[static_cast<std::size_t>(c)];
+        const auto index = companionFor(result, channel.role);
+        const Image map = index ? result.companion(*index) : Image();
+        for (int y = 0; y < packed.height(); ++y)
+            for (int x = 0; x < packed.width(); ++x) {
+                const float value = index ? map(x, y, 0) : channel.otherwise;
+                packed(x, y, c) = channel.inverted ? 1 - value : value;
+            }
+    }
+    writeImage(entry.path, packed, dataOptions(result, options, *entry.depth, entry.path));
+}
+
+/// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
+/// bark.
+std::string companionSuffix(const std::string& exemplar, const std::string& companion) {
+    const auto [own, theirs] =
+        std::mismatch(companion.begin(), companion.end(), exemplar.begin(), exemplar.end());
+    const bool common = own != companion.begin() && own != companion.end();
+    const std::string rest = common ? std::string(own, companion.end()) : companion;
+    return rest.front() == '_' ? rest : "_" + rest;
+}
+
+/// A companion's own format, but never one that loses.
+std::string extensionFor(const ExemplarFile& companion) {
+    const std::string& format = companion.info.format;
+    return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
+}
+
+/// Hands out file names, no two alike.
+class Names {
+public:
+    Names(const Result& result, const ExportOptions& options)
+        : m_result(result), m_options(options), m_taken{options.image} {}
+
+    fs::path next(const std::string& word, const std::string& extension) {
+        fs::path path = pathFor(word, extension);
+        for (int copy = 2; !m_taken.insert(path).second; ++copy)
+            path = pathFor(fmt::format("{}_{}", word, copy), extension);
+        return path;
+    }
+
+private:
+    fs::path pathFor(const std::string& word, const std::string& extension) const {
+        if (m_options.pattern.empty())
+            return beside(m_options.image, "_" + word, extension);
+        return folderOf(m_options.image) /
+               (expandName(m_options.pattern, nameWords(m_result, word)) + extension);
+    }
+
+    const Result& m_result;
+    const ExportOptions& m_options;
+    std::set<fs::path> m_taken;
+};
+
+bool anyOf(const Result& result, const PresetFile& file, std::set<std::size_t>& used) {
+    bool any = false;
+    for (const PackedChannel& channel : file.channels)
+        if (const auto index = companionFor(result, channel.role)) {
+            used.insert(*index);
+            any = true;
+        }
+    return any;
+}
+
+std::vector<Step> companionSteps(const Result& result, const ExportOptions& options) {
+    std::vector<Step> steps;
+    if (!options.companions || result.plan.companions.empty() || result.plan.companions.front().empty())
+        return steps;
+    const std::vector<ExemplarFile>& companions = result.plan.companions.front();
+    Names names(result, options);
+    std::set<std::size_t> used;
+    const auto addWhole = [&](std::size_t i, const std::string& word, std::optional<Depth> preset) {
+        const fs::path path = names.next(word, extensionFor(companions[i]));
+        const Depth depth = companionDepth(options, word, preset, depthLike(companions[i], path), path);
+        const MapRole role = companions[i].role;
+        const ExportEntry entry{path, role == MapRole::Other ? TR("companion map") : mapRoleTitle(role),
+                                false, word, depth};
+        used.insert(i);
+        steps.push_back(
+            {entry, [&result, &options, i, entry] { writeCompanion(result, options, i, entry); }});
+    };
+    for (const PresetFile& file : findExportPreset(options.preset).files) {
+        if (const auto index = companionFor(result, file.role)) {
+            addWhole(*index, file.word, file.depth);
+        } else if (anyOf(result, file, used)) {
+            const fs::path path = names.next(file.word, ".png");
+            const Depth depth = companionDepth(options, file.word, file.depth, Depth::Bits8, path);
+            const ExportEntry entry{path, TR("packed companion maps"), false, file.word, depth};
+            steps.push_back(
+                {entry, [&result, &options, &file, entry] { writePacked(result, options, file, entry); }});
+        }
+    }
+    for (std::size_t i = 0; i < companions.size(); ++i)
+        if (!used.contains(i))
+            addWhole(
+                i,
+                companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()).substr(1),
+                {});
+    return steps;
+}
+
+std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
+    std::vector<Step> steps;
+    steps.push_back(
+        {{options.image, TR("result"), false, "", options.depth}, [&] { writeResult(result, options); }});
+    for (const fs::path& map : options.maps) {
+        if (!hasMap(result))
+            failUsage("{} copies no pixels, so that it has no position map.",
+                      result.plan.lastMethod().info().title);
+        steps.push_back(
+            {{map, map.extension() == ".exr" ? TR("position map (STMap)") : TR("position map (16-bit)"),
+              false},
+             [&result, &options, map] {
+                 writePositionMap(map, result.synthesis.map, result.plan.recipe.toJson(folderOf(map)),
+                                  options.check);
+             }});
+    }
+    for (Step& step : companionSteps(result, options))
+        steps.push_back(std::move(step));
+    if (options.sidecar) {
+        const fs::path path = beside(options.image, "", ".json");
+        steps.push_back({{path, TR("recipe"), false},
+                         [&result, &options, path] { writeSidecar(result, options, path); }});
+    }
+    const std::vector<fs::path> sources = sourcesOf(result.plan.recipe);
+    for (Step& step : steps) {
+        std::error_code error;
+        step.entry.exists = fs::exists(step.entry.path, error);
+        checkKept(sources, step.entry.path);
+    }
+    return steps;
+}
+
+} // namespace
+
+std::vector<fs::path> sourcesOf(const Recipe& recipe) {
+    std::vector<fs::path> sources;
+    for (const RecipeFile* file : recipe.files())
+        sources.push_back(file->path);
+    return sources;
+}
+
+void checkKept(const std::vector<fs::path>& sources, const fs::path& written) {
+    std::error_code error;
+    const fs::path target = fs::weakly_canonical(written, error);
+    for (const fs::path& source : sources)
+        if (fs::weakly_canonical(source, error) == target)
+            failUsage("{} is what the result is made from and would be lost; name another file.",
+                      written.string());
+}
+
+NameWords nameWords(const Result& result, const std::string& map) {
+    const Size size = result.plan.request.part().size;
+    const std::optional<Region>& region = result.plan.request.region;
+    const std::string width = std::to_string(size.width), height = std::to_string(size.height);
+    return {{"name", mapNameFrom(result.plan.request.exemplars.front().name).base},
+            {"method", result.plan.methodIds("_")},
+            {"seed", std::to_string(result.plan.request.seed)},
+            {"w", width},
+            {"h", height},
+            {"size", size.width == size.height ? width : width + "x" + height},
+            {"place", region ? fmt::format("_at_{}_{}", region->x, region->y) : ""},
+            {"map", map}};
+}
+
+std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options) {
+    std::vector<ExportEntry> entries;
+    for (Step& step : stepsFor(result, options))
+        entries.push_back(std::move(step.entry));
+    return entries;
+}
+
+Depth depthLike(const ExemplarFile& source, const fs::path& path) {
+    const std::vector<Depth> depths = depthsFor(path);
+    const auto named = std::find_if(depths.begin(), depths.end(),
+                                    [&](Depth depth) { return depthName(depth) == source.info.depth; });
+    return named != depths.end() ? *named : depths.front();
+}
+
+void exportPicture(const fs::path& path, const ImageView& picture, const ExemplarFile& source,
+                   const std::function<void()>& check) {
+    WriteOptions write;
+    write.depth = depthLike(source, path);
+    const bool floating = write.depth == Depth::Half || write.depth == Depth::Float;
+    write.space = source.space == "raw" ? "raw" : floating ? "linear" : "srgb";
+    write.check = check;
+    if (write.space != "linear")
+        return writeImage(path, picture, write);
+    Image converted(picture);
+    color::fromWorking(converted, write.space);
+    writeImage(path, converted, write);
+}
+
+std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions& options) {
+    std::vector<ExportEntry> written;
+    try {
+        for (Step& step : stepsFor(result, options)) {
+            if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
+                fail("{} has come to be there in the meantime; export again to see what would be replaced.",
+                     step.entry.path.string());
+            step.write();
+            written.push_back(std::move(step.entry));
+        }
+    } catch (...) {
+        std::error_code ignored;
+        for (const ExportEntry& entry : written)
+            if (!entry.exists)
+                fs::remove(entry.path, ignored);
+        throw;
+    }
+    return written;
+}
+
+Result exportStrips(const RunPlan& plan, const ExportOptions& options,
+                    const std::function<Result(RunPlan)>& make) {
+    const bool companions = options.companions && !plan.companions.front().empty();
+    if (!options.maps.empty() || companions)
+        failUsage("An output of {} × {} px is made in strips of {} rows, for which no position or companion "
+                  "maps are "
+                  "written; choose a region or a smaller size for those.",
+                  plan.request.part().size.width, plan.request.part().size.height, plan.stripRows);
+    Result whole;
+    whole.plan = plan;
+    const Region part = plan.request.part();
+    Result strip;
+    const RowSource rows = [&](int y, float* row) {
+        if (y % plan.stripRows == 0) {
+            strip = {}; // frees the one before
+            strip = make(plan.strip(part.y + y));
+            whole.seconds += strip.seconds;
+            if (y == 0) {
+                whole.figures = strip.synthesis.figures;
+                whole.synthesis.notes = strip.synthesis.notes;
+            }
+            color::fromWorking(strip.synthesis.image, spaceFor(whole, options));
+        }
+        const Image& image = strip.synthesis.image;
+        for (int x = 0; x < image.width(); ++x)
+            for (int c = 0; c < image.channels(); ++c)
+                row[x * image.channels() + c] = image(x, y % plan.stripRows, c);
+    };
+    writeImage(options.image, part.size, plan.request.channels(), rows, writeOptions(whole, options));
+    if (options.sidecar)
+        writeSidecar(whole, options, beside(options.image, "", ".json"));
+    return whole;
+}
+
+std::string reportJson(const Result& result, const fs::path& folder) {
+    Json json;
+    json["recipe"] = Json::parse(result.plan.recipe.toJson(folder));
+    json["threads"] = result.plan.threads;
+    json["seconds"] = result.seconds;
+    for (const StageTime& stage : result.stages)
+        json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+    json["peakMemoryBytes"] = peakMemory();
+    json["memoryBeforeBytes"] = result.plan.memoryBefore;
+    json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
+    for (const std::string& note : result.synthesis.notes)
+        json["notes"].push_back(note);
+    for (const Figure& figure : result.figures)
+        json["figures"][figure.name] = figure.value;
+    for (const Curve& curve : result.synthesis.curves)
+        json["curves"][curve.name] = curve.values;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace texloom

@@ -1,0 +1,163 @@
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/session/results/result_store.h"
+
+#include <algorithm>
+
+namespace texloom {
+
+namespace {
+
+const Method* knownMethod(const std::string& id) {
+    const auto& all = methods();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Method& method) { return method.id() == id; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+const Param* knownParam(const Method* method, const std::string& name) {
+    if (method == nullptr)
+        return nullptr;
+    const auto& all = method->params();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Param& param) { return param.name() == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::string valueText(const Values& values, const std::string& name, const Param* param) {
+    const auto found = values.find(name);
+    if (found == values.end())
+        return {};
+    std::string text = toText(found->second);
+    if (param == nullptr)
+        return text;
+    for (const Choice& choice : param->choices())
+        if (choice.id == text)
+            return choice.title;
+    return param->unit().empty() ? text : text + " " + param->unit();
+}
+
+std::string methodText(const RecipeStep& step) {
+    const Method* const method = knownMethod(step.method);
+    return method != nullptr ? method->info().title : step.method;
+}
+
+class Table {
+public:
+    void add(const std::string& what, const std::string& first, const std::string& second) {
+        if (first != second)
+            m_rows.push_back({what, first, second});
+    }
+    std::vector<RecipeDifference> take() { return std::move(m_rows); }
+
+private:
+    std::vector<RecipeDifference> m_rows;
+};
+
+/// Parameters in the order of the method's declaration, then those it does not know.
+std::vector<std::string> namesOf(const RecipeStep& first, const RecipeStep& second) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
+    };
+    for (const RecipeStep* step : {&first, &second})
+        if (const Method* method = knownMethod(step->method))
+            for (const Param& param : method->params())
+                add(param.name());
+    for (const RecipeStep* step : {&first, &second})
+        for (const auto& [name, value] : step->parameters)
+            add(name);
+    return names;
+}
+
+void compareSteps(Table& table, const RecipeStep& first, const RecipeStep& second) {
+    table.add(TR("Method"), methodText(first), methodText(second));
+    for (const std::string& name : namesOf(first, second)) {
+        const Param* const a = knownParam(knownMethod(first.method), name);
+        const Param* const b = knownParam(knownMethod(second.method), name);
+        const Param* const titled = a != nullptr ? a : b;
+        table.add(titled != nullptr ? titled->title() : name, valueText(first.parameters, name, a),
+                  valueText(second.parameters, name, b));
+    }
+}
+
+std::vector<RecipeStep> stepsOf(const Recipe& recipe) {
+    std::vector<RecipeStep> steps = {{recipe.method, recipe.parameters}};
+    steps.insert(steps.end(), recipe.then.begin(), recipe.then.end());
+    return steps;
+}
+
+/// Names of the exemplars' files; with the beginning of their hashes where names alone do not tell them
+/// apart.
+std::string filesText(const Recipe& recipe, bool hashes) {
+    constexpr std::size_t kTold = 7;
+    std::vector<std::string> names;
+    for (const RecipeExemplar& exemplar : recipe.exemplars) {
+        const std::string name = exemplar.image.path.filename().string();
+        names.push_back(hashes ? fmt::format("{} ({})", name, exemplar.image.hash.substr(0, kTold)) : name);
+    }
+    return listText(names);
+}
+
+std::string sizeText(Size size) {
+    return fmt::format("{} × {} px", size.width, size.height);
+}
+
+std::string wrapText(Wrap wrap) {
+    return wrap.x && wrap.y ? "X, Y" : wrap.x ? "X" : wrap.y ? "Y" : "–";
+}
+
+/// How many edits each exemplar has had.
+std::string editsText(const Recipe& recipe) {
+    std::vector<std::string> counts;
+    for (const RecipeExemplar& exemplar : recipe.exemplars)
+        counts.push_back(std::to_string(exemplar.edits.size()));
+    return listText(counts);
+}
+
+/// How much each exemplar counts.
+std::string weightsText(const Recipe& recipe) {
+    std::vector<std::string> weights;
+    for (const RecipeExemplar& exemplar : recipe.exemplars)
+        weights.push_back(numberText(exemplar.weight));
+    return listText(weights);
+}
+
+bool sameEdits(const Recipe& first, const Recipe& second) {
+    return std::equal(first.exemplars.begin(), first.exemplars.end(), second.exemplars.begin(),
+                      second.exemplars.end(),
+                      [](const RecipeExemplar& a, const RecipeExemplar& b) { return a.edits == b.edits; });
+}
+
+} // namespace
+
+std::vector<RecipeDifference> differences(const Recipe& first, const Recipe& second) {
+    Table table;
+    const bool sameNames = filesText(first, false) == filesText(second, false);
+    table.add(TR("Exemplars"), filesText(first, sameNames), filesText(second, sameNames));
+    if (!sameEdits(first, second)) {
+        const std::string before = editsText(first);
+        const std::string after = editsText(second);
+        table.add(TR("Edits of exemplars"), before, before == after ? after + " (other ones)" : after);
+    }
+    if (first.exemplars.size() > 1 && first.exemplars.size() == second.exemplars.size())
+        table.add(TR("Weights of exemplars"), weightsText(first), weightsText(second));
+    table.add(TR("Size"), sizeText(first.size), sizeText(second.size));
+    table.add(TR("Wraps"), wrapText(first.wrap), wrapText(second.wrap));
+    table.add(TR("Seed"), std::to_string(first.seed), std::to_string(second.seed));
+    const auto startOf = [](const Recipe& recipe) {
+        return recipe.initial ? recipe.initial->path.filename().string() : std::string();
+    };
+    table.add(TR("Start from"), startOf(first), startOf(second));
+    const std::vector<RecipeStep> a = stepsOf(first);
+    const std::vector<RecipeStep> b = stepsOf(second);
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
+        if (i < a.size() && i < b.size())
+            compareSteps(table, a[i], b[i]);
+        else
+            table.add(TR("Then"), i < a.size() ? methodText(a[i]) : "", i < b.size() ? methodText(b[i]) : "");
+    return table.take();
+}
+
+} // namespace texloom

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "core/session/run/run.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace texloom {
+
+/// What is remembered of a run that ended, whether or not its pixels are in memory. Only the title and the
+/// pin ever change.
+struct ResultEntry {
+    std::string key;   ///< name of its folder; keys sort by the time at which runs ended
+    std::string title; ///< the user's own name for it, or empty
+    bool pinned = false;
+    bool quick = false;        ///< a preview at a small size
+    std::int64_t finished = 0; ///< milliseconds since 1970, UTC
+    Recipe recipe;
+    double seconds = 0;         ///< of work, on `threads` threads
+    double estimateSeconds = 0; ///< what the methods' rough estimate said, for one thread
+    int threads = 0;
+    std::uint64_t bytes = 0; ///< that the result takes in memory
+    MapKind mapKind = MapKind::None;
+    std::vector<Figure> figures;
+    std::vector<Curve> curves;
+    std::vector<std::string> notes;
+    std::vector<StageTime> stages;
+    std::vector<std::string> pictures; ///< names of the pictures beside the result
+    std::size_t companions = 0;        ///< number of companion maps made with it
+
+    std::vector<RecipeStep> steps() const;
+    /// The methods' ids with " + " between them.
+    std::string methodIds() const;
+};
+
+/// What there is to say of a result, under a key that no other has.
+ResultEntry entryFor(const Result& result, bool quick);
+
+/// The bytes that a result takes in memory, without the exemplars, which it shares with others.
+std::uint64_t memoryOf(const Result& result);
+
+/// A result read back, with what is wrong with it.
+struct StoredResult {
+    std::shared_ptr<const Result> result;
+    /// Why the exemplars are not those it was made with, as a sentence; empty if they are. The pixels, the
+    /// map and the recipe are true in any case.
+    std::string problem;
+};
+
+/// A folder of results: NAME/entry.json with all that is known of one, and its pixels beside it as float
+/// TIFFs, bit for bit. entry.json comes last, so that what a crash broke off is told from what is whole.
+/// Functions of one entry may be called from any thread, those of different entries at the same time.
+class ResultFolder {
+public:
+    explicit ResultFolder(std::filesystem::path path) : m_path(std::move(path)) {}
+
+    const std::filesystem::path& path() const { return m_path; }
+    std::filesystem::path of(const ResultEntry& entry) const { return m_path / entry.key; }
+
+    struct Scan {
+        std::vector<ResultEntry> entries;  ///< whole ones, oldest first
+        std::vector<std::string> problems; ///< a sentence for each that was left out
+    };
+    /// Looks through the folder. What broke off more than a day ago is removed.
+    Scan scan() const;
+
+    /// Writes pixels and entry. @throws Error; then nothing of it is left.
+    void write(const ResultEntry& entry, const Result& result) const;
+    /// Writes only what is known of it, after its title or pin changed. @throws Error
+    void writeEntry(const ResultEntry& entry) const;
+    /// @throws Error or UsageError if the pixels are not there or not whole.
+    StoredResult read(const ResultEntry& entry) const;
+    /// Bytes that its files take; 0 if there are none.
+    std::uint64_t bytesOf(const ResultEntry& entry) const;
+    void remove(const ResultEntry& entry) const;
+
+private:
+    std::filesystem::path m_path;
+};
+
+} // namespace texloom

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "core/analysis/texture_distance.h"
+#include "core/io/recipe.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "core/session/run/exemplar_file.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace texloom {
+
+/// The images that a run learns from, as they were loaded.
+struct RunExemplar {
+    ExemplarFile image;
+    std::optional<ExemplarFile> mask;
+    std::vector<ExemplarFile> companions; ///< of the exemplar's size; they get the result's layout
+    /// What was done to the files' pixels to make the images here; see edited().
+    ExemplarEdits edits = {};
+    double weight = 1; ///< see Exemplar::weight
+    /// The files as they were before the edits; null where there are none.
+    std::shared_ptr<const RunExemplar> source = nullptr;
+
+    /// What is edited: the files' own pixels.
+    const RunExemplar& original() const { return source ? *source : *this; }
+};
+
+/// What someone asked for.
+struct RunInput {
+    std::string method;
+    Values settings;              ///< what was set; the rest gets defaults
+    std::vector<RecipeStep> then; ///< methods that follow, each starting from the image of the one before
+    std::vector<RunExemplar> exemplars;
+    std::optional<ExemplarFile> initial;
+    Size size;
+    Wrap wrap;
+    std::uint64_t seed = 0;
+    std::optional<Region> region; ///< the part to make, which equals that part of the whole; all if not given
+    int threads = 0;              ///< 0: one per core; changes the time and memory it takes, never the result
+    bool judged = true;           ///< whether the result is compared with its exemplars: see Result::figures
+};
+
+/// One method of a run, with complete settings.
+struct RunStep {
+    const Method* method = nullptr;
+    Values settings;
+    Estimate estimate;
+};
+
+/// A run that was checked and can start: the methods in order, an immutable copy of the input, the recipe
+/// that makes it again, and what it will need.
+struct RunPlan {
+    std::vector<RunStep> steps; ///< at least one
+    Request request; ///< the first step's; companions are channels of it if the last step copies no pixels
+    std::vector<std::vector<ExemplarFile>> companions; ///< for each exemplar
+    Recipe recipe;
+    Estimate estimate; ///< of all steps together
+    std::uint64_t memoryBefore =
+        0; ///< resident bytes of this process when the run was planned; the estimate comes on top
+    int threads = 0;
+    /// Where the whole does not fit in memory, but the method makes regions: how many rows at a time do. Else
+    /// 0.
+    int stripRows = 0;
+    bool judged = true; ///< as RunInput::judged
+
+    const Method& lastMethod() const { return *steps.back().method; }
+    /// The methods' ids with `separator` between them.
+    std::string methodIds(const std::string& separator) const;
+    /// The same run for one strip of the output, from row `y` on.
+    RunPlan strip(int y) const;
+};
+
+/// Checks everything before anything starts; a method whose check needs a close look at the exemplar may take
+/// a moment. @throws Error or UsageError, also where the memory that the run
+/// would need is more than `memoryLimit` bytes (0: what this machine has free).
+/// @param strips whether an output that does not fit may be made in strips instead, as exportStrips() does.
+RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0, bool strips = false);
+
+/// Checks that a plan made some time ago still fits in the memory that is free. @throws Error with the
+/// figures
+void checkMemory(const RunPlan& plan);
+
+/// Loads one exemplar's files, without its edits. `changed` as in loadRecipe(). @throws Error, UsageError
+RunExemplar loadFiles(const RecipeExemplar& entry,
+                      const std::function<void(const std::filesystem::path&)>& changed = {});
+
+/// What recipes say of an exemplar.
+RecipeExemplar recipeExemplar(const RunExemplar& exemplar);
+RecipeFile recipeFile(const ExemplarFile& file);
+
+/// Loads what a recipe names. `changed` is told of each file whose bytes are not those that the recipe was
+/// made with.
+/// @throws Error, UsageError
+RunInput loadRecipe(const Recipe& recipe,
+                    const std::function<void(const std::filesystem::path&)>& changed = {});
+
+/// A finished run: everything that an export, a report or a history needs.
+struct Result {
+    RunPlan plan;
+    Synthesis synthesis;           ///< its image without the companions' channels
+    std::vector<Image> companions; ///< as they were made, where they do not follow from the map
+    std::vector<Figure> figures;   ///< the method's, and the quality figures that every result gets
+    std::vector<StageTime> stages;
+    double seconds = 0; ///< of the methods' work, on plan.threads threads; judging the result is not in it
+
+    /// Companion map `index` of the plan's exemplars in the result's layout. There must be one, and either a
+    /// map of the result or companions made with it.
+    Image companion(std::size_t index) const;
+    /// "quilting · seed 1 · 512 × 512"
+    std::string label() const;
+    /// "bark_quilting_s1_512x512": the name of an exported file, without its extension.
+    std::string fileName() const;
+};
+
+/// What a map says of a result, under the names that reports and the window show.
+/// @param occurrences as occurrencesOf() gives them.
+std::vector<Figure> mapFigures(const PositionMap& map, MapKind kind, const std::vector<Image>& occurrences,
+                               const std::function<void()>& check);
+/// The distances under the names that reports and the window show.
+std::vector<Figure> distanceFigures(const TextureDistance& distance);
+
+using SynthesisJob = Job<Result>;
+
+/// Runs a plan to its end: what startRun() does on the job's thread. @throws Error, Cancelled
+Result runPlan(const RunPlan& plan, JobContext& context);
+
+/// Starts a planned run, with the plan's seed and threads.
+/// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
+std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});
+
+} // namespace texloom

@@ -1,0 +1,44 @@
+#include "ui/common/text.h"
+
+#include "ui/common/sentences.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <cmath>
+
+namespace texloom::ui {
+
+QString translated(const std::string& text) {
+    if (text.empty())
+        return {};
+    // Only sentences hold values; labels are what they are.
+    if (text.ends_with('.') && text.find(' ') != std::string::npos)
+        return translatedSentence(QString::fromStdString(text));
+    return QCoreApplication::translate("core", text.c_str());
+}
+
+QString toQString(const std::filesystem::path& path) {
+    return QFile::decodeName(path.c_str());
+}
+
+std::filesystem::path toPath(const QString& path) {
+    return QFile::encodeName(path).toStdString();
+}
+
+QString titleOf(const RunPlan& plan) {
+    QStringList titles;
+    for (const RunStep& step : plan.steps)
+        titles += translated(step.method->info().title);
+    return titles.join(QStringLiteral(" + "));
+}
+
+QString sizeText(Size size) {
+    return QCoreApplication::translate("text", "%1 × %2").arg(size.width).arg(size.height);
+}
+
+QString percentText(double fraction) {
+    return QCoreApplication::translate("text", "%1 %").arg(static_cast<int>(std::floor(fraction * 100)));
+}
+
+} // namespace texloom::ui
