@@ -84,7 +84,7 @@ void printMethod(const Method& method) {
     const MethodInfo& info = method.info();
     fmt::print("{}: {}\n  {}\n  {}\n", method.id(), info.title, info.summary, info.citation);
     for (const Param& param : method.params()) {
-        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limitsText(),
+        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limits(),
                    defaultText(param), param.help());
         if (const auto& condition = param.condition())
             fmt::print("      Matters only with {}={}.\n", condition->name, toText(condition->value));
@@ -250,7 +250,7 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     const Result result = plan.stripRows > 0 ? exportStrips(plan, options, make) : make(std::move(plan));
     if (result.plan.stripRows == 0)
         exportResult(result, options);
-    for (const std::string& note : result.synthesis.notes)
+    for (const Message& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);
     if (!out.report.empty())

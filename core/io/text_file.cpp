@@ -25,8 +25,10 @@ using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
 FileHandle openForReading(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status))
+        fail("{} is a folder.", path.string());
     if (fs::exists(status) && !fs::is_regular_file(status))
-        fail("{} is {}.", path.string(), fs::is_directory(status) ? "a folder" : "no ordinary file");
+        fail("{} is not an ordinary file.", path.string());
     FileHandle file(std::fopen(path.c_str(), "rb"));
     if (!file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
@@ -59,7 +61,7 @@ std::string readText(const fs::path& path, std::uintmax_t largestBytes) {
     while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
         text.append(block.data(), count);
         if (text.size() > largestBytes)
-            fail("{} is longer than {}, too long for what it should be.", path.string(),
+            fail("{} is longer than {}, too long for a file of this kind.", path.string(),
                  byteText(largestBytes));
     }
     if (std::ferror(file.get()))

@@ -55,9 +55,9 @@ double JobMonitor::progress() const {
     return m_progress;
 }
 
-std::string JobMonitor::stage() const {
+Message JobMonitor::stage() const {
     const std::lock_guard lock(m_mutex);
-    return m_stages.empty() ? std::string() : m_stages.back().name;
+    return m_stages.empty() ? Message() : m_stages.back().name;
 }
 
 std::vector<StageTime> JobMonitor::stageTimes() const {
@@ -107,7 +107,7 @@ void JobContext::step(std::uint32_t number, double share) {
     m_random = Random(m_seed, number);
 }
 
-void JobContext::stage(double weight, std::string name) {
+void JobContext::stage(double weight, Message name) {
     check();
     m_stageBegin += m_stageWeight;
     m_stageWeight = weight * m_share;

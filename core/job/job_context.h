@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/image/image.h"
 #include "core/image/position_map.h"
 #include "core/job/latest.h"
@@ -10,7 +11,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace texloom {
@@ -28,7 +28,7 @@ struct Preview {
 
 /// The time one named stage of a job took.
 struct StageTime {
-    std::string name;
+    Message name;
     double seconds = 0;
 };
 
@@ -37,7 +37,8 @@ class JobMonitor {
 public:
     /// From 0 to 1; never falls.
     double progress() const;
-    std::string stage() const;
+    /// What it does now; empty before the first stage.
+    Message stage() const;
     /// The newest preview that was not taken yet.
     std::optional<Preview> takePreview() { return m_preview.take(); }
     /// Finished stages and the one under way.
@@ -80,7 +81,7 @@ public:
     /// own.
     void step(std::uint32_t number, double share);
     /// Begins a part of the work that makes up `weight` of the whole run (all weights add to 1).
-    void stage(double weight, std::string name);
+    void stage(double weight, Message name);
     /// How much of the stage is done, 0 to 1.
     void progress(double fraction);
     /// Offers the work as it stands to be looked at. Cheap when nobody looks or the last one was just now:

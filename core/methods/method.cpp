@@ -7,21 +7,23 @@ namespace texloom {
 
 namespace {
 
-/// " Did you mean x?" or nothing.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+/// Refuses an unknown word, and asks whether the known one that is most like it was meant, if any is like it.
+[[noreturn]] void refuseUnknown(const Message& sentence, std::string_view word,
+                                const std::vector<std::string>& known) {
     const std::string near = nearest(word, known);
-    return near.empty() ? "" : " Did you mean " + near + "?";
+    throw UsageError(near.empty() ? sentence : message("{} Did you mean {}?", sentence, near));
 }
 
 void checkExemplars(const MethodInfo& info, const Request& request) {
     if (request.exemplars.empty())
         failUsage("There is no exemplar to learn from.");
     if (request.exemplars.size() > 1 && !info.severalExemplars)
-        failUsage("{} learns from one exemplar, but {} were given.", info.title, request.exemplars.size());
+        failUsage("{} learns from one exemplar, but {} were given.", Message(info.title),
+                  request.exemplars.size());
     for (const Exemplar& exemplar : request.exemplars) {
         if (exemplar.image->channels() != request.channels())
-            failUsage("{} has {} channels and {} has {}; all exemplars need the same number.",
-                      request.exemplars.front().name, request.channels(), exemplar.name,
+            failUsage("{} and {} have different numbers of channels, {} and {}; all exemplars need the same.",
+                      request.exemplars.front().name, exemplar.name, request.channels(),
                       exemplar.image->channels());
         if (exemplar.image->size().longerSide() >= Source::kNone)
             failUsage("{} is {} × {} px; an exemplar's sides go up to {} px.", exemplar.name,
@@ -30,9 +32,9 @@ void checkExemplars(const MethodInfo& info, const Request& request) {
             failUsage("The weight of {} is {}; it goes from {} to {}.", exemplar.name, exemplar.weight,
                       Exemplar::kLeastWeight, Exemplar::kMostWeight);
         if (exemplar.mask && !info.usesMask)
-            failUsage("{} does not use an exemplar mask.", info.title);
+            failUsage("{} does not use an exemplar mask.", Message(info.title));
         if (exemplar.mask && exemplar.mask->size() != exemplar.image->size())
-            failUsage("The mask is {} × {} px, but {} is {} × {} px; they must be alike.",
+            failUsage("The mask is {} × {} px, but {} is {} × {} px; they must be the same size.",
                       exemplar.mask->width(), exemplar.mask->height(), exemplar.name, exemplar.image->width(),
                       exemplar.image->height());
     }
@@ -44,9 +46,9 @@ void checkOutput(const MethodInfo& info, const Request& request) {
         failUsage("The output cannot be {} × {} px: its sides go from 1 to {} px.", size.width, size.height,
                   grouped(kLargestSide));
     if ((request.wrap.x || request.wrap.y) && !info.wraps)
-        failUsage("{} cannot make an output that wraps.", info.title);
+        failUsage("{} cannot make an output that wraps.", Message(info.title));
     if (request.region && !info.makesRegions)
-        failUsage("{} cannot make a part of an output alone; make all of it.", info.title);
+        failUsage("{} cannot make a part of an output alone; make all of it.", Message(info.title));
     if (request.region && !request.region->within(size))
         failUsage("The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.",
                   request.region->size.width, request.region->size.height, request.region->x,
@@ -54,7 +56,7 @@ void checkOutput(const MethodInfo& info, const Request& request) {
     if (!request.initial)
         return;
     if (!info.startsFromImage)
-        failUsage("{} cannot start from an image.", info.title);
+        failUsage("{} cannot start from an image.", Message(info.title));
     if (request.initial->size() != size || request.initial->channels() != request.channels())
         failUsage("The initial image is {} × {} px with {} channels; the output is {} × {} px with {}.",
                   request.initial->width(), request.initial->height(), request.initial->channels(),
@@ -77,7 +79,7 @@ const Param& Method::param(std::string_view name) const {
             return param;
         known.push_back(param.name());
     }
-    failUsage("{} has no parameter {}; it has {}.{}", m_id, name, listText(known), suggestion(name, known));
+    refuseUnknown(message("{} has no parameter {}; it has {}.", m_id, name, listOf(known)), name, known);
 }
 
 Values Method::defaults(Size exemplar) const {
@@ -120,7 +122,7 @@ const Method& findMethod(std::string_view id) {
             return method;
         known.push_back(method.id());
     }
-    failUsage("There is no method {}; there is {}.{}", id, listText(known), suggestion(id, known));
+    refuseUnknown(message("There is no method {}; the methods are {}.", id, listOf(known)), id, known);
 }
 
 } // namespace texloom

@@ -92,7 +92,7 @@ Estimate growthEstimate(const Request& request, int patch, int overlap, int thre
     return need;
 }
 
-Synthesis grown(PatchCanvas& canvas, const Request& request, const std::string& stage, double mapWeight,
+Synthesis grown(PatchCanvas& canvas, const Request& request, const Message& stage, double mapWeight,
                 const std::function<void(const PatchCell&)>& place, JobContext& context) {
     context.stage(0.98 - mapWeight, stage);
     canvas.grow(

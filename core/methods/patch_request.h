@@ -47,7 +47,7 @@ Estimate growthEstimate(const Request& request, int patch, int overlap, int thre
 /// patches. @param stage what the user is told. @param mapWeight of the making of the map; 0.02 went before,
 /// for what is prepared, and growing has the rest.
 /// @param place makes the patch of a cell; called from several threads.
-Synthesis grown(PatchCanvas& canvas, const Request& request, const std::string& stage, double mapWeight,
+Synthesis grown(PatchCanvas& canvas, const Request& request, const Message& stage, double mapWeight,
                 const std::function<void(const PatchCell&)>& place, JobContext& context);
 
 /// The result of a method that makes new pixels: the image with its estimated map.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/image/image.h"
 #include "core/image/position_map.h"
 
@@ -45,19 +46,19 @@ struct Request {
 
 /// A named series of numbers, such as the energy of each iteration.
 struct Curve {
-    std::string name;
+    Message name;
     std::vector<double> values;
 };
 
 /// A named picture beside the result, such as a dictionary or a lattice.
 struct Picture {
-    std::string name;
+    Message name;
     Image image;
 };
 
 /// A named number about the result.
 struct Figure {
-    std::string name;
+    Message name;
     double value = 0;
 };
 
@@ -77,7 +78,7 @@ struct Synthesis {
     std::vector<Curve> curves;
     std::vector<Picture> pictures;
     std::vector<Figure> figures;
-    std::vector<std::string> notes; ///< sentences for the user about what the method decided by itself
+    std::vector<Message> notes; ///< sentences for the user about what the method decided by itself
 };
 
 } // namespace texloom

@@ -182,10 +182,6 @@
         <translation>Daten (nie umgerechnet)</translation>
     </message>
     <message>
-        <source>Deviation, </source>
-        <translation>Abweichung, </translation>
-    </message>
-    <message>
         <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
         <translation>Differenzen halten die Helligkeit zwischen Blöcken gleich; Korrelation passt Kanten besser an, wo die Helligkeit verschieden ist.</translation>
     </message>
@@ -326,7 +322,7 @@
         <translation>Wie viel schlechter als der beste ein Patch passen darf, um noch gezogen zu werden: größer variiert mehr.</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
         <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
     </message>
     <message>
@@ -374,7 +370,7 @@
         <translation>Anschluss</translation>
     </message>
     <message>
-        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <source>Keeps the strength of each frequency of the exemplar and draws its phase at random. Instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
         <translation>Behält die Stärke jeder Frequenz der Vorlage und zieht ihre Phase zufällig. Im Nu und ohne jede Wiederholung; gut für feinkörnige Texturen wie Sand, Putz oder Stoff, verliert Kanten und Gegenstände.</translation>
     </message>
     <message>
@@ -566,7 +562,7 @@
         <translation>Oktaven, in die die Pyramide zerlegt: mehr erhalten größere Merkmale. Kleine Bilder nutzen weniger.</translation>
     </message>
     <message>
-        <source>One slope over all</source>
+        <source>One slope over the whole</source>
         <translation>Ein Verlauf über alles</translation>
     </message>
     <message>
@@ -1014,23 +1010,23 @@
         <translation>Zusammenfassung</translation>
     </message>
     <message>
-        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
+        <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
         <translation>Höchstens so viele je Patchgröße und Skala: mehr schließen besser an, dauern aber länger.</translation>
     </message>
     <message>
-        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
+        <source>Most rounds on each scale but the finest: more join better, but take longer.</source>
         <translation>Höchstens so viele auf jeder Skala außer der feinsten: mehr schließen besser an, dauern aber länger.</translation>
     </message>
     <message>
-        <source>At most so many on the finest scale, where most of the time is spent.</source>
+        <source>Most rounds on the finest scale, where most of the time is spent.</source>
         <translation>Höchstens so viele auf der feinsten Skala, auf der die meiste Zeit vergeht.</translation>
     </message>
     <message>
-        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
+        <source>Most scales, each half the size of the one before: more keep larger structures.</source>
         <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
     </message>
     <message>
-        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
+        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
         <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
     </message>
     <message>
@@ -1354,7 +1350,7 @@
         <translation>Eine Ausgabe von {} × {} px lässt sich mit einer Kachel von {} × {} px nicht kacheln; machen Sie sie mindestens so groß.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
+        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
         <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, für die keine Positions- oder Begleitkarten geschrieben werden; wählen Sie dafür einen Teil oder eine kleinere Größe.</translation>
     </message>
     <message>
@@ -1418,7 +1414,7 @@
         <translation>Der Ordner {} lässt sich nicht anlegen: {}.</translation>
     </message>
     <message>
-        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
+        <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
         <translation>Die vier Ecken der Entzerrung müssen von links oben im Uhrzeigersinn um eine Fläche ohne Delle gehen.</translation>
     </message>
     <message>
@@ -1438,11 +1434,7 @@
         <translation>Die Masche des Gitters von {} × {} px ist größer als {} mit {} × {} px; geben Sie kürzere Vektoren an, oder setzen Sie lattice=none.</translation>
     </message>
     <message>
-        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
-        <translation>Die Vektoren {} des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Geraden liegen.</translation>
-    </message>
-    <message>
-        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <source>The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.</source>
         <translation>Das Licht von {} ändert sich so stark von Ort zu Ort, dass Flicken auffielen; darum wurde es ausgeglichen. flatten=no behält es.</translation>
     </message>
     <message>
@@ -1450,15 +1442,11 @@
         <translation>Die Karte braucht die Bilder, aus denen sie gemacht wurde, es wurde aber keines gegeben.</translation>
     </message>
     <message>
-        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
-        <translation>Die Karte wurde aus {} Vorlage(n) gemacht, gegeben wurden aber {} Bild(er).</translation>
-    </message>
-    <message>
         <source>The mask hides all of {}; mask less.</source>
         <translation>Die Maske verdeckt alles von {}; maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <source>The mask is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
         <translation>Die Maske ist {} × {} px groß, {} aber {} × {} px; sie müssen gleich sein.</translation>
     </message>
     <message>
@@ -1474,12 +1462,12 @@
         <translation>Die Maske lässt keine ganze Kachel von {} × {} px zum Kopieren; maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
+        <source>The method treats all exemplars alike, so their weights had no effect.</source>
         <translation>Das Verfahren nimmt alle Vorlagen gleich, sodass ihre Gewichte nichts bewirkten.</translation>
     </message>
     <message>
-        <source>The name {} holds ${}, which is not known here; there is {}.</source>
-        <translation>Der Name {} enthält ${}, was hier nicht bekannt ist; es gibt {}.</translation>
+        <source>The name {} holds ${}, which stands for nothing here; use {}.</source>
+        <translation>Der Name {} enthält ${}, das hier für nichts steht; nehmen Sie {}.</translation>
     </message>
     <message>
         <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
@@ -1542,8 +1530,8 @@
         <translation>Das Gewicht von {} ist {}; es geht von {} bis {}.</translation>
     </message>
     <message>
-        <source>The {} has a field {} that is not known here; there is {}.</source>
-        <translation>{}: das Feld {} ist hier nicht bekannt; es gibt {}.</translation>
+        <source>The {} has an unknown field {}; the known ones are {}.</source>
+        <translation>{}: das Feld {} ist hier nicht bekannt; bekannt sind {}.</translation>
     </message>
     <message>
         <source>The {} has no {}.</source>
@@ -1562,7 +1550,7 @@
         <translation>{}: kein JSON; es bricht bei Byte {} ab oder ist dort falsch.</translation>
     </message>
     <message>
-        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
         <translation>{1} ({0}) ist {2} × {3} px groß, {4} aber {5} × {6} px; sie müssen gleich sein.</translation>
     </message>
     <message>
@@ -1574,24 +1562,24 @@
         <translation>Für {} gibt es keine Werte.</translation>
     </message>
     <message>
-        <source>There is no colour space {}; there is {}.</source>
-        <translation>Es gibt keinen Farbraum {}; es gibt {}.</translation>
+        <source>There is no colour space {}; choose one of {}.</source>
+        <translation>Es gibt keinen Farbraum {}; wählen Sie einen von {}.</translation>
     </message>
     <message>
         <source>There is no exemplar to learn from.</source>
         <translation>Es gibt keine Vorlage zum Lernen.</translation>
     </message>
     <message>
-        <source>There is no export preset {}; there is {}.</source>
-        <translation>Es gibt keine Exportvorgabe {}; es gibt {}.</translation>
+        <source>There is no export preset {}; choose one of {}.</source>
+        <translation>Es gibt keine Exportvorgabe {}; wählen Sie eine von {}.</translation>
     </message>
     <message>
         <source>There is no file {}.</source>
         <translation>Es gibt keine Datei {}.</translation>
     </message>
     <message>
-        <source>There is no kind of map {}; there is {}.</source>
-        <translation>Es gibt keine Kartenart {}; es gibt {}.</translation>
+        <source>There is no kind of map {}; the kinds are {}.</source>
+        <translation>Es gibt keine Kartenart {}; die Arten sind {}.</translation>
     </message>
     <message>
         <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
@@ -1662,10 +1650,6 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>{} = {}: it is {}.</source>
-        <translation>{} = {}: {} ist nötig.</translation>
-    </message>
-    <message>
         <source>{} cannot be read: this build has no reader for {}.</source>
         <translation>{} lässt sich nicht lesen: dieser Version fehlt ein Leser für {}.</translation>
     </message>
@@ -1714,7 +1698,7 @@
         <translation>{} kann keine kachelbare Ausgabe machen.</translation>
     </message>
     <message>
-        <source>{} cannot start from an image, so that it cannot follow {}.</source>
+        <source>{} cannot start from an image, so it cannot follow {}.</source>
         <translation>{} kann nicht mit einem Bild beginnen und darum nicht auf {} folgen.</translation>
     </message>
     <message>
@@ -1726,7 +1710,7 @@
         <translation>{} hat sich geändert, seit dieses Ergebnis gemacht wurde.</translation>
     </message>
     <message>
-        <source>{} copies no pixels, so that it has no position map.</source>
+        <source>{} copies no pixels, so it has no position map.</source>
         <translation>{} kopiert keine Pixel und hat darum keine Positionskarte.</translation>
     </message>
     <message>
@@ -1742,7 +1726,7 @@
         <translation>{} verwendet keine Maske der Vorlage.</translation>
     </message>
     <message>
-        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
+        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
         <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
     </message>
     <message>
@@ -1750,23 +1734,15 @@
         <translation>{} hat keine Pixel.</translation>
     </message>
     <message>
-        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
-        <translation>{} hat {} Kanäle und {} hat {}; alle Vorlagen brauchen gleich viele.</translation>
-    </message>
-    <message>
         <source>{} has {} channels; images with up to {} can be opened.</source>
         <translation>{} hat {} Kanäle; geöffnet werden Bilder mit bis zu {}.</translation>
-    </message>
-    <message>
-        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
-        <translation>{} hat {} Begleitkarten und {} hat {}; jede Vorlage braucht dieselben.</translation>
     </message>
     <message>
         <source>{} holds no recipe.</source>
         <translation>{} enthält kein Rezept.</translation>
     </message>
     <message>
-        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without them.</source>
         <translation>{} enthält {} Werte, die keine endlichen Zahlen sind, den ersten bei Pixel ({}, {}); Texloom braucht endliche.</translation>
     </message>
     <message>
@@ -1778,15 +1754,15 @@
         <translation>{} ist leer (0 Byte).</translation>
     </message>
     <message>
-        <source>{} is longer than {}, too long for what it should be.</source>
-        <translation>{} ist länger als {}, zu lang für das, was es sein soll.</translation>
+        <source>{} is longer than {}, too long for a file of this kind.</source>
+        <translation>{} ist länger als {}, zu lang für eine Datei dieser Art.</translation>
     </message>
     <message>
-        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
+        <source>{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} of {}.</source>
         <translation>{} ist keine Positionskarte: eine STMap hat 2 bis 4 Kanäle mit 32-Bit-Gleitkomma, diese Datei {} mit {}.</translation>
     </message>
     <message>
-        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
+        <source>{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.</source>
         <translation>{} ist keine Positionskarte: als PNG hat sie 3 Kanäle mit 16 Bit, diese Datei {} mit {}.</translation>
     </message>
     <message>
@@ -1822,19 +1798,11 @@
         <translation>{} ist {} × {} px groß; die fast regelmäßige Synthese braucht Vorlagen von mindestens {} × {} px.</translation>
     </message>
     <message>
-        <source>{} is {}, not an image.</source>
-        <translation>{} ist {}, kein Bild.</translation>
-    </message>
-    <message>
-        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
-        <translation>{} größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden; {}.</translation>
-    </message>
-    <message>
         <source>{} learns from one exemplar, but {} were given.</source>
         <translation>{} lernt von einer Vorlage, gegeben wurden aber {}.</translation>
     </message>
     <message>
-        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
         <translation>{} nennt eine Vorlage von {} × {} px; Seiten gehen von 1 bis {} px.</translation>
     </message>
     <message>
@@ -1846,7 +1814,7 @@
         <translation>{} braucht {}, wovon nur {} frei sind; machen Sie ein kleineres Ergebnis.</translation>
     </message>
     <message>
-        <source>{} was not straightened: too little of it would be left.</source>
+        <source>{} was not straightened, since too little of it would be left.</source>
         <translation>{} wurde nicht gerade gerichtet: es bliebe zu wenig übrig.</translation>
     </message>
     <message>
@@ -1862,20 +1830,300 @@
         <translation>„{}“ ist nicht von:bis:Anzahl wie 8:64:5 mit einer Anzahl von 2 bis {}.</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
         <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
         <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
+        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
         <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; wiederholt es sich doch, entzerren Sie es im Fenster (Strg+D), wo es schräg gesehen ist, oder geben Sie seine Vektoren mit lattice=given an.</translation>
     </message>
     <message>
-        <source>{} is what the result is made from and would be lost; name another file.</source>
+        <source>{} is what the result is made from and would be overwritten; name another file.</source>
         <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
+    </message>
+    <message>
+        <source>&quot;&quot;, &quot;x&quot;, &quot;y&quot; or &quot;xy&quot;</source>
+        <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; oder &quot;xy&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
+        <translation>&quot;horizontal&quot; oder &quot;vertical&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
+        <translation>&quot;smooth&quot; oder &quot;polynomial&quot;</translation>
+    </message>
+    <message>
+        <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
+        <translation>--shard {}: als I/N zu schreiben, mit I von 1 bis N, etwa 3/8.</translation>
+    </message>
+    <message>
+        <source>1 to {}</source>
+        <translation>1 bis {}</translation>
+    </message>
+    <message>
+        <source>Blocks of {} px hold whole ones.</source>
+        <translation>Blöcke von {} px fassen ganze.</translation>
+    </message>
+    <message>
+        <source>Deviation, {}</source>
+        <translation>Abweichung, {}</translation>
+    </message>
+    <message>
+        <source>Occurrence {}</source>
+        <translation>Häufigkeit {}</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}</source>
+        <translation>Skala 1/{}</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}, patches of {} px</source>
+        <translation>Skala 1/{}, Patches von {} px</translation>
+    </message>
+    <message>
+        <source>The angle in degrees</source>
+        <translation>Der Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>The earlier result in {} is left out: {}</source>
+        <translation>Das frühere Ergebnis in {} bleibt weg: {}</translation>
+    </message>
+    <message>
+        <source>The flattening&apos;s strength</source>
+        <translation>Die Stärke des Ausgleichs</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>Die Masche des Gitters von {} × {} px ist größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie on one line.</source>
+        <translation>Die Vektoren ({}, {}) und ({}, {}) px des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Linie liegen.</translation>
+    </message>
+    <message>
+        <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
+        <translation>Die Karte braucht ein Bild je Vorlage, aus der sie gemacht wurde: {}, nicht {}.</translation>
+    </message>
+    <message>
+        <source>The polynomial&apos;s order</source>
+        <translation>Der Grad des Polynoms</translation>
+    </message>
+    <message>
+        <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>Die Reihen im Abstand von {} px sind größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
+    </message>
+    <message>
+        <source>The window&apos;s width</source>
+        <translation>Die Breite des Fensters</translation>
+    </message>
+    <message>
+        <source>The work ended for an unknown reason; try again.</source>
+        <translation>Die Arbeit endete aus unbekanntem Grund; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is no method {}; the methods are {}.</source>
+        <translation>Es gibt kein Verfahren {}; die Verfahren sind {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; try a smaller output.</source>
+        <translation>Dafür reicht der Speicher nicht; versuchen Sie eine kleinere Ausgabe.</translation>
+    </message>
+    <message>
+        <source>a list of at least one method</source>
+        <translation>eine Liste mit mindestens einem Verfahren</translation>
+    </message>
+    <message>
+        <source>a list of {} to {}</source>
+        <translation>eine Liste mit {} bis {} Einträgen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number, text, true or false</source>
+        <translation>eine Zahl, ein Text, true oder false</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 18446744073709551615</source>
+        <translation>eine ganze Zahl von 0 bis 18446744073709551615</translation>
+    </message>
+    <message>
+        <source>a whole number that is not too large</source>
+        <translation>eine ganze Zahl, die nicht zu groß ist</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>eine beliebige Zahl</translation>
+    </message>
+    <message>
+        <source>any whole number</source>
+        <translation>eine beliebige ganze Zahl</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>companion</source>
+        <translation>Begleitkarte</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>Deep</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>Eintrag</translation>
+    </message>
+    <message>
+        <source>it was made by another version.</source>
+        <translation>eine andere Version hat es gemacht.</translation>
+    </message>
+    <message>
+        <source>its entry is damaged.</source>
+        <translation>sein Eintrag ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its kind of map is not known.</source>
+        <translation>die Art seiner Karte ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation>ein oder aus</translation>
+    </message>
+    <message>
+        <source>one of crop, rotate, flip, rectify and flatten</source>
+        <translation>eines von crop, rotate, flip, rectify und flatten</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>eines von {}</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>vielleicht ist der Datenträger voll</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>{} (other ones)</source>
+        <translation>{} (andere)</translation>
+    </message>
+    <message>
+        <source>{} = {}: it goes from {} to {}.</source>
+        <translation>{} = {}: geht von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} goes from {}.</source>
+        <translation>{} = {}: {} geht von {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is one of {}.</source>
+        <translation>{} = {}: {} ist eines von {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is {}.</source>
+        <translation>{} = {}: {} ist {}.</translation>
+    </message>
+    <message>
+        <source>{} Did you mean {}?</source>
+        <translation>{} Meinten Sie {}?</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of channels, {} and {}; all exemplars need the same.</source>
+        <translation>{} und {} haben verschieden viele Kanäle, {} und {}; alle Vorlagen brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of companion maps, {} and {}; every exemplar needs the same ones.</source>
+        <translation>{} und {} haben verschieden viele Begleitkarten, {} und {}; jede Vorlage braucht dieselben.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
+        <translation>{} lässt sich nicht schreiben: der Name nennt am Ende kein Format; Texloom schreibt .png, .jpg, .tif, .exr und .hdr.</translation>
+    </message>
+    <message>
+        <source>{} has no parameter {}; it has {}.</source>
+        <translation>{} hat keinen Parameter {}; es hat {}.</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not an image.</source>
+        <translation>{} ist ein Ordner, kein Bild.</translation>
+    </message>
+    <message>
+        <source>{} is a folder.</source>
+        <translation>{} ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file, so it is not an image.</source>
+        <translation>{} ist keine gewöhnliche Datei und kein Bild.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file.</source>
+        <translation>{} ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>{} to {} {}</source>
+        <translation>{} bis {} {}</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>{} × {} px</source>
+        <translation>{} × {} px</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>“Regular tile” repeats whole ones.</source>
+        <translation>„Regelmäßige Kachel“ wiederholt ganze.</translation>
     </message>
 </context>
 <context>

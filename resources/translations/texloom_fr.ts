@@ -182,10 +182,6 @@
         <translation>Données (jamais converties)</translation>
     </message>
     <message>
-        <source>Deviation, </source>
-        <translation>Écart, </translation>
-    </message>
-    <message>
         <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
         <translation>Les différences gardent une luminosité égale entre blocs ; la corrélation ajuste mieux les contours où elle varie.</translation>
     </message>
@@ -326,7 +322,7 @@
         <translation>De combien un patch peut convenir moins bien que le meilleur et être tiré quand même : plus varie davantage.</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
         <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
     </message>
     <message>
@@ -374,7 +370,7 @@
         <translation>Jonction</translation>
     </message>
     <message>
-        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <source>Keeps the strength of each frequency of the exemplar and draws its phase at random. Instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
         <translation>Garde la force de chaque fréquence de l’échantillon et tire sa phase au hasard. Instantané et sans répétition ; convient aux textures fines comme le sable, l’enduit ou le tissu, perd contours et objets.</translation>
     </message>
     <message>
@@ -566,7 +562,7 @@
         <translation>Octaves séparées par la pyramide : davantage garde de plus grands motifs. Les petites images en utilisent moins.</translation>
     </message>
     <message>
-        <source>One slope over all</source>
+        <source>One slope over the whole</source>
         <translation>Une pente sur l’ensemble</translation>
     </message>
     <message>
@@ -1014,23 +1010,23 @@
         <translation>Agrégation</translation>
     </message>
     <message>
-        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
+        <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
         <translation>Au plus autant par taille de patch et par échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
     </message>
     <message>
-        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
+        <source>Most rounds on each scale but the finest: more join better, but take longer.</source>
         <translation>Au plus autant à chaque échelle sauf la plus fine : davantage raccorde mieux, mais prend plus de temps.</translation>
     </message>
     <message>
-        <source>At most so many on the finest scale, where most of the time is spent.</source>
+        <source>Most rounds on the finest scale, where most of the time is spent.</source>
         <translation>Au plus autant à l’échelle la plus fine, où passe l’essentiel du temps.</translation>
     </message>
     <message>
-        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
+        <source>Most scales, each half the size of the one before: more keep larger structures.</source>
         <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
     </message>
     <message>
-        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
+        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
         <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
     </message>
     <message>
@@ -1354,7 +1350,7 @@
         <translation>Une sortie de {} × {} px ne peut se raccorder avec un carreau de {} × {} px ; donnez-lui au moins cette taille.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
+        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
         <translation>Une sortie de {} × {} px se fait par bandes de {} lignes, sans cartes de position ni cartes associées ; pour celles-ci, choisissez une partie ou une taille plus petite.</translation>
     </message>
     <message>
@@ -1418,7 +1414,7 @@
         <translation>Le dossier {} ne peut être créé : {}.</translation>
     </message>
     <message>
-        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
+        <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
         <translation>Les quatre coins du redressement doivent entourer dans le sens horaire, depuis le haut à gauche, une surface sans creux.</translation>
     </message>
     <message>
@@ -1438,11 +1434,7 @@
         <translation>La maille du réseau, de {} × {} px, dépasse {} avec {} × {} px ; donnez des vecteurs plus courts, ou lattice=none.</translation>
     </message>
     <message>
-        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
-        <translation>Les vecteurs {} du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
-    </message>
-    <message>
-        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <source>The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.</source>
         <translation>La lumière de {} varie tant d’un endroit à l’autre que des pièces se verraient ; elle a donc été égalisée. flatten=no la garde.</translation>
     </message>
     <message>
@@ -1450,15 +1442,11 @@
         <translation>La carte demande les images dont elle vient, mais aucune n’a été donnée.</translation>
     </message>
     <message>
-        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
-        <translation>La carte vient de {} modèle(s), mais {} image(s) ont été données.</translation>
-    </message>
-    <message>
         <source>The mask hides all of {}; mask less.</source>
         <translation>Le masque cache tout {} ; masquez moins.</translation>
     </message>
     <message>
-        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <source>The mask is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
         <translation>Le masque fait {} × {} px, mais {} fait {} × {} px ; ils doivent être pareils.</translation>
     </message>
     <message>
@@ -1474,12 +1462,12 @@
         <translation>Le masque ne laisse aucun carreau entier de {} × {} px à copier ; masquez moins.</translation>
     </message>
     <message>
-        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
+        <source>The method treats all exemplars alike, so their weights had no effect.</source>
         <translation>La méthode prend tous les modèles de la même façon : leurs poids n’ont rien changé.</translation>
     </message>
     <message>
-        <source>The name {} holds ${}, which is not known here; there is {}.</source>
-        <translation>Le nom {} contient ${}, inconnu ici ; il y a {}.</translation>
+        <source>The name {} holds ${}, which stands for nothing here; use {}.</source>
+        <translation>Le nom {} contient ${}, qui ne désigne rien ici ; utilisez {}.</translation>
     </message>
     <message>
         <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
@@ -1542,8 +1530,8 @@
         <translation>Le poids de {} est {} ; il va de {} à {}.</translation>
     </message>
     <message>
-        <source>The {} has a field {} that is not known here; there is {}.</source>
-        <translation>{} : le champ {} est inconnu ici ; il y a {}.</translation>
+        <source>The {} has an unknown field {}; the known ones are {}.</source>
+        <translation>{} : le champ {} est inconnu ; les champs connus sont {}.</translation>
     </message>
     <message>
         <source>The {} has no {}.</source>
@@ -1562,7 +1550,7 @@
         <translation>{} : pas du JSON ; il s’arrête ou devient faux à l’octet {}.</translation>
     </message>
     <message>
-        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
         <translation>{1} ({0}) fait {2} × {3} px, mais {4} fait {5} × {6} px ; ils doivent être pareils.</translation>
     </message>
     <message>
@@ -1574,24 +1562,24 @@
         <translation>Il n’y a pas de valeurs pour {}.</translation>
     </message>
     <message>
-        <source>There is no colour space {}; there is {}.</source>
-        <translation>Il n’y a pas d’espace de couleurs {} ; il y a {}.</translation>
+        <source>There is no colour space {}; choose one of {}.</source>
+        <translation>Il n’y a pas d’espace de couleur {} ; choisissez l’un de {}.</translation>
     </message>
     <message>
         <source>There is no exemplar to learn from.</source>
         <translation>Il n’y a pas de modèle dont apprendre.</translation>
     </message>
     <message>
-        <source>There is no export preset {}; there is {}.</source>
-        <translation>Il n’y a pas de préréglage d’exportation {} ; il y a {}.</translation>
+        <source>There is no export preset {}; choose one of {}.</source>
+        <translation>Il n’y a pas de préréglage d’export {} ; choisissez l’un de {}.</translation>
     </message>
     <message>
         <source>There is no file {}.</source>
         <translation>Il n’y a pas de fichier {}.</translation>
     </message>
     <message>
-        <source>There is no kind of map {}; there is {}.</source>
-        <translation>Il n’y a pas de genre de carte {} ; il y a {}.</translation>
+        <source>There is no kind of map {}; the kinds are {}.</source>
+        <translation>Il n’y a pas de type de carte {} ; les types sont {}.</translation>
     </message>
     <message>
         <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
@@ -1662,10 +1650,6 @@
         <translation>résultat</translation>
     </message>
     <message>
-        <source>{} = {}: it is {}.</source>
-        <translation>{} = {} : il faut {}.</translation>
-    </message>
-    <message>
         <source>{} cannot be read: this build has no reader for {}.</source>
         <translation>{} ne peut être lu : cette version n’a pas de lecteur pour {}.</translation>
     </message>
@@ -1714,7 +1698,7 @@
         <translation>{} ne peut faire de sortie qui se raccorde.</translation>
     </message>
     <message>
-        <source>{} cannot start from an image, so that it cannot follow {}.</source>
+        <source>{} cannot start from an image, so it cannot follow {}.</source>
         <translation>{} ne peut partir d’une image et ne peut donc suivre {}.</translation>
     </message>
     <message>
@@ -1726,7 +1710,7 @@
         <translation>{} a changé depuis que ce résultat a été fait.</translation>
     </message>
     <message>
-        <source>{} copies no pixels, so that it has no position map.</source>
+        <source>{} copies no pixels, so it has no position map.</source>
         <translation>{} ne copie pas de pixels et n’a donc pas de carte de position.</translation>
     </message>
     <message>
@@ -1742,7 +1726,7 @@
         <translation>{} n’utilise pas de masque du modèle.</translation>
     </message>
     <message>
-        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
+        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
         <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
     </message>
     <message>
@@ -1750,23 +1734,15 @@
         <translation>{} n’a pas de pixels.</translation>
     </message>
     <message>
-        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
-        <translation>{} a {} canaux et {} en a {} ; tous les modèles en veulent autant.</translation>
-    </message>
-    <message>
         <source>{} has {} channels; images with up to {} can be opened.</source>
         <translation>{} a {} canaux ; on peut ouvrir des images jusqu’à {}.</translation>
-    </message>
-    <message>
-        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
-        <translation>{} a {} cartes associées et {} en a {} ; chaque modèle veut les mêmes.</translation>
     </message>
     <message>
         <source>{} holds no recipe.</source>
         <translation>{} ne contient pas de recette.</translation>
     </message>
     <message>
-        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without them.</source>
         <translation>{} contient {} valeurs qui ne sont pas des nombres finis, la première au pixel ({}, {}) ; Texloom en veut de finis.</translation>
     </message>
     <message>
@@ -1778,15 +1754,15 @@
         <translation>{} est vide (0 octet).</translation>
     </message>
     <message>
-        <source>{} is longer than {}, too long for what it should be.</source>
-        <translation>{} dépasse {}, trop long pour ce qu’il devrait être.</translation>
+        <source>{} is longer than {}, too long for a file of this kind.</source>
+        <translation>{} dépasse {}, trop long pour un fichier de cette sorte.</translation>
     </message>
     <message>
-        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
+        <source>{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} of {}.</source>
         <translation>{} n’est pas une carte de position : une STMap a 2 à 4 canaux flottants de 32 bits, ce fichier {} de {}.</translation>
     </message>
     <message>
-        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
+        <source>{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.</source>
         <translation>{} n’est pas une carte de position : en PNG elle a 3 canaux de 16 bits, ce fichier {} de {}.</translation>
     </message>
     <message>
@@ -1822,19 +1798,11 @@
         <translation>{} fait {} × {} px ; la synthèse presque régulière veut des modèles d’au moins {} × {} px.</translation>
     </message>
     <message>
-        <source>{} is {}, not an image.</source>
-        <translation>{} est {}, non une image.</translation>
-    </message>
-    <message>
-        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
-        <translation>{} plus grand que les blocs de {} px : les nouveaux sont faits de morceaux de plusieurs ; {}.</translation>
-    </message>
-    <message>
         <source>{} learns from one exemplar, but {} were given.</source>
         <translation>{} apprend d’un modèle, mais {} ont été donnés.</translation>
     </message>
     <message>
-        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
         <translation>{} annonce un modèle de {} × {} px ; les côtés vont de 1 à {} px.</translation>
     </message>
     <message>
@@ -1846,7 +1814,7 @@
         <translation>{} demande {}, dont seuls {} sont libres ; faites un résultat plus petit.</translation>
     </message>
     <message>
-        <source>{} was not straightened: too little of it would be left.</source>
+        <source>{} was not straightened, since too little of it would be left.</source>
         <translation>{} n’a pas été redressé : il en resterait trop peu.</translation>
     </message>
     <message>
@@ -1862,20 +1830,300 @@
         <translation>« {} » n’est pas de:à:nombre, comme 8:64:5, avec un nombre de 2 à {}.</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
         <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
+        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
         <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
+        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
         <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais ou donnez ses vecteurs avec lattice=given.</translation>
     </message>
     <message>
-        <source>{} is what the result is made from and would be lost; name another file.</source>
+        <source>{} is what the result is made from and would be overwritten; name another file.</source>
         <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>&quot;&quot;, &quot;x&quot;, &quot;y&quot; or &quot;xy&quot;</source>
+        <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; ou &quot;xy&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
+        <translation>&quot;horizontal&quot; ou &quot;vertical&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
+        <translation>&quot;smooth&quot; ou &quot;polynomial&quot;</translation>
+    </message>
+    <message>
+        <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
+        <translation>--shard {} : à écrire I/N, avec I de 1 à N, par exemple 3/8.</translation>
+    </message>
+    <message>
+        <source>1 to {}</source>
+        <translation>de 1 à {}</translation>
+    </message>
+    <message>
+        <source>Blocks of {} px hold whole ones.</source>
+        <translation>Des blocs de {} px en contiennent d’entiers.</translation>
+    </message>
+    <message>
+        <source>Deviation, {}</source>
+        <translation>Écart, {}</translation>
+    </message>
+    <message>
+        <source>Occurrence {}</source>
+        <translation>Occurrence {}</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}</source>
+        <translation>Échelle 1/{}</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}, patches of {} px</source>
+        <translation>Échelle 1/{}, patchs de {} px</translation>
+    </message>
+    <message>
+        <source>The angle in degrees</source>
+        <translation>L’angle en degrés</translation>
+    </message>
+    <message>
+        <source>The earlier result in {} is left out: {}</source>
+        <translation>Le résultat antérieur dans {} est laissé de côté : {}</translation>
+    </message>
+    <message>
+        <source>The flattening&apos;s strength</source>
+        <translation>La force de l’égalisation</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>La maille du réseau, de {} × {} px, dépasse les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie on one line.</source>
+        <translation>Les vecteurs ({}, {}) et ({}, {}) px du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
+    </message>
+    <message>
+        <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
+        <translation>La carte demande une image par échantillon dont elle est issue : {}, et non {}.</translation>
+    </message>
+    <message>
+        <source>The polynomial&apos;s order</source>
+        <translation>Le degré du polynôme</translation>
+    </message>
+    <message>
+        <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>Les rangées, distantes de {} px, dépassent les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
+    </message>
+    <message>
+        <source>The window&apos;s width</source>
+        <translation>La largeur de la fenêtre</translation>
+    </message>
+    <message>
+        <source>The work ended for an unknown reason; try again.</source>
+        <translation>Le travail s’est terminé pour une raison inconnue ; réessayez.</translation>
+    </message>
+    <message>
+        <source>There is no method {}; the methods are {}.</source>
+        <translation>Il n’y a pas de méthode {} ; les méthodes sont {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; try a smaller output.</source>
+        <translation>La mémoire n’y suffit pas ; essayez une sortie plus petite.</translation>
+    </message>
+    <message>
+        <source>a list of at least one method</source>
+        <translation>une liste d’au moins une méthode</translation>
+    </message>
+    <message>
+        <source>a list of {} to {}</source>
+        <translation>une liste de {} à {} éléments</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a number, text, true or false</source>
+        <translation>un nombre, un texte, true ou false</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 18446744073709551615</source>
+        <translation>un entier de 0 à 18446744073709551615</translation>
+    </message>
+    <message>
+        <source>a whole number that is not too large</source>
+        <translation>un entier qui ne soit pas trop grand</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>un nombre quelconque</translation>
+    </message>
+    <message>
+        <source>any whole number</source>
+        <translation>un entier quelconque</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>lot</translation>
+    </message>
+    <message>
+        <source>companion</source>
+        <translation>carte associée</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>deep</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>entrée</translation>
+    </message>
+    <message>
+        <source>it was made by another version.</source>
+        <translation>il a été fait par une autre version.</translation>
+    </message>
+    <message>
+        <source>its entry is damaged.</source>
+        <translation>son entrée est endommagée.</translation>
+    </message>
+    <message>
+        <source>its kind of map is not known.</source>
+        <translation>la nature de sa carte est inconnue.</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>masque</translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation>activé ou désactivé</translation>
+    </message>
+    <message>
+        <source>one of crop, rotate, flip, rectify and flatten</source>
+        <translation>l’un de crop, rotate, flip, rectify et flatten</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>l’un de {}</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>préréglage</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>session</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>le nom d’un fichier</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>{} (other ones)</source>
+        <translation>{} (d’autres)</translation>
+    </message>
+    <message>
+        <source>{} = {}: it goes from {} to {}.</source>
+        <translation>{} = {} : va de {} à {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} goes from {}.</source>
+        <translation>{} = {} : {} va de {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is one of {}.</source>
+        <translation>{} = {} : {} est l’un de {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is {}.</source>
+        <translation>{} = {} : {} est {}.</translation>
+    </message>
+    <message>
+        <source>{} Did you mean {}?</source>
+        <translation>{} Vouliez-vous dire {} ?</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} et {}</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of channels, {} and {}; all exemplars need the same.</source>
+        <translation>{} et {} n’ont pas le même nombre de canaux, {} et {} ; tous les échantillons en veulent autant.</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of companion maps, {} and {}; every exemplar needs the same ones.</source>
+        <translation>{} et {} n’ont pas le même nombre de cartes associées, {} et {} ; chaque échantillon veut les mêmes.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
+        <translation>{} ne peut être écrit : la fin du nom n’indique aucun format ; Texloom écrit .png, .jpg, .tif, .exr et .hdr.</translation>
+    </message>
+    <message>
+        <source>{} has no parameter {}; it has {}.</source>
+        <translation>{} n’a pas de paramètre {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not an image.</source>
+        <translation>{} est un dossier, non une image.</translation>
+    </message>
+    <message>
+        <source>{} is a folder.</source>
+        <translation>{} est un dossier.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file, so it is not an image.</source>
+        <translation>{} n’est pas un fichier ordinaire ni une image.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file.</source>
+        <translation>{} n’est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} à {}</translation>
+    </message>
+    <message>
+        <source>{} to {} {}</source>
+        <translation>{} à {} {}</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>{} × {} px</source>
+        <translation>{} × {} px</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{} : {}</translation>
+    </message>
+    <message>
+        <source>“Regular tile” repeats whole ones.</source>
+        <translation>« Tuile régulière » en répète d’entières.</translation>
     </message>
 </context>
 <context>

@@ -304,7 +304,7 @@ void MainWindow::showResult() {
                               .arg(sizeText(size), QString::fromStdString(durationText(m_result->seconds)));
     m_results->setTitle(m_resultQuick ? tr("Quick preview: %1").arg(label) : label);
     QStringList notes;
-    for (const std::string& note : m_result->synthesis.notes)
+    for (const Message& note : m_result->synthesis.notes)
         notes += translated(note);
     m_results->setNotes(notes);
     m_figures->setResult(m_result);

@@ -164,7 +164,7 @@ void Workbench::keep(const QueuedJob& job, const std::shared_ptr<const Result>& 
     if (job.shown)
         m_results->select({key});
     m_log->add(tr("Finished in %1: %2").arg(durationOf(result->seconds), job.label));
-    for (const std::string& note : result->synthesis.notes)
+    for (const Message& note : result->synthesis.notes)
         m_log->add(tr("Note: %1").arg(translated(note)));
 }
 

@@ -83,11 +83,12 @@ void checkCompanions(const RunInput& input) {
     const std::size_t count = input.exemplars.front().companions.size();
     for (const RunExemplar& exemplar : input.exemplars) {
         if (exemplar.companions.size() != count)
-            failUsage("{} has {} companion maps and {} has {}; every exemplar needs the same ones.",
-                      input.exemplars.front().image.name(), count, exemplar.image.name(),
+            failUsage("{} and {} have different numbers of companion maps, {} and {}; every exemplar needs "
+                      "the same ones.",
+                      input.exemplars.front().image.name(), exemplar.image.name(), count,
                       exemplar.companions.size());
         for (const ExemplarFile& companion : exemplar.companions)
-            checkSizeLike(exemplar.image, companion, "companion");
+            checkSizeLike(exemplar.image, companion, TR("companion"));
     }
 }
 
@@ -141,8 +142,8 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
     for (const RecipeStep& step : steps) {
         RunStep planned{&findMethod(step.method), {}, {}};
         if (!plan.steps.empty() && !planned.method->info().startsFromImage)
-            failUsage("{} cannot start from an image, so that it cannot follow {}.",
-                      planned.method->info().title, plan.lastMethod().info().title);
+            failUsage("{} cannot start from an image, so it cannot follow {}.",
+                      Message(planned.method->info().title), Message(plan.lastMethod().info().title));
         planned.settings = planned.method->resolved(step.parameters, exemplar);
         planned.method->check(request, planned.settings);
         planned.estimate = planned.method->estimate(request, planned.settings, plan.threads);
