@@ -179,7 +179,7 @@ std::vector<RecipeStep> stepsOf(const SynthOptions& options) {
 void attach(RunInput& input, const SynthOptions& options) {
     const std::size_t count = input.exemplars.size();
     if (options.masks.size() > count)
-        failUsage("{} masks were given for {} exemplar(s); there is at most one for each.",
+        failUsage("There is at most one mask for each exemplar, but {} were given for {}.",
                   options.masks.size(), count);
     for (std::size_t i = 0; i < options.masks.size(); ++i)
         input.exemplars[i].mask = loadMask(options.masks[i]);

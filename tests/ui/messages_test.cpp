@@ -149,10 +149,9 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, writeTexture(m_folder, QStringLiteral("bark.png"), {48, 40})));
         window.inspector()->rows().front()->setValue(512);
         Q_EMIT window.inspector()->edited();
-        QTRY_COMPARE(
-            window.runPanel()->refusal(),
-            QStringLiteral("bark ist 48 × 40 px groß, kleiner als der Patch von 512 px; wählen Sie einen "
-                           "Patch von höchstens 40 px."));
+        QTRY_VERIFY2(window.runPanel()->refusal().contains(QStringLiteral(
+                         "48 × 40 px groß, kleiner als der Patch von 512 px; wählen Sie einen")),
+                     qPrintable(window.runPanel()->refusal()));
         window.openFiles({QStringLiteral("/no/such/picture.png")});
         QTRY_COMPARE(window.messages()->text(), QStringLiteral("Es gibt keine Datei /no/such/picture.png."));
     }

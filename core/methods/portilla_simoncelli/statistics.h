@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/methods/portilla_simoncelli/marginals.h"
 
 #include <Eigen/Core>

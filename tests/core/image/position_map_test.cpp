@@ -86,11 +86,7 @@ TEST(PositionMap, RefusesAnImageOfAnotherSize) {
 
 TEST(PositionMap, RefusesAnotherNumberOfImages) {
     const PositionMap map({4, 4}, {{8, 8}, {8, 8}});
-    EXPECT_THAT(
-        [&] {
-            map.apply(Image({8, 8}, 1));
-        },
-        ThrowsMessage<Error>(AllOf(HasSubstr("2 exemplar"), HasSubstr("1 image"))));
+    EXPECT_THAT([&] { map.apply(Image({8, 8}, 1)); }, ThrowsMessage<Error>(HasSubstr("2, not 1")));
 }
 
 TEST(PositionMap, RefusesToWorkWithoutImages) {

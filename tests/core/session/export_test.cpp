@@ -58,12 +58,14 @@ TEST(ExportResult, NeverWritesOverWhatTheResultWasMadeFrom) {
                    normal = sample.sample.folder / "bark_normal.png";
     const std::string before = contentOf(bark) + contentOf(normal);
     sample.options.image = sample.sample.folder / "." / "bark.png";
-    EXPECT_THAT([&] { exportResult(sample.result, sample.options); }, usageRefusal("bark.png", "lost"));
-    EXPECT_THAT([&] { exportEntries(sample.result, sample.options); }, usageRefusal("bark.png", "lost"));
+    EXPECT_THAT([&] { exportResult(sample.result, sample.options); },
+                usageRefusal("bark.png", "overwritten"));
+    EXPECT_THAT([&] { exportEntries(sample.result, sample.options); },
+                usageRefusal("bark.png", "overwritten"));
     sample.options.image = sample.out / "made.png";
     sample.options.maps = {normal};
     EXPECT_THAT([&] { exportResult(sample.result, sample.options); },
-                usageRefusal("bark_normal.png", "lost"));
+                usageRefusal("bark_normal.png", "overwritten"));
     EXPECT_EQ(contentOf(bark) + contentOf(normal), before);
     EXPECT_TRUE(filesIn(sample.out.path()).empty());
 }
