@@ -35,7 +35,8 @@ struct SynthOptions {
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
     std::vector<double> weights; ///< of the exemplars, in order; empty: all alike
-    std::optional<std::filesystem::path> initial;
+    std::optional<std::filesystem::path> initial; ///< the input `initial` by its short name
+    std::vector<std::string> inputs;              ///< "NAME=FILE" for further ports of the methods
     OutputOptions out;
 };
 

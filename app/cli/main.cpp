@@ -75,7 +75,13 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                     "Map of the exemplar's size to lay out alike; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command.add_option("--init", options.initial, "Image of the output's size to start from");
+    command.add_option("--init", options.initial,
+                       "Image of the output's size to start from; short for --input initial=FILE");
+    command
+        .add_option("--input", options.inputs,
+                    "What goes into an input of the method, as NAME=FILE; see `methods`; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     command
         .add_option("--mask", options.masks,
                     "Image of the exemplar's size; where it is black nothing is copied")

@@ -46,6 +46,10 @@ std::string fileHash(const fs::path& path) {
     return hash.digest();
 }
 
+std::string bytesHash(std::string_view bytes) {
+    return OIIO::SHA1(bytes.data(), bytes.size()).digest();
+}
+
 void writeText(const fs::path& path, std::string_view text) {
     TemporaryFile temporary(path);
     temporary.write(text.data(), text.size(), 0);

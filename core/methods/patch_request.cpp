@@ -31,7 +31,7 @@ std::vector<PatchSource> patchSources(const Request& request) {
     std::vector<PatchSource> sources;
     for (const Exemplar& exemplar : request.exemplars)
         sources.push_back({exemplar.image->view(),
-                           exemplar.mask ? exemplar.mask->view().plane(0) : PlaneView{}, exemplar.weight});
+                           exemplar.mask() ? exemplar.mask()->view().plane(0) : PlaneView{}, exemplar.weight});
     return sources;
 }
 
@@ -39,7 +39,7 @@ void checkPatchRequest(const Request& request, int patch) {
     bool anyPatch = false;
     for (const Exemplar& exemplar : request.exemplars) {
         checkExemplar(exemplar, patch);
-        anyPatch = anyPatch || !exemplar.mask || leavesWholePatch(exemplar.mask->view().plane(0), patch);
+        anyPatch = anyPatch || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), patch);
     }
     if (!anyPatch)
         failUsage("The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.",

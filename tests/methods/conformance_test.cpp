@@ -27,7 +27,7 @@ std::shared_ptr<const Image> shared(Image image) {
 
 Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed = 7) {
     Request request;
-    request.exemplars.push_back({"made up", shared(blobs(exemplar, channels)), nullptr});
+    request.exemplars.push_back({"made up", shared(blobs(exemplar, channels))});
     request.size = output;
     request.seed = seed;
     return request;
@@ -70,7 +70,7 @@ protected:
 TEST_P(Conformance, sameRecipeGivesTheSameBitsForAnyNumberOfThreads) {
     for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
         Request request = requestFor({48, 40}, 3, {101, 90});
-        if (method().info().wraps)
+        if (method().info().canWrap())
             request.wrap = wrap;
         const Synthesis one = runWith(method(), request, 1);
         expectSame(one, runWith(method(), request, 2));
@@ -180,7 +180,7 @@ Image transposed(const ImageView& image) {
 }
 
 TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
-    if (!method().info().wraps)
+    if (!method().info().canWrap())
         GTEST_SKIP() << "skipped: " << GetParam() << " does not say that it wraps";
     for (const Wrap wrap : {Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
         for (const Size size : {Size{151, 148}, Size{64, 200}}) {
@@ -199,13 +199,13 @@ TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
 TEST_P(Conformance, regionsEqualTheCropOfTheWhole) {
     Request request = requestFor({60, 52}, 3, {141, 120});
     const Region parts[] = {{0, 0, {40, 30}}, {57, 43, {1, 1}}, {33, 20, {70, 64}}, {110, 5, {31, 115}}};
-    if (!method().info().makesRegions) {
+    if (!method().info().makesParts()) {
         request.region = parts[0];
         EXPECT_THROW(runWith(method(), request, 1), UsageError);
         return;
     }
     for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{true, true}}) {
-        if (method().info().wraps)
+        if (method().info().canWrap())
             request.wrap = wrap;
         request.region.reset();
         const Synthesis whole = runWith(method(), request, 2);
@@ -273,17 +273,17 @@ TEST_P(Conformance, tinyExemplarsAreRefusedInASentenceOrWork) {
 }
 
 TEST_P(Conformance, emptyMaskIsRefused) {
-    if (!method().info().usesMask)
+    if (!method().info().heedsMasks())
         GTEST_SKIP() << "skipped: " << GetParam() << " uses no mask";
     Request request = requestFor({64, 64}, 3, {64, 64});
-    request.exemplars.front().mask = shared(constant({64, 64}, 1, 0));
+    request.exemplars.front().inputs.set(kMaskPort, shared(constant({64, 64}, 1, 0)));
     EXPECT_THROW(runWith(method(), request, 1), UsageError);
-    request.exemplars.front().mask = shared(constant({64, 63}, 1, 1));
+    request.exemplars.front().inputs.set(kMaskPort, shared(constant({64, 63}, 1, 1)));
     EXPECT_THROW(runWith(method(), request, 1), UsageError);
 }
 
 TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
-    if (!method().info().usesMask || !method().info().copiesPixels)
+    if (!method().info().heedsMasks() || !method().info().copiesPixels())
         GTEST_SKIP() << "skipped: " << GetParam() << " copies nothing or uses no mask";
     Request request = requestFor({96, 90}, 3, {130, 110});
     Image mask = constant({96, 90}, 1, 1);
@@ -291,7 +291,7 @@ TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
         for (int x = 0; x < 96; ++x)
             if (x > 84 || (x < 6 && y > 70) || (x == 40 && y > 86))
                 mask(x, y, 0) = 0;
-    request.exemplars.front().mask = shared(mask);
+    request.exemplars.front().inputs.set(kMaskPort, shared(mask));
     for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
         request.wrap = wrap;
         const Synthesis result = runWith(method(), request, 2);
@@ -303,10 +303,10 @@ TEST_P(Conformance, whatTheMaskHidesIsNeverCopied) {
 }
 
 TEST_P(Conformance, exemplarsCountAsMuchAsTheyWeigh) {
-    if (!method().info().weighsExemplars)
+    if (!method().info().heedsWeights())
         GTEST_SKIP() << "skipped: " << GetParam() << " takes all exemplars alike";
     Request request = requestFor({40, 40}, 3, {80, 70});
-    request.exemplars.push_back({"another", shared(blobs({36, 44}, 3, 2)), nullptr});
+    request.exemplars.push_back({"another", shared(blobs({36, 44}, 3, 2))});
     const auto weighed = [&](double first, double second) {
         request.exemplars.front().weight = first;
         request.exemplars.back().weight = second;
@@ -315,7 +315,7 @@ TEST_P(Conformance, exemplarsCountAsMuchAsTheyWeigh) {
     const Synthesis plain = weighed(1, 1), first = weighed(20, 0.5), second = weighed(0.5, 20);
     EXPECT_TRUE(samePixels(plain.image, weighed(3, 3).image));
     EXPECT_FALSE(samePixels(first.image, second.image));
-    if (!method().info().copiesPixels)
+    if (!method().info().copiesPixels())
         return;
     const auto pixelsOfFirst = [](const PositionMap& map) {
         int count = 0;
@@ -363,7 +363,7 @@ TEST_P(Conformance, valuesAboveOneAreKept) {
 
 TEST_P(Conformance, initialImageOfAnotherSizeIsRefused) {
     Request request = requestFor({64, 64}, 3, {80, 80});
-    request.initial = shared(constant({80, 79}, 3, 0.5F));
+    request.inputs.set(kInitialPort, shared(constant({80, 79}, 3, 0.5F)));
     EXPECT_THROW(runWith(method(), request, 1), UsageError);
 }
 

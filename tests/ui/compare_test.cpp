@@ -334,7 +334,7 @@ private Q_SLOTS:
         QCOMPARE(compare->pictures(), 6);
         const ResultEntry* const made = window.workbench()->history()->find(compare->items()[4].key);
         QCOMPARE(made->recipe.seed, 6U);
-        QCOMPARE(std::get<int>(made->recipe.parameters.at("patch")), 10);
+        QCOMPARE(std::get<int>(made->recipe.steps.front().parameters.at("patch")), 10);
     }
 
 private:

@@ -73,7 +73,7 @@ bool idle(const MainWindow& window) {
 std::string resultOf(const MainWindow& window, const char* method) {
     for (const CompareItem& item : window.workbench()->compare()->items())
         if (const ResultEntry* entry = window.workbench()->history()->find(item.key);
-            entry != nullptr && entry->recipe.method == method)
+            entry != nullptr && entry->recipe.steps.front().method == method)
             return item.key;
     return {};
 }
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(idle(window), kPatience);
         const ResultEntry* const taken = window.workbench()->history()->find(compare->items()[1].key);
         QTest::keyClick(compare->viewer(1), Qt::Key_Return);
-        QCOMPARE(window.inspector()->method()->id(), taken->recipe.method);
+        QCOMPARE(window.inspector()->method()->id(), taken->recipe.steps.front().method);
 
         finished.clear();
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());

@@ -42,7 +42,7 @@ QString resultFolder() {
 /// A finished run of 48 × 40 px made without a window.
 std::shared_ptr<const Result> smallResult(const QString& exemplar, std::uint64_t seed) {
     RunInput input;
-    input.method = "random-phase";
+    input.steps.front().method = "random-phase";
     input.exemplars.push_back({loadExemplar(toPath(exemplar)), {}, {}});
     input.size = {48, 40};
     input.seed = seed;
@@ -58,8 +58,8 @@ QImage plain(QRgb color) {
 
 RunPlan planFor(const QString& exemplar, Size size, std::uint64_t seed) {
     RunInput input;
-    input.method = "quilting";
-    input.settings = {{"patch", 16}};
+    input.steps.front().method = "quilting";
+    input.steps.front().parameters = {{"patch", 16}};
     input.exemplars.push_back({loadExemplar(toPath(exemplar)), {}, {}});
     input.size = size;
     input.seed = seed;

@@ -426,8 +426,8 @@ private Q_SLOTS:
 
     void roundsOfAStressTestStandSideBySide() {
         RunInput input;
-        input.method = "quilting";
-        input.settings = {{"patch", 12}};
+        input.steps.front().method = "quilting";
+        input.steps.front().parameters = {{"patch", 12}};
         input.exemplars = {{imageOf(m_grain).file, {}, {}}};
         input.size = {64, 64};
         StressDialog dialog(input);
@@ -439,7 +439,7 @@ private Q_SLOTS:
         const PlotData& data = dialog.plot()->data();
         QCOMPARE(data.series.front().points.size(), std::size_t{3});
         QVERIFY(data.series.front().points[2].y() > 0);
-        input.settings = {{"patch", 500}};
+        input.steps.front().parameters = {{"patch", 500}};
         StressDialog refused(input);
         refused.start();
         QTRY_VERIFY_WITH_TIMEOUT(refused.message().contains(QStringLiteral("500")), kPatience);

@@ -45,7 +45,7 @@ QString finishedText(const ResultEntry& entry) {
 
 QString methodsText(const ResultEntry& entry) {
     QStringList titles;
-    for (const RecipeStep& step : entry.steps())
+    for (const RecipeStep& step : entry.recipe.steps)
         titles += methodTitle(step.method);
     return titles.join(QStringLiteral(" + "));
 }

@@ -66,11 +66,10 @@ LoadedSession loadAll(Session session) {
         }
     }
     try {
-        if (const auto& initial = session.settings.initial)
-            loaded.initial = loadExemplar(initial->path, initial->space);
+        loaded.inputs = loadInputs(session.settings.inputs, session.settings.steps, loaded.exemplars);
     } catch (const std::exception& error) {
         loaded.leftOut += sentence(error);
-        session.settings.initial.reset();
+        session.settings.inputs.clear();
     }
     loaded.session = std::move(session);
     return loaded;

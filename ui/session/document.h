@@ -21,7 +21,7 @@ namespace texloom::ui {
 struct LoadedSession {
     Session session;
     std::vector<RunExemplar> exemplars; ///< one for each of the session's
-    std::optional<ExemplarFile> initial;
+    InputFiles inputs;
     QStringList changed; ///< names of files that are not those the session knew
     QStringList leftOut; ///< sentences about files that could not be read
 };

@@ -63,8 +63,8 @@ QString nameOf(const QString& difference) {
         return UndoHistory::tr("Seed");
     if (group == QLatin1String("wrap"))
         return UndoHistory::tr("Wraps");
-    if (group == QLatin1String("initial"))
-        return UndoHistory::tr("Start from");
+    if (group == QLatin1String("inputs"))
+        return UndoHistory::tr("Input");
     return UndoHistory::tr("Settings");
 }
 

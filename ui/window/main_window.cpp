@@ -11,6 +11,7 @@
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/method_chooser.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
@@ -74,13 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
 
     m_method->setObjectName(QStringLiteral("method"));
     m_method->setAccessibleName(tr("Method"));
-    for (const Method& method : methods()) {
-        m_method->addItem(translated(method.info().title), QString::fromStdString(method.id()));
-        m_method->setItemData(
-            m_method->count() - 1,
-            tr("%1\n%2").arg(translated(method.info().summary), translated(method.info().citation)),
-            Qt::ToolTipRole);
-    }
+    fillWithMethods(m_method, [](const MethodInfo&) { return true; });
     m_method->setCurrentIndex(m_method->findData(kFirstMethod));
     makeCentre();
     makeDocks();

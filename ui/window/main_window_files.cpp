@@ -125,7 +125,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     event->acceptProposedAction();
     if (m_store->current() != nullptr)
         return m_drop->open(!localFiles(*event->mimeData()).isEmpty(),
-                            m_inspector->allMethods(&MethodInfo::usesMask));
+                            useOf(m_inspector->steps()).masks);
     m_start->setDropping(true);
     statusBar()->showMessage(tr("Let go to open it as an exemplar."));
 }
@@ -209,15 +209,14 @@ void MainWindow::restore(const RunInput& input) {
 
 void MainWindow::applySettings(const RunInput& input) {
     m_undo->asOne([this, &input] {
-        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
+        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.steps.front().method)));
         OutputGroup* const output = m_inspector->output();
         output->setOutputSize(input.size);
         output->setWrap(input.wrap);
         output->setSeed(input.seed);
-        output->setInitial(input.initial);
         output->setPart(input.region);
-        m_inspector->setValues(input.settings);
-        m_inspector->setThen(input.then);
+        m_inspector->setSteps(input.steps);
+        output->setInputs(input.inputs);
     });
     plan();
 }
@@ -244,11 +243,9 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
 
 void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
     const Size size = keepSize ? m_inspector->output()->outputSize() : recipe.size;
-    if (!recipe.initial && openExemplarsOf(recipe)) {
+    if (recipe.inputs.empty() && openExemplarsOf(recipe)) {
         RunInput input;
-        input.method = recipe.method;
-        input.settings = recipe.parameters;
-        input.then = recipe.then;
+        input.steps = recipe.steps;
         input.size = size;
         input.wrap = recipe.wrap;
         input.seed = recipe.seed;

@@ -1,4 +1,5 @@
 #include "core/base/text.h"
+#include "core/session/run/exemplar_use.h"
 #include "ui/common/background.h"
 #include "ui/common/message_bar.h"
 #include "ui/common/text.h"
@@ -48,11 +49,13 @@ struct Outlook {
     }
 };
 
-/// The top left of an image to start from, for a preview of this size.
-ExemplarFile croppedTo(const ExemplarFile& file, Size size) {
-    ExemplarFile part = file;
-    if (file.image->width() >= size.width && file.image->height() >= size.height)
-        part.image = std::make_shared<const Image>(file.image->view().crop(0, 0, size));
+/// The top left of a picture of the output's size, for a preview of this size.
+InputFile croppedTo(const InputFile& input, Size size) {
+    const Image* const image = input.image();
+    if (image == nullptr || image->width() < size.width || image->height() < size.height)
+        return input;
+    ExemplarFile part = input.file;
+    part.image = std::make_shared<const Image>(image->view().crop(0, 0, size));
     return part;
 }
 
@@ -70,27 +73,22 @@ Size quickSize(Size size) {
 }
 
 std::vector<RunExemplar> MainWindow::usedExemplars() const {
-    std::vector<RunExemplar> used;
-    const bool several = m_inspector->allMethods(&MethodInfo::severalExemplars);
-    const bool masks = m_inspector->allMethods(&MethodInfo::usesMask);
-    const bool weights = m_inspector->allMethods(&MethodInfo::weighsExemplars);
-    for (const ExemplarEntry& entry : m_store->entries())
-        if (several ? entry.checked : &entry == m_store->current()) {
-            used.push_back(entry.exemplar);
-            if (!masks)
-                used.back().mask.reset();
-            if (!weights)
-                used.back().weight = 1;
-        }
-    return used;
+    std::vector<RunExemplar> all;
+    std::vector<bool> ticked;
+    std::size_t current = 0;
+    for (const ExemplarEntry& entry : m_store->entries()) {
+        if (&entry == m_store->current())
+            current = all.size();
+        all.push_back(entry.exemplar);
+        ticked.push_back(entry.checked);
+    }
+    return exemplarsFor(m_inspector->steps(), all, ticked, current);
 }
 
 RunInput MainWindow::input(bool quick) const {
     const OutputGroup* const output = m_inspector->output();
     RunInput input;
-    input.method = m_inspector->method()->id();
-    input.settings = m_inspector->values();
-    input.then = m_inspector->then();
+    input.steps = m_inspector->steps();
     input.exemplars = usedExemplars();
     input.size = quick ? quickSize(output->outputSize()) : output->outputSize();
     input.wrap = output->wrap();
@@ -98,8 +96,12 @@ RunInput MainWindow::input(bool quick) const {
     input.threads = output->threads();
     if (!quick)
         input.region = output->part();
-    if (output->initial())
-        input.initial = quick ? croppedTo(*output->initial(), input.size) : output->initial();
+    input.inputs = output->inputs();
+    if (quick)
+        for (auto& [id, files] : input.inputs)
+            if (portOf(input.steps, id).extent == Extent::Output)
+                for (InputFile& file : files)
+                    file = croppedTo(file, input.size);
     return input;
 }
 
@@ -111,10 +113,9 @@ void MainWindow::methodChosen() {
 }
 
 void MainWindow::settingsEdited() {
-    m_exemplars->setAbilities({m_inspector->allMethods(&MethodInfo::severalExemplars),
-                               m_inspector->allMethods(&MethodInfo::weighsExemplars),
-                               m_inspector->allMethods(&MethodInfo::usesMask)});
-    m_editor->setMaskUsed(m_inspector->allMethods(&MethodInfo::usesMask));
+    const ExemplarUse use = useOf(m_inspector->steps());
+    m_exemplars->setAbilities(use);
+    m_editor->setMaskUsed(use.masks);
     m_undo->settingsEdited();
     m_document->touch();
     planSoon();
@@ -122,10 +123,9 @@ void MainWindow::settingsEdited() {
 
 void MainWindow::usePreset(const Preset& preset) {
     m_undo->asOne([this, &preset] {
-        const RecipeStep& first = preset.steps.front();
-        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(first.method)));
-        m_inspector->setValues(first.parameters);
-        m_inspector->setThen({preset.steps.begin() + 1, preset.steps.end()});
+        m_method->setCurrentIndex(
+            m_method->findData(QString::fromStdString(preset.steps.front().method)));
+        m_inspector->setSteps(preset.steps);
     });
 }
 
@@ -190,7 +190,7 @@ void MainWindow::updateActions() {
     m_actions.exportResult->setEnabled(m_result && m_resultShown);
     m_actions.copyResult->setEnabled(m_result && m_resultShown);
     const ExemplarEntry* const current = m_store->current();
-    const bool masks = m_inspector->allMethods(&MethodInfo::usesMask);
+    const bool masks = useOf(m_inspector->steps()).masks;
     m_actions.editExemplar->setEnabled(current != nullptr);
     m_actions.addCompanions->setEnabled(current != nullptr);
     m_actions.setMask->setEnabled(current != nullptr && masks);

@@ -67,8 +67,7 @@ Session MainWindow::session() const {
     Session session;
     session.settings = state.settings;
     session.seedLocked = state.seedLocked;
-    if (state.initial)
-        session.settings.initial = recipeFile(*state.initial);
+    session.settings.inputs = recipeInputs(state.inputs);
     for (const ExemplarEntry& entry : m_store->entries()) {
         if (&entry == m_store->current())
             session.current = static_cast<int>(session.used.size());
@@ -94,7 +93,7 @@ void MainWindow::showSession(const LoadedSession& loaded, const std::function<vo
                 m_store->setCurrent(ids[static_cast<std::size_t>(loaded.session.current)]);
             {
                 const UndoHistory::Pause pause(m_undo);
-                showSettings({loaded.session.settings, loaded.initial, loaded.session.seedLocked}, *m_method,
+                showSettings({loaded.session.settings, loaded.inputs, loaded.session.seedLocked}, *m_method,
                              *m_inspector);
             }
             m_undo->clear();

@@ -84,7 +84,7 @@ void MainWindow::connectTools() {
     });
     connect(m_actions.stress, &QAction::triggered, this, [this] {
         RunInput first = input(false);
-        first.initial.reset();
+        first.inputs.clear();
         first.region.reset();
         for (RunExemplar& exemplar : first.exemplars)
             exemplar.companions.clear();

@@ -70,8 +70,8 @@ QString labelOf(const SweepCell& cell) {
 
 /// What the runs of a sweep have in common: "Image quilting · bark · 512 × 512".
 QString headingOf(const RunInput& input) {
-    QStringList methods{translated(findMethod(input.method).info().title)};
-    for (const RecipeStep& step : input.then)
+    QStringList methods;
+    for (const RecipeStep& step : input.steps)
         methods += translated(findMethod(step.method).info().title);
     QStringList names;
     for (const RunExemplar& exemplar : input.exemplars)
@@ -416,14 +416,13 @@ void Workbench::tryMethods(const std::vector<std::string>& ids, bool quick) {
     for (const std::string& id : ids) {
         const Method& method = findMethod(id);
         RunInput input;
-        input.method = id;
+        input.steps = {{id, {}}};
         input.exemplars = {current->exemplar};
-        if (!method.info().usesMask)
-            input.exemplars.front().mask.reset();
         input.size = asked.size;
-        input.wrap = method.info().wraps ? asked.wrap : Wrap{};
+        input.wrap = asked.wrap;
         input.seed = asked.seed;
         input.threads = asked.threads;
+        keepUsed(input);
         const QString label = tr("%1 · seed %2 · %3")
                                   .arg(translated(method.info().title))
                                   .arg(input.seed)

@@ -154,9 +154,9 @@ const Method self = method<Settings>(
          TR("Continues what is there: every patch is drawn from the Gaussian of similar ones, given the "
             "pixels it shares. No seams and no stitching, but soft."),
      .citation = "Raad, Desolneux & Morel, 2014; Raad, thesis 2016, algorithms 3 and 4",
-     .wraps = true,
-     .usesMask = true,
-     .severalExemplars = true},
+     .category = Category::Patches,
+     .takes = {ports::exemplars(), ports::mask()},
+     .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.16)
          .help(TR("Side of the patches: larger keeps larger structures whole, smaller finds more that are "
                   "alike.")),

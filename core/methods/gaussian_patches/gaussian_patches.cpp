@@ -42,8 +42,8 @@ public:
         m_context.stage(0.02, TR("Preparing the exemplar"));
         for (const PatchCell& cell : m_canvas.grid().cells())
             m_search.prepare(compared(cell));
-        if (m_request.initial)
-            m_guide.fill(*m_request.initial);
+        if (m_request.initial())
+            m_guide.fill(*m_request.initial());
         else
             layOutExemplar();
         return grown(
@@ -59,7 +59,7 @@ private:
 
     /// Without an initial image the guide goes on beyond the output.
     Footprint compared(const PatchCell& cell) const {
-        return Footprint::filled(m_request.initial ? m_canvas.visible(cell)
+        return Footprint::filled(m_request.initial() ? m_canvas.visible(cell)
                                                    : Size{m_settings.patch, m_settings.patch});
     }
 
@@ -125,10 +125,9 @@ const Method self = method<Settings>(
      .summary = TR("A variant of the exemplar itself, or of an initial image: every patch is replaced by a "
                    "random blend of the exemplar patches most like it. The layout stays."),
      .citation = "Raad, thesis 2016, algorithm 1",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true},
+     .category = Category::Patches,
+     .takes = {ports::exemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.12)
          .help(TR("Side of the patches that are replaced: larger changes larger parts at once.")),
      neighboursField(&Settings::neighbours)

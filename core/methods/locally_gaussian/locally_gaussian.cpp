@@ -95,9 +95,9 @@ const Method self = method<Settings>(
      .summary = TR("Like quilting, but every patch is new: a random blend of the exemplar patches that fit "
                    "best. Innovates where quilting copies; a little softer."),
      .citation = "Raad, Desolneux & Morel, SSVM 2015; Raad, thesis 2016, algorithm 2",
-     .wraps = true,
-     .usesMask = true,
-     .severalExemplars = true},
+     .category = Category::Patches,
+     .takes = {ports::exemplars(), ports::mask()},
+     .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.12)
          .help(TR("Side of the patches: larger keeps larger structures whole, smaller finds more that are "
                   "alike.")),

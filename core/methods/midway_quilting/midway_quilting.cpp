@@ -40,8 +40,8 @@ public:
             m_search.prepare(compared(cell));
             m_stitcher.prepare(cell.overlap);
         }
-        if (m_request.initial)
-            m_canvas.fill(*m_request.initial);
+        if (m_request.initial())
+            m_canvas.fill(*m_request.initial());
         return grown(
             m_canvas, m_request, TR("Placing patches"), kMapWeight,
             [this](const PatchCell& cell) { place(cell); }, m_context);
@@ -55,12 +55,12 @@ private:
     };
 
     Footprint compared(const PatchCell& cell) const {
-        return m_request.initial ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
+        return m_request.initial() ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
     }
 
     PatchPosition choose(const PatchCell& cell, Workspace& work) const {
         const Random& random = m_context.random();
-        if (cell.overlap.none() && !m_request.initial)
+        if (cell.overlap.none() && !m_request.initial())
             return m_search.drawn(random.uniform(cell.column, cell.row));
         m_search.compute(work.known, compared(cell), work.search, [this] { m_context.check(); });
         return m_search.drawn(m_search.within(m_settings.tolerance, work.search), random, cell.column,
@@ -113,11 +113,9 @@ const Method self = method<Settings>(
          TR("Quilting that bends patches to meet instead of cutting them: structures such as stripes are "
             "drawn together along the overlap."),
      .citation = "Raad, thesis 2016, algorithm 11",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true,
-     .weighsExemplars = true},
+     .category = Category::Patches,
+     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.16)
          .help(TR("Side of the squares that are copied: larger keeps larger structures whole, smaller varies "
                   "more.")),

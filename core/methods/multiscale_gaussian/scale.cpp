@@ -45,8 +45,8 @@ ExemplarScales exemplarScales(const Exemplar& exemplar, int scales, const std::f
         ExemplarScale& one = made.emplace_back();
         const ExemplarScale* finer = scale > 0 ? &made[static_cast<std::size_t>(scale) - 1] : nullptr;
         one.image = finer ? everySecond(finer->low) : *exemplar.image;
-        if (exemplar.mask)
-            one.mask = finer ? everySecond(finer->mask) : *exemplar.mask;
+        if (exemplar.mask())
+            one.mask = finer ? everySecond(finer->mask) : *exemplar.mask();
         if (scale + 1 < scales) {
             one.low = blurred(one.image, kZoomSigma, {}, check);
             one.high = difference(one.image, one.low);

@@ -80,7 +80,7 @@ Size Optimizer::canvasFor(Size output, Wrap wrap, int patch) {
 int Optimizer::levelsFor(const Request& request, const Settings& settings) {
     const int wanted =
         std::min(settings.scales, ExemplarPyramid::levelsFor(request.exemplarSizes(), 2 * settings.patch));
-    return request.initial ? std::min(wanted, kInitialLevels) : wanted;
+    return request.initial() ? std::min(wanted, kInitialLevels) : wanted;
 }
 
 bool Optimizer::narrows(double persons, double objects, int iterations) {
@@ -104,7 +104,6 @@ Optimizer::Optimizer(const Request& request, const Settings& settings, JobContex
         range = {std::min(range.smallest, own.smallest), std::max(range.largest, own.largest)};
     }
     m_range = static_cast<double>(range.largest - range.smallest);
-    m_result.curves.push_back({TR("Mean cost of a patch"), {}});
 }
 
 Size Optimizer::canvas(int level) const {
@@ -139,8 +138,8 @@ void Optimizer::start(int level) {
                      m_request.channels());
     if (coarse)
         return load(*coarse);
-    if (m_request.initial) {
-        Image initial(*m_request.initial);
+    if (m_request.initial()) {
+        Image initial(*m_request.initial());
         for (int i = 0; i < level; ++i)
             initial = halved(initial);
         return load(initial);
@@ -201,7 +200,6 @@ void Optimizer::optimize(int level) {
             TR("At this size every patch chose among a few that suit it, so that some are "
                "used a little more often than others."));
     const int count = iterations(level);
-    const std::vector<double>& costs = m_result.curves.front().values;
     for (int iteration = 0; iteration < count; ++iteration) {
         pass.epsilon = toleranceAt(level, iteration);
         const double changed = project(pass);
@@ -211,7 +209,7 @@ void Optimizer::optimize(int level) {
         if (changed <= (pass.narrowed ? kNarrowChange : 0))
             break;
         if (nearOptimal() && iteration > 0 &&
-            costs.back() > (1 - (level == 0 ? kSettledFine : kSettled)) * costs[costs.size() - 2])
+            m_costs.back() > (1 - (level == 0 ? kSettledFine : kSettled)) * m_costs[m_costs.size() - 2])
             break;
     }
     if (level == 0)
@@ -264,7 +262,8 @@ double Optimizer::project(Pass& pass) {
     double cost = 0;
     for (Band& band : pass.bands)
         cost += assign(pass, band);
-    m_result.curves.front().values.push_back(cost / static_cast<double>(pass.chosen.size()));
+    m_costs.push_back(cost / static_cast<double>(pass.chosen.size()));
+    m_context.curve(TR("Mean cost of a patch"), m_costs.back());
     std::int64_t changed = 0;
     for (std::size_t n = 0; n < before.size(); ++n)
         changed += pass.chosen[n] != before[n];

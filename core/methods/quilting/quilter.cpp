@@ -23,11 +23,11 @@ void Quilter::prepareExemplars() {
 
 Footprint Quilter::compared(const PatchCell& cell) const {
     // The last patches reach beyond the output, where the initial image says nothing.
-    return m_request.initial ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
+    return m_request.initial() ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
 }
 
 PatchPosition Quilter::choose(const PatchCell& cell, Workspace& work) const {
-    if (cell.overlap.none() && !m_request.initial)
+    if (cell.overlap.none() && !m_request.initial())
         return m_search.drawn(m_context.random().uniform(cell.column, cell.row));
     m_search.compute(work.known, compared(cell), work.scratch, [this] { m_context.check(); });
     return m_search.drawn(m_search.within(m_settings.tolerance, work.scratch), m_context.random(),
@@ -66,8 +66,8 @@ void Quilter::place(int index) {
 Synthesis Quilter::run(Order order) {
     m_context.stage(0.05, TR("Preparing the exemplar"));
     prepareExemplars();
-    if (m_request.initial)
-        m_canvas.fill(*m_request.initial);
+    if (m_request.initial())
+        m_canvas.fill(*m_request.initial());
     m_context.stage(0.95, TR("Placing patches"));
     const auto body = [this](int index) { place(index); };
     const auto show = [this] { m_context.preview(m_canvas.image(), &m_map); };

@@ -28,12 +28,9 @@ const Method self = method<Settings>(
          TR("Sews square patches of the exemplar together along the cuts where they differ least. Fast and "
             "faithful to structure such as bricks or leaves; copies larger areas verbatim."),
      .citation = "Efros & Freeman, SIGGRAPH 2001; Raad & Galerne, IPOL 2017",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true,
-     .weighsExemplars = true,
-     .copiesPixels = true},
+     .category = Category::Patches,
+     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage(), ports::map()}},
     {patchField(&Settings::patch, 0.16)
          .range(4, 512)
          .symbol("w_p")

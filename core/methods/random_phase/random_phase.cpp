@@ -179,7 +179,9 @@ const Method self = method<Settings>(
          "and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses "
          "edges and objects."),
      .citation = "Galerne, Gousseau & Morel, IEEE TIP 2011; Moisan, J. Math. Imaging Vis. 2011",
-     .wraps = true},
+     .category = Category::Statistics,
+     .takes = {ports::exemplar()},
+     .gives = {ports::wrappingImage()}},
     {field(&Settings::model, "model", TR("Model"))
          .choices({{"phase-noise", TR("Random phase noise")}, {"spot-noise", TR("Asymptotic spot noise")}})
          .help(

@@ -86,14 +86,13 @@ Size Optimizer::canvasFor(Size output, Wrap wrap) {
 int Optimizer::levelsFor(const Request& request, const Settings& settings) {
     const int wanted =
         std::min(settings.scales, ExemplarPyramid::levelsFor(request.exemplarSizes(), kSmallestSide));
-    return request.initial ? std::min(wanted, kInitialLevels) : wanted;
+    return request.initial() ? std::min(wanted, kInitialLevels) : wanted;
 }
 
 Optimizer::Optimizer(const Request& request, const Settings& settings, JobContext& context)
     : m_request(request), m_settings(settings), m_context(context),
       m_pyramid(patchSources(request), levelsFor(request, settings), kSmallestPatch,
                 [&context] { context.check(); }) {
-    m_result.curves.push_back({TR("Energy of a patch"), {}});
 }
 
 Size Optimizer::canvas(int level) const {
@@ -143,8 +142,8 @@ Synthesis Optimizer::run() {
 }
 
 void Optimizer::startRandom(int level) {
-    if (m_request.initial) {
-        Image initial(*m_request.initial);
+    if (m_request.initial()) {
+        Image initial(*m_request.initial());
         for (int i = 0; i < level; ++i)
             initial = halved(initial);
         return load(initial);
@@ -256,7 +255,7 @@ bool Optimizer::project(Pass& pass, int iteration) {
     double energy = 0;
     for (const double row : energies)
         energy += row;
-    m_result.curves.front().values.push_back(energy / static_cast<double>(count.area()));
+    m_context.curve(TR("Energy of a patch"), energy / static_cast<double>(count.area()));
     return changed;
 }
 

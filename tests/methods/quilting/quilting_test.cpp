@@ -22,7 +22,7 @@ std::shared_ptr<const Image> shared(Image image) {
 
 Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
     Request request;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar)), nullptr});
+    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
     request.size = output;
     request.wrap = wrap;
     request.seed = 3;
@@ -89,7 +89,7 @@ TEST(Quilting, startingFromAPartOfTheExemplarGivesItBack) {
     for (const Size size : {Size{64, 52}, Size{61, 50}}) {
         const Image part(exemplar.view().crop(0, 0, size));
         Request request = requestFor(exemplar, size);
-        request.initial = shared(part);
+        request.inputs.set(kInitialPort, shared(part));
         EXPECT_TRUE(samePixels(quilt(request, {16, 0.25, 0, Stitch::Cut, 3}).image, part));
     }
 }
@@ -101,7 +101,7 @@ TEST(Quilting, initialImageIsComparedOverWholePatches) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             blurredHalves(x, y, 0) = 0.5F * (exemplar(x, y, 0) + exemplar(std::min(63, x + 1), y, 0));
-    request.initial = shared(blurredHalves);
+    request.inputs.set(kInitialPort, shared(blurredHalves));
     const Synthesis result = quilt(request, {16, 0.25, 0, Stitch::Cut, 3});
     int near = 0;
     for (int y = 0; y < 64; ++y)
@@ -116,7 +116,7 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
     for (int y = 20; y < 30; ++y)
         for (int x = 25; x < 40; ++x)
             mask(x, y, 0) = 0;
-    request.exemplars.front().mask = shared(mask);
+    request.exemplars.front().inputs.set(kMaskPort, shared(mask));
     const Synthesis result = quilt(request, {12, 0.25, 0.1, Stitch::Cut, 3});
     for (int y = 0; y < 150; ++y)
         for (int x = 0; x < 150; ++x) {
@@ -127,7 +127,7 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
 
 TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
     Request request = requestFor(blobs({40, 40}, 3, 1), {200, 200});
-    request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1)), nullptr});
+    request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1))});
     const Synthesis result = quilt(request, {12, 0.25, 0.5, Stitch::Cut, 3});
     std::set<int> used;
     for (int y = 0; y < 200; ++y)
