@@ -6,9 +6,10 @@
 #include "core/color/color_pipeline.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
-#include "core/session/export/export.h"
 #include "core/methods/registry.h"
+#include "core/session/export/export.h"
 #include "core/session/preset.h"
+#include "core/session/run/checkpoint_file.h"
 #include "core/session/run/run.h"
 #include "core/session/session.h"
 
@@ -297,6 +298,22 @@ void checkOutputs(const RunPlan& plan, const OutputOptions& out, Depth depth) {
     }
 }
 
+/// Runs a plan that leaves checkpoints beside the output, if its methods do, and goes on from the last one if
+/// that is wanted.
+Result runWithCheckpoints(RunPlan plan, const OutputOptions& out) {
+    const fs::path file = checkpointFor(out.output);
+    Checkpoints checkpoints;
+    if (fs::exists(file)) {
+        const CheckpointFile earlier = readCheckpoint(file); // also refuses to write over something else
+        if (out.resume)
+            checkpoints.resumed = resumable(earlier, plan);
+    }
+    checkpoints.keep = [file, recipe = plan.recipe](const Checkpoint& checkpoint) {
+        writeCheckpoint(file, recipe, checkpoint);
+    };
+    return followed(*startRun(std::move(plan), false, {}, std::move(checkpoints)), out.quiet);
+}
+
 /// Runs a planned synthesis to the end and writes what was asked for.
 void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& out) {
     ExportOptions options;
@@ -309,9 +326,11 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     options.check = checkInterrupt;
 
     const auto make = [&out](RunPlan run) { return runToEnd(std::move(run), out.quiet); };
-    const Result result = plan.stripRows > 0 ? exportStrips(plan, options, make) : make(std::move(plan));
+    const Result result =
+        plan.stripRows > 0 ? exportStrips(plan, options, make) : runWithCheckpoints(std::move(plan), out);
     if (result.plan.stripRows == 0)
         exportResult(result, options);
+    fs::remove(checkpointFor(out.output));
     for (const std::string& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);

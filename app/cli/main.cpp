@@ -37,6 +37,8 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
         ->check(CLI::Range(1, 1 << 24));
     command.add_option("--report", out.report,
                        "JSON file for recipe, timings, peak memory, figures and curves");
+    command.add_flag("--resume", out.resume,
+                     "Go on from the checkpoint that a run which was broken off left beside the output");
     command.add_flag("--no-sidecar", out.noSidecar, "Do not write the recipe beside the output");
     command.add_flag("--quiet", out.quiet, "Print nothing but errors");
 }

@@ -120,8 +120,7 @@ void addSteps(Json& json, const std::vector<RecipeStep>& steps) {
     json["method"] = steps.front().method;
     json["parameters"] = toJson(steps.front().parameters);
     for (std::size_t i = 1; i < steps.size(); ++i)
-        json["then"].push_back(
-            {{"method", steps[i].method}, {"parameters", toJson(steps[i].parameters)}});
+        json["then"].push_back({{"method", steps[i].method}, {"parameters", toJson(steps[i].parameters)}});
 }
 
 RecipeStep stepFrom(const JsonField& field) {

@@ -34,7 +34,7 @@ struct RecipeExemplar {
     RecipeFile image;
     std::optional<RecipeFile> mask;
     std::vector<RecipeFile> companions;
-    RecipeInputs inputs = {};  ///< further pictures of the exemplar's size
+    RecipeInputs inputs = {}; ///< further pictures of the exemplar's size
     ExemplarEdits edits = {}; ///< made in order, on everything that belongs to the exemplar
     double weight = 1;        ///< see Exemplar::weight
 };

@@ -5,8 +5,8 @@
 namespace texloom {
 
 void addTo(std::vector<Curve>& curves, const std::string& name, double value) {
-    const auto found =
-        std::find_if(curves.begin(), curves.end(), [&name](const Curve& curve) { return curve.name == name; });
+    const auto found = std::find_if(curves.begin(), curves.end(),
+                                    [&name](const Curve& curve) { return curve.name == name; });
     if (found != curves.end())
         found->values.push_back(value);
     else

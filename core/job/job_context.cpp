@@ -94,8 +94,9 @@ private:
 JobContext::JobContext(const JobOptions& options, std::function<bool()> stopped, JobMonitor& monitor,
                        std::function<bool()> kept)
     : m_seed(options.seed), m_random(options.seed), m_threads(threadCount(options.threads)),
-      m_previews(options.previews), m_stopped(std::move(stopped)), m_kept(std::move(kept)), m_keep(options.keep),
-      m_resumed(options.resumed), m_monitor(monitor), m_arena(std::make_unique<Arena>(m_threads)) {}
+      m_previews(options.previews), m_stopped(std::move(stopped)), m_kept(std::move(kept)),
+      m_keep(options.keep), m_resumed(options.resumed), m_monitor(monitor),
+      m_arena(std::make_unique<Arena>(m_threads)) {}
 
 JobContext::~JobContext() = default;
 

@@ -25,12 +25,13 @@ struct StoppedEarly {};
 
 /// What a job had made when it was told to stop and keep it.
 struct PartialWork {
-    Image image;     ///< of the work's full size at that moment, which may be larger or coarser than the output
-    PositionMap map; ///< empty if the method gave none; pixels without a source were not made yet
+    Image image; ///< of the work's full size at that moment, which may be larger or coarser than the output
+    PositionMap map;     ///< empty if the method gave none; pixels without a source were not made yet
     double progress = 0; ///< of the whole job, 0 to 1
 };
 
-/// A picture of work under way, small enough to be shown at once: every `step`-th pixel of the work in both directions.
+/// A picture of work under way, small enough to be shown at once: every `step`-th pixel of the work in both
+/// directions.
 struct Preview {
     Image image;
     PositionMap map; ///< empty if the method gave none; pixels without a source are not made yet
@@ -76,7 +77,8 @@ struct JobOptions {
     std::uint64_t seed = 0;
     int threads = 0;       ///< 0: one per core
     bool previews = false; ///< whether anyone looks at previews
-    /// Keeps checkpoints, each in place of the one before; none are made if empty. Called on the job's thread.
+    /// Keeps checkpoints, each in place of the one before; none are made if empty. Called on the job's
+    /// thread.
     std::function<void(const Checkpoint&)> keep = {};
     /// What to go on from; null to begin at the beginning.
     std::shared_ptr<const Checkpoint> resumed = nullptr;

@@ -27,8 +27,8 @@ std::string idsOf(const std::vector<Port>& ports) {
 /// A picture of a port has the size that the port's extent wants.
 void checkExtent(const Port& port, const Image& image, Size size, const std::string& like) {
     if (image.size() != size)
-        failUsage("The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.", port.title,
-                  image.width(), image.height(), like, size.width, size.height);
+        failUsage("The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.",
+                  port.title, image.width(), image.height(), like, size.width, size.height);
 }
 
 /// Kinds and numbers of what was given to one port.
@@ -173,9 +173,9 @@ Synthesis Method::run(const Request& request, const Values& settings, JobContext
 }
 
 std::string categoryId(Category category) {
-    static const std::array<const char*, 9> ids = {"patches", "statistics", "pixels",
+    static const std::array<const char*, 9> ids = {"patches",      "statistics",   "pixels",
                                                    "near-regular", "optimisation", "sparse",
-                                                   "networks", "solids", "tools"};
+                                                   "networks",     "solids",       "tools"};
     return ids.at(static_cast<std::size_t>(category));
 }
 

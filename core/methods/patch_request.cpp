@@ -31,7 +31,8 @@ std::vector<PatchSource> patchSources(const Request& request) {
     std::vector<PatchSource> sources;
     for (const Exemplar& exemplar : request.exemplars)
         sources.push_back({exemplar.image->view(),
-                           exemplar.mask() ? exemplar.mask()->view().plane(0) : PlaneView{}, exemplar.weight});
+                           exemplar.mask() ? exemplar.mask()->view().plane(0) : PlaneView{},
+                           exemplar.weight});
     return sources;
 }
 

@@ -83,7 +83,8 @@ Port map() {
 } // namespace ports
 
 const Port* findPort(const std::vector<Port>& ports, std::string_view id) {
-    const auto found = std::find_if(ports.begin(), ports.end(), [id](const Port& port) { return port.id == id; });
+    const auto found =
+        std::find_if(ports.begin(), ports.end(), [id](const Port& port) { return port.id == id; });
     return found == ports.end() ? nullptr : &*found;
 }
 

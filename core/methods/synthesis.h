@@ -31,10 +31,10 @@ struct Exemplar {
 
 /// All that a method is given: an immutable copy of the input.
 struct Request {
-    std::vector<Exemplar> exemplars;      ///< at least one; all with the same number of channels
-    int companionChannels = 0;            ///< how many of these, the last ones, are of companion maps
-    Assets inputs = {};                   ///< what goes into the method's other ports
-    Size size;                            ///< of the output
+    std::vector<Exemplar> exemplars; ///< at least one; all with the same number of channels
+    int companionChannels = 0;       ///< how many of these, the last ones, are of companion maps
+    Assets inputs = {};              ///< what goes into the method's other ports
+    Size size;                       ///< of the output
     Wrap wrap;
     std::uint64_t seed = 0;
     /// The part of the output to make, which equals that part of the whole; all of it if not given.
@@ -75,7 +75,7 @@ struct Synthesis {
     Image image;
     PositionMap map;
     MapKind mapKind = MapKind::None;
-    Assets outputs; ///< what comes out of the method's further ports, such as a model or a volume
+    Assets outputs;            ///< what comes out of the method's further ports, such as a model or a volume
     std::vector<Curve> curves; ///< those of JobContext::curve(); Method fills them in
     std::vector<Picture> pictures;
     std::vector<Figure> figures;

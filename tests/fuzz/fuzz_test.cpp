@@ -164,7 +164,8 @@ TEST(Fuzz, PositionMapsAreReadOrRefused) {
 TEST(Fuzz, RecipesAreReadOrRefused) {
     Recipe recipe;
     recipe.steps.front().method = "quilting";
-    recipe.steps.front().parameters = {{"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
+    recipe.steps.front().parameters = {
+        {"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
     recipe.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, RecipeFile{"/a/mask.png", "raw", ""}, {}}};
     recipe.exemplars.front().edits = {CropEdit{{1, 2, {30, 40}}}, RotateEdit{-12.5},
                                       RectifyEdit{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}}, {}}, FlattenEdit{}};

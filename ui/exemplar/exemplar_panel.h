@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/session/run/exemplar_use.h"
 #include "core/methods/method.h"
+#include "core/session/run/exemplar_use.h"
 #include "ui/exemplar/exemplar_store.h"
 
 #include <QPoint>

@@ -34,9 +34,10 @@ void fillWithMethods(QComboBox* chooser, const std::function<bool(const MethodIn
             addHeading(chooser, translated(categoryTitle(info.category)));
         category = info.category;
         chooser->addItem(translated(info.title), QString::fromStdString(method->id()));
-        chooser->setItemData(chooser->count() - 1,
-                             QStringLiteral("%1\n%2").arg(translated(info.summary), translated(info.citation)),
-                             Qt::ToolTipRole);
+        chooser->setItemData(
+            chooser->count() - 1,
+            QStringLiteral("%1\n%2").arg(translated(info.summary), translated(info.citation)),
+            Qt::ToolTipRole);
     }
 }
 

@@ -27,8 +27,8 @@ constexpr int kThumbnailLines = 2;
 /// A small copy of a picture as it is shown. Called on a worker.
 QImage thumbnail(const Image& image, int side) {
     const int step = std::max(1, image.size().longerSide() / side);
-    auto small = std::make_shared<Image>(Size{(image.width() + step - 1) / step, (image.height() + step - 1) / step},
-                                         image.channels());
+    auto small = std::make_shared<Image>(
+        Size{(image.width() + step - 1) / step, (image.height() + step - 1) / step}, image.channels());
     for (int c = 0; c < image.channels(); ++c)
         for (int y = 0; y < small->height(); ++y)
             for (int x = 0; x < small->width(); ++x)
@@ -46,7 +46,8 @@ PortRow::PortRow(const Port& port, QWidget* parent)
     const QString title = translated(m_port.title);
     setObjectName(QStringLiteral("port_") + QString::fromStdString(m_port.id));
     setAcceptDrops(true);
-    setToolTip(QStringLiteral("<b>%1</b> %2").arg(title.toHtmlEscaped(), translated(m_port.help).toHtmlEscaped()));
+    setToolTip(
+        QStringLiteral("<b>%1</b> %2").arg(title.toHtmlEscaped(), translated(m_port.help).toHtmlEscaped()));
     m_choose->setText(tr("Choose…"));
     m_choose->setAccessibleName(tr("Choose a file: %1").arg(title));
     m_useResult->setText(tr("Result"));
@@ -85,7 +86,8 @@ void PortRow::add(InputFile file) {
 }
 
 void PortRow::choose() {
-    const QString path = QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, pictureFilter());
+    const QString path =
+        QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, pictureFilter());
     if (!path.isEmpty())
         read(path);
 }
@@ -97,7 +99,10 @@ void PortRow::clear() {
 
 void PortRow::read(const QString& path) {
     inBackground(
-        this, [port = m_port, file = toPath(path)] { return loadInput(port, {file, "", ""}, {}); },
+        this,
+        [port = m_port, file = toPath(path)] {
+            return loadInput(port, {file, "", ""}, {});
+        },
         [this](InputFile file) { add(std::move(file)); }, [this](const QString& why) { Q_EMIT failed(why); });
 }
 
@@ -129,7 +134,8 @@ void PortRow::show() {
     inBackground(
         this, [image = m_files.front().file.image, side] { return thumbnail(*image, side); },
         [this, side, ratio](const QImage& made) {
-            QPixmap pixmap = QPixmap::fromImage(made.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+            QPixmap pixmap =
+                QPixmap::fromImage(made.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
             pixmap.setDevicePixelRatio(ratio);
             m_thumbnail->setPixmap(pixmap);
         },

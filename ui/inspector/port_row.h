@@ -13,8 +13,8 @@ namespace texloom::ui {
 
 class ElidedLabel;
 
-/// What goes into one of a method's ports: a thumbnail and the file's name, with buttons to choose another, to
-/// take the result that is shown, and to go without. Files can be dropped on it.
+/// What goes into one of a method's ports: a thumbnail and the file's name, with buttons to choose another,
+/// to take the result that is shown, and to go without. Files can be dropped on it.
 class PortRow : public QWidget {
     Q_OBJECT
 

@@ -2,8 +2,8 @@
 
 #include "core/methods/method.h"
 #include "ui/common/text.h"
-#include "ui/inspector/method_form.h"
 #include "ui/inspector/method_chooser.h"
+#include "ui/inspector/method_form.h"
 #include "ui/inspector/mnemonics.h"
 
 #include <QComboBox>

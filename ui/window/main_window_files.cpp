@@ -1,4 +1,5 @@
 #include "core/base/version.h"
+#include "core/session/run/exemplar_use.h"
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
 #include "ui/common/message_bar.h"
@@ -124,8 +125,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         return;
     event->acceptProposedAction();
     if (m_store->current() != nullptr)
-        return m_drop->open(!localFiles(*event->mimeData()).isEmpty(),
-                            useOf(m_inspector->steps()).masks);
+        return m_drop->open(!localFiles(*event->mimeData()).isEmpty(), useOf(m_inspector->steps()).masks);
     m_start->setDropping(true);
     statusBar()->showMessage(tr("Let go to open it as an exemplar."));
 }

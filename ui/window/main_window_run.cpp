@@ -123,8 +123,7 @@ void MainWindow::settingsEdited() {
 
 void MainWindow::usePreset(const Preset& preset) {
     m_undo->asOne([this, &preset] {
-        m_method->setCurrentIndex(
-            m_method->findData(QString::fromStdString(preset.steps.front().method)));
+        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(preset.steps.front().method)));
         m_inspector->setSteps(preset.steps);
     });
 }

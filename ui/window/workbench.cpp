@@ -1,6 +1,7 @@
 #include "ui/window/workbench.h"
 
 #include "core/base/text.h"
+#include "core/session/run/exemplar_use.h"
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
 #include "ui/common/message_bar.h"

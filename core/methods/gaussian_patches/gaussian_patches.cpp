@@ -60,7 +60,7 @@ private:
     /// Without an initial image the guide goes on beyond the output.
     Footprint compared(const PatchCell& cell) const {
         return Footprint::filled(m_request.initial() ? m_canvas.visible(cell)
-                                                   : Size{m_settings.patch, m_settings.patch});
+                                                     : Size{m_settings.patch, m_settings.patch});
     }
 
     /// Mirrored beyond its borders, and in the middle of an axis that wraps, so that the guide has no seam.

@@ -72,7 +72,7 @@ private:
     double m_range; ///< of the exemplars' values: the unit of ε and ρ
     Size m_size;
     std::optional<Interleaved> m_canvas; ///< with its first rows and columns once more at the end
-    std::vector<double> m_costs; ///< mean cost of a patch after each iteration
+    std::vector<double> m_costs;         ///< mean cost of a patch after each iteration
     Synthesis m_result;
 };
 

@@ -92,8 +92,7 @@ int Optimizer::levelsFor(const Request& request, const Settings& settings) {
 Optimizer::Optimizer(const Request& request, const Settings& settings, JobContext& context)
     : m_request(request), m_settings(settings), m_context(context),
       m_pyramid(patchSources(request), levelsFor(request, settings), kSmallestPatch,
-                [&context] { context.check(); }) {
-}
+                [&context] { context.check(); }) {}
 
 Size Optimizer::canvas(int level) const {
     Size size = canvasFor(m_request.size, m_request.wrap);

@@ -136,8 +136,7 @@ void set(Recipe& recipe, const std::string& name, const Json& value) {
         return;
     }
     const std::size_t stop = name.find('.');
-    const std::string method =
-        stop == std::string::npos ? recipe.steps.front().method : name.substr(0, stop);
+    const std::string method = stop == std::string::npos ? recipe.steps.front().method : name.substr(0, stop);
     const std::string param = stop == std::string::npos ? name : name.substr(stop + 1);
     const Value checked = findMethod(method).param(param).checked(field.value());
     for (RecipeStep& step : recipe.steps)

@@ -81,22 +81,22 @@ Json stagesJson(const std::vector<StageTime>& stages) {
 
 std::string entryText(const ResultEntry& entry, const fs::path& folder) {
     Json json = {{"texloomResult", kFormat},
-                       {"title", entry.title},
-                       {"pinned", entry.pinned},
-                       {"quick", entry.quick},
-                       {"finished", entry.finished},
-                       {"recipe", Json::parse(entry.recipe.toJson(folder))},
-                       {"seconds", entry.seconds},
-                       {"estimateSeconds", entry.estimateSeconds},
-                       {"threads", entry.threads},
-                       {"bytes", entry.bytes},
-                       {"mapKind", kMapKinds.at(static_cast<std::size_t>(entry.mapKind))},
-                       {"figures", figuresJson(entry.figures)},
-                       {"curves", curvesJson(entry.curves)},
-                       {"notes", entry.notes},
-                       {"stages", stagesJson(entry.stages)},
-                       {"pictures", entry.pictures},
-                       {"companions", entry.companions}};
+                 {"title", entry.title},
+                 {"pinned", entry.pinned},
+                 {"quick", entry.quick},
+                 {"finished", entry.finished},
+                 {"recipe", Json::parse(entry.recipe.toJson(folder))},
+                 {"seconds", entry.seconds},
+                 {"estimateSeconds", entry.estimateSeconds},
+                 {"threads", entry.threads},
+                 {"bytes", entry.bytes},
+                 {"mapKind", kMapKinds.at(static_cast<std::size_t>(entry.mapKind))},
+                 {"figures", figuresJson(entry.figures)},
+                 {"curves", curvesJson(entry.curves)},
+                 {"notes", entry.notes},
+                 {"stages", stagesJson(entry.stages)},
+                 {"pictures", entry.pictures},
+                 {"companions", entry.companions}};
     if (entry.stoppedAt)
         json["stoppedAt"] = *entry.stoppedAt;
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -24,7 +24,7 @@ struct ResultEntry {
     double estimateSeconds = 0; ///< what the methods' rough estimate said, for one thread
     int threads = 0;
     std::optional<double> stoppedAt; ///< see Result::stoppedAt
-    std::uint64_t bytes = 0; ///< that the result takes in memory
+    std::uint64_t bytes = 0;         ///< that the result takes in memory
     MapKind mapKind = MapKind::None;
     std::vector<Figure> figures;
     std::vector<Curve> curves;

@@ -72,9 +72,10 @@ fs::path checkpointFor(const fs::path& output) {
 
 std::shared_ptr<const Checkpoint> resumable(const CheckpointFile& file, const RunPlan& plan) {
     if (file.version != kVersion)
-        failUsage("The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the "
-                  "run anew, or use that version.",
-                  file.version, kVersion);
+        failUsage(
+            "The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the "
+            "run anew, or use that version.",
+            file.version, kVersion);
     Recipe planned = plan.recipe;
     planned.version = file.recipe.version;
     if (planned.toJson("/") != file.recipe.toJson("/"))

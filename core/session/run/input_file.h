@@ -17,7 +17,8 @@ struct InputFile {
 
     InputFile() = default;
     // A picture is an input as it is.
-    InputFile(ExemplarFile picture) : file(std::move(picture)), asset(file.image) {} // NOLINT(google-explicit-constructor)
+    InputFile(ExemplarFile picture)
+        : file(std::move(picture)), asset(file.image) {} // NOLINT(google-explicit-constructor)
     const Image* image() const { return file.image.get(); }
 };
 

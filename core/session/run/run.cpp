@@ -223,8 +223,8 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     for (const StageTime& stage : context.stageTimes())
         result.seconds += stage.seconds;
     context.stage(0, TR("Judging the result"));
-    result.figures =
-        measure(result.synthesis, plan.judged ? exemplarViews(plan.request) : std::vector<ImageView>(), context);
+    result.figures = measure(result.synthesis,
+                             plan.judged ? exemplarViews(plan.request) : std::vector<ImageView>(), context);
     result.plan = plan;
     if (leaveOutCompanions(result))
         result.synthesis.notes.emplace_back(TR("The run was stopped before it knew where its pixels come "
@@ -233,8 +233,10 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     return result;
 }
 
-std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished) {
-    const JobOptions options{plan.request.seed, plan.threads, previews};
+std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished,
+                                       Checkpoints checkpoints) {
+    const JobOptions options{plan.request.seed, plan.threads, previews, std::move(checkpoints.keep),
+                             std::move(checkpoints.resumed)};
     auto shared = std::make_shared<const RunPlan>(std::move(plan));
     return std::make_unique<SynthesisJob>(
         options, [shared](JobContext& context) { return runPlan(*shared, context); }, std::move(onFinished));

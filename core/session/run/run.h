@@ -150,8 +150,15 @@ using SynthesisJob = Job<Result>;
 /// Runs a plan to its end: what startRun() does on the job's thread. @throws Error, Cancelled
 Result runPlan(const RunPlan& plan, JobContext& context);
 
+/// What becomes of a run's checkpoints, and the one that it goes on from.
+struct Checkpoints {
+    std::function<void(const Checkpoint&)> keep = {}; ///< see JobOptions::keep
+    std::shared_ptr<const Checkpoint> resumed = nullptr;
+};
+
 /// Starts a planned run, with the plan's seed and threads.
 /// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
-std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});
+std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {},
+                                       Checkpoints checkpoints = {});
 
 } // namespace texloom

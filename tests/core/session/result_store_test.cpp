@@ -230,8 +230,8 @@ TEST(RecipeDifferences, NameWhatDiffersAndNothingElse) {
     ASSERT_EQ(files.size(), 1U);
     EXPECT_EQ(files.front().second, "bark.png (0123456)");
     other = first;
-    other.method = "random-phase";
-    other.parameters.clear();
+    other.steps.front().method = "random-phase";
+    other.steps.front().parameters.clear();
     other.steps.push_back({"quilting", {}});
     const auto methods = differences(first, other);
     EXPECT_EQ(methods.front().what, "Method");
