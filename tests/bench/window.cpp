@@ -4,9 +4,9 @@
 #include "ui/compare/compare_view.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/jobs/run_controller.h"
+#include "ui/maps/result_view.h"
+#include "ui/runs/run_controller.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/workbench.h"
 
 #include <QElapsedTimer>

@@ -7,7 +7,7 @@
 #include "ui/compare/wipe_viewer.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

@@ -8,7 +8,7 @@
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 
 #include <QAction>
 #include <QClipboard>

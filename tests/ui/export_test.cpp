@@ -5,7 +5,7 @@
 #include "ui/common/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 
 #include <QAction>
 #include <QCheckBox>

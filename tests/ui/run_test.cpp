@@ -5,7 +5,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 #include "ui/window/readout.h"
 #include "ui/window/workbench.h"
 

@@ -16,11 +16,11 @@
 #include "ui/inspector/param_row.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
 #include "ui/session/missing_files_dialog.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/drop_targets.h"
 #include "ui/window/workbench.h"
 

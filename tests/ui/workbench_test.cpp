@@ -7,8 +7,8 @@
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/job_panel.h"
 #include "ui/log/log_panel.h"
+#include "ui/maps/result_view.h"
 #include "ui/results/limits_dialog.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/workbench.h"
 
 #include <QAction>

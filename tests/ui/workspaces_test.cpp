@@ -12,10 +12,10 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/lattice/lattice_values.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/readout.h"
 #include "ui/window/workbench.h"
 

@@ -2,8 +2,8 @@
 
 #include "core/session/run/run.h"
 #include "ui/compare/compare_item.h"
-#include "ui/jobs/job_queue.h"
-#include "ui/results/result_history.h"
+#include "ui/runs/job_queue.h"
+#include "ui/runs/result_history.h"
 
 #include <QObject>
 

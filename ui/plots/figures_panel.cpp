@@ -7,8 +7,8 @@
 #include "core/base/text.h"
 #include "core/job/memory.h"
 #include "ui/common/text.h"
-#include "ui/jobs/run_pictures.h"
 #include "ui/jobs/task_bar.h"
+#include "ui/runs/run_pictures.h"
 #include "ui/viewers/image_viewer.h"
 
 #include <QHeaderView>

@@ -1,7 +1,7 @@
 #include "ui/results/result_delegate.h"
 
 #include "ui/common/icons.h"
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 #include <QApplication>
 #include <QImage>

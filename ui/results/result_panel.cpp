@@ -5,7 +5,7 @@
 #include "ui/common/shortcuts.h"
 #include "ui/results/result_delegate.h"
 #include "ui/results/result_filter.h"
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
 #include <QAction>
 #include <QComboBox>

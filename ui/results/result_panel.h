@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 #include <QWidget>
 

@@ -5,7 +5,7 @@
 #include "core/session/session.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/exemplar/named_image.h"
-#include "ui/jobs/job_queue.h"
+#include "ui/runs/job_queue.h"
 #include "ui/window/actions.h"
 #include "ui/window/drop_targets.h"
 

@@ -8,9 +8,9 @@
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
+#include "ui/maps/result_view.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_page.h"
 

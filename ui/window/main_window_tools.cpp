@@ -1,11 +1,11 @@
 #include "ui/blend/blend_window.h"
 #include "ui/common/message_bar.h"
 #include "ui/lattice/lattice_tool.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
-#include "ui/results/result_text.h"
-#include "ui/viewers/result_view.h"
+#include "ui/runs/result_text.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workbench.h"
 

@@ -13,10 +13,10 @@
 #include "ui/compare/sweep_dialog.h"
 #include "ui/jobs/job_panel.h"
 #include "ui/log/log_panel.h"
+#include "ui/maps/result_view.h"
 #include "ui/results/difference_dialog.h"
 #include "ui/results/limits_dialog.h"
-#include "ui/results/result_text.h"
-#include "ui/viewers/result_view.h"
+#include "ui/runs/result_text.h"
 #include "ui/window/main_window.h"
 
 #include <QAction>

@@ -2,9 +2,9 @@
 
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_item.h"
-#include "ui/jobs/job_queue.h"
-#include "ui/results/result_history.h"
 #include "ui/results/result_panel.h"
+#include "ui/runs/job_queue.h"
+#include "ui/runs/result_history.h"
 
 #include <QObject>
 

@@ -1,4 +1,4 @@
-#include "ui/jobs/run_controller.h"
+#include "ui/runs/run_controller.h"
 
 #include "ui/common/background.h"
 #include "ui/common/text.h"

@@ -1,9 +1,9 @@
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 #include "core/base/text.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
 #include <QPixmap>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/session/run/run.h"
-#include "ui/jobs/run_pictures.h"
+#include "ui/runs/run_pictures.h"
 
 #include <QObject>
 #include <QString>
