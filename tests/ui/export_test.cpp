@@ -53,7 +53,8 @@ private Q_SLOTS:
         QCOMPARE(QDir(target.path()).entryList(QDir::Files, QDir::Name), listed);
         for (const QString& file : listed)
             if (file.endsWith(QStringLiteral("_map.png")))
-                QVERIFY(readPositionMap(toPath(target.filePath(file))) == m_window->result()->synthesis.map);
+                QVERIFY(readPositionMap(toPath(target.filePath(file))) ==
+                        m_window->desk()->result()->synthesis.map);
     }
 
     void namesFollowTheTemplateAndThePreset() {

@@ -165,10 +165,10 @@ private Q_SLOTS:
         QCOMPARE(mask(10, 2, 0), 1.0F);
         QVERIFY(!editor->canvas()->hidden().isNull());
         m_window->inspector()->setValues({{"patch", 8}});
-        QSignalSpy finished(m_window->controller(), &RunController::finished);
+        QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
         m_window->startRun(false);
         QVERIFY(finished.wait(30'000));
-        const PositionMap& map = m_window->result()->synthesis.map;
+        const PositionMap& map = m_window->desk()->result()->synthesis.map;
         for (int y = 0; y < map.height(); ++y)
             for (int x = 0; x < map.width(); ++x)
                 QVERIFY(mask(map.at(x, y).x, map.at(x, y).y, 0) != 0);
@@ -359,7 +359,7 @@ private:
         QStringList files{writeTexture(*m_folder, QStringLiteral("bark_albedo.png"), {64, 48})};
         if (normal)
             files += writeTexture(*m_folder, QStringLiteral("bark_normal.png"), {64, 48}, 2);
-        QSignalSpy finished(m_window->controller(), &RunController::finished);
+        QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
         m_window->openFiles(files);
         QVERIFY(finished.wait(30'000));
     }

@@ -3,6 +3,8 @@
 #include "core/base/text.h"
 #include "ui/common/icons.h"
 #include "ui/common/shortcuts.h"
+#include "ui/results/difference_dialog.h"
+#include "ui/results/limits_dialog.h"
 #include "ui/results/result_delegate.h"
 #include "ui/results/result_filter.h"
 #include "ui/runs/result_text.h"
@@ -15,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QSettings>
 #include <QToolButton>
 
@@ -61,10 +64,22 @@ ResultActions::ResultActions(QWidget* window)
       rename(make(window, "renameResult", tr("Re&name"), tr("Give the chosen result a name of your own"),
                   Qt::Key_F2)),
       remove(make(window, "removeResult", tr("De&lete"), tr("Delete the chosen results"),
-                  QKeySequence::Delete, "delete")) {
+                  QKeySequence::Delete, "delete")),
+      limits(make(window, "resultLimits", tr("&Limits…"),
+                  tr("Set how much memory and how much of the disk results may take"))) {
     pin->setCheckable(true);
     for (QAction* action : {pin, rename}) // what is shown is chosen, too
         action->setShortcutContext(Qt::WindowShortcut);
+}
+
+QMenu* ResultActions::makeMenu(QWidget* window) const {
+    auto* menu = new QMenu(tr("&Results"), window);
+    menu->addActions({show, restore, compare, difference});
+    menu->addSeparator();
+    menu->addActions({pin, rename, remove});
+    menu->addSeparator();
+    menu->addAction(limits);
+    return menu;
 }
 
 ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, QWidget* parent)
@@ -156,10 +171,8 @@ void ResultPanel::connectActions() {
             Q_EMIT restoreWanted(keys.front());
     });
     connect(m_actions.compare, &QAction::triggered, this, [this] { Q_EMIT compareWanted(selected()); });
-    connect(m_actions.difference, &QAction::triggered, this, [this] {
-        if (const auto keys = selected(); keys.size() == 2)
-            Q_EMIT differenceWanted(keys[1], keys[0]);
-    });
+    connect(m_actions.difference, &QAction::triggered, this, &ResultPanel::showDifference);
+    connect(m_actions.limits, &QAction::triggered, this, [this] { chooseLimits(*m_history, window()); });
     connect(m_actions.pin, &QAction::triggered, this, &ResultPanel::pinSelected);
     connect(m_actions.rename, &QAction::triggered, this, [this] {
         if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {
@@ -190,6 +203,15 @@ void ResultPanel::select(const std::vector<std::string>& keys) {
         m_list->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
         m_list->scrollTo(index);
     }
+}
+
+void ResultPanel::showDifference() {
+    const std::vector<std::string> keys = selected();
+    if (keys.size() != 2)
+        return;
+    auto* dialog = new DifferenceDialog(*m_history->find(keys[1]), *m_history->find(keys[0]), window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void ResultPanel::pinSelected() {

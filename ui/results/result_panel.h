@@ -10,6 +10,7 @@ class QLabel;
 class QLayout;
 class QLineEdit;
 class QListView;
+class QMenu;
 
 namespace texloom::ui {
 
@@ -26,6 +27,9 @@ struct ResultActions {
     QAction* pin;
     QAction* rename;
     QAction* remove;
+    QAction* limits;
+
+    QMenu* makeMenu(QWidget* window) const;
 };
 
 /// The Results dock: a card for every run, a search, and what can be done with those that are chosen,
@@ -46,7 +50,6 @@ Q_SIGNALS:
     void showWanted(const std::string& key);
     void restoreWanted(const std::string& key);
     void compareWanted(const std::vector<std::string>& keys);
-    void differenceWanted(const std::string& first, const std::string& second);
     /// Results were taken off the list; the sentence says which.
     void removed(const QString& sentence);
 
@@ -55,6 +58,7 @@ private:
     void connectActions();
     void removeSelected();
     void pinSelected();
+    void showDifference();
     void updateActions();
     void explainEmpty();
     void sayUsage();

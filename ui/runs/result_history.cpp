@@ -5,7 +5,8 @@
 #include "ui/common/text.h"
 #include "ui/runs/result_text.h"
 
-#include <QPixmap>
+#include <QSettings>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <utility>
@@ -22,6 +23,11 @@ QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
 }
 
 } // namespace
+
+QString resultFolder() {
+    const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    return QSettings().value(QStringLiteral("results/folder"), cache + QStringLiteral("/results")).toString();
+}
 
 ResultHistory::ResultHistory(const QString& folder, QObject* parent)
     : QAbstractListModel(parent), m_folder(toPath(folder)) {

@@ -14,6 +14,9 @@
 
 namespace texloom::ui {
 
+/// The folder in which results are kept, as the settings have it.
+QString resultFolder();
+
 /// All results, newest first, as a model for views: every run that ended, those of earlier sessions too. They
 /// are written to a folder as they come and read back when they are wanted, on a thread of its own.
 class ResultHistory : public QAbstractListModel {

@@ -36,7 +36,12 @@ RunController::RunController(QObject* parent) : QObject(parent) {
 }
 
 RunController::~RunController() {
-    m_job.reset();
+    halt();
+}
+
+void RunController::halt() {
+    ++m_run;
+    end();
 }
 
 void RunController::stop() {

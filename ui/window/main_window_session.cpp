@@ -6,7 +6,6 @@
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
-#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -30,7 +29,7 @@ void MainWindow::makeDocument() {
                       [this](const QString& text) { fail(text); }, [this] { return handmade(); }},
                      this);
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(m_bench->history(), &ResultHistory::scanned, this, &MainWindow::tidyMasks);
+    connect(m_desk->history(), &ResultHistory::scanned, this, &MainWindow::tidyMasks);
     showTitle();
 }
 
@@ -45,7 +44,7 @@ bool MainWindow::handmade() const {
 /// Painted masks that no result and no session to be recovered names are of no use any more.
 void MainWindow::tidyMasks() {
     std::vector<Recipe> recipes;
-    for (const ResultEntry& entry : m_bench->history()->entries())
+    for (const ResultEntry& entry : m_desk->history()->entries())
         recipes.push_back(entry.recipe);
     inBackground(
         this,
