@@ -9,6 +9,7 @@
 #include "ui/log/log_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/results/limits_dialog.h"
+#include "ui/session/undo_history.h"
 
 #include <QAction>
 #include <QApplication>
@@ -225,6 +226,93 @@ private Q_SLOTS:
             key, [&](const auto& result) { back = result; },
             [](const QString& why) { QFAIL(qPrintable(why)); });
         QTRY_VERIFY(back);
+    }
+
+    void aClickShowsAResultAndNamesIt() {
+        MainWindow window;
+        window.resize(1400, 900);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        ResultHistory* const history = window.desk()->history();
+        QTRY_VERIFY(history->ready());
+        const std::string first = history->add(smallResult(m_exemplar, 31), false, plain(Qt::red));
+        const std::string second = history->add(smallResult(m_exemplar, 32), false, plain(Qt::blue));
+        auto* list = child<QListView>(window, "resultList");
+        const auto click = [&](int row, Qt::KeyboardModifiers keys = {}) {
+            settle();
+            const QPoint centre = list->visualRect(list->model()->index(row, 0)).center();
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, keys, centre);
+        };
+        const auto shown = [&](const std::string& key) {
+            return history->indexOf(key).data(ResultHistory::ShownRole).toBool();
+        };
+        click(1);
+        QTRY_COMPARE(window.desk()->last().key, first);
+        QVERIFY(window.desk()->resultShown() && shown(first) && !shown(second));
+        QVERIFY(history->indexOf(first)
+                    .data(Qt::AccessibleTextRole)
+                    .toString()
+                    .endsWith(QStringLiteral("shown")));
+        click(0);
+        QTRY_COMPARE(window.desk()->last().key, second);
+        QVERIFY(!shown(first) && shown(second));
+        const auto* remove = child<QAction>(window, "removeResult");
+        QVERIFY(remove->text().contains(history->indexOf(second).data().toString()));
+        QCOMPARE(remove->iconText(), QStringLiteral("Delete"));
+
+        click(1, Qt::ControlModifier);
+        QTest::qWait(50);
+        QVERIFY2(shown(second), "while several are being chosen, none of them is shown");
+        QVERIFY(remove->text().contains(QLatin1Char('2')));
+
+        window.results()->setTab(ResultView::SynthesisTab);
+        click(1);
+        QTRY_COMPARE(window.desk()->last().key, first);
+        QVERIFY(window.results()->viewer(ResultView::ResultTab)->isVisible());
+        child<QAction>(window, "renameResult")->trigger();
+        auto* editor = list->viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        QTest::keyClicks(editor, QStringLiteral("red"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(QString::fromStdString(history->find(first)->title), QStringLiteral("red"));
+    }
+
+    void undoBringsDeletedResultsBackInTheirTurn() {
+        MainWindow window;
+        window.show();
+        ResultHistory* const history = window.desk()->history();
+        QTRY_VERIFY(history->ready());
+        std::vector<std::string> keys;
+        for (int i = 0; i < 3; ++i)
+            keys.push_back(history->add(smallResult(m_exemplar, 41), false, plain(Qt::red)));
+        history->waitForDisk();
+        const auto folder = [&](const std::string& key) {
+            return QDir(QStringLiteral("%1/%2").arg(resultFolder(), QString::fromStdString(key)));
+        };
+        auto* undo = child<QAction>(window, "undo");
+        auto* redo = child<QAction>(window, "redo");
+        auto* remove = child<QAction>(window, "removeResult");
+        window.resultPanel()->select({keys[0]});
+        remove->trigger();
+        window.inspector()->output()->setSeed(77);
+        window.resultPanel()->select({keys[1], keys[2]});
+        remove->trigger();
+        QCOMPARE(history->rowCount(), 0);
+        QVERIFY(undo->text().contains(QStringLiteral("Delete results")));
+        undo->trigger();
+        QCOMPARE(history->rowCount(), 2);
+        QVERIFY2(window.messages()->text().isEmpty(), "what was undone is no longer offered to be");
+        undo->trigger();
+        QVERIFY(window.inspector()->output()->seed() != 77U);
+        undo->trigger();
+        QCOMPARE(history->rowCount(), 3);
+        redo->trigger();
+        QCOMPARE(history->rowCount(), 2);
+        history->waitForDisk();
+        QVERIFY2(folder(keys[0]).exists(), "it can still come back");
+        window.undoHistory()->clear();
+        history->waitForDisk();
+        QVERIFY2(!folder(keys[0]).exists() && folder(keys[1]).exists(), "now it cannot");
     }
 
     void searchAndRenameByKeyboard() {

@@ -95,6 +95,22 @@ private Q_SLOTS:
         QCOMPARE(window.input(true).seed, window.input(false).seed);
     }
 
+    void runBringsItsPictureToTheFront() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        const ImageViewer* const result = window.results()->viewer(ResultView::ResultTab);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
+        for (const char* place : {"synthesisTab", "lattice", "editExemplar", "grid"}) {
+            child<QAction>(window, place)->trigger();
+            QVERIFY2(!result->isVisible(), place);
+            QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
+            child<QAction>(window, "run")->trigger();
+            QVERIFY(finished.wait(kPatience));
+            QVERIFY2(result->isVisible(), place);
+        }
+    }
+
     void secondExemplarStartsNothing() {
         MainWindow window;
         window.show();

@@ -112,6 +112,12 @@ FiguresPanel::FiguresPanel(QWidget* parent)
 
 void FiguresPanel::setResult(std::shared_ptr<const Result> result) {
     m_result = std::move(result);
+    if (!m_result) {
+        m_task.cancel();
+        m_made.reset();
+        m_hint->setText(tr("Make a result to see its figures."));
+        take({});
+    }
     begin();
 }
 

@@ -28,6 +28,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kSearchWidths = 24;
+constexpr int kNameWidths = 32; ///< of a result in a menu
 const QString kKind = QStringLiteral("results/shown");
 /// A comparison shows this many at most.
 constexpr std::size_t kMostCompared = 9;
@@ -35,6 +36,7 @@ constexpr std::size_t kMostCompared = 9;
 QAction* make(QWidget* window, const char* name, const QString& text, const QString& help,
               const QKeySequence& key = {}, const char* iconName = nullptr) {
     auto* action = new QAction(text, window);
+    action->setIconText(action->iconText()); // buttons keep it while menus name what it acts on
     action->setObjectName(QLatin1String(name));
     action->setShortcut(key);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -162,6 +164,10 @@ void ResultPanel::connectActions() {
             &ResultPanel::updateActions);
     connect(m_found, &QAbstractItemModel::dataChanged, this, &ResultPanel::updateActions);
     connect(m_list, &QListView::activated, m_actions.show, &QAction::trigger);
+    connect(m_list, &QListView::clicked, this, [this] {
+        if (m_actions.show->isEnabled()) // not while several are being chosen
+            m_actions.show->trigger();
+    });
     connect(m_actions.show, &QAction::triggered, this, [this] {
         if (const auto keys = selected(); !keys.empty())
             Q_EMIT showWanted(keys.front());
@@ -179,8 +185,8 @@ void ResultPanel::connectActions() {
             dock->show();
             dock->raise();
         }
-        if (m_list->currentIndex().isValid())
-            m_list->edit(m_list->currentIndex());
+        if (const auto keys = selected(); keys.size() == 1)
+            m_list->edit(m_found->mapFromSource(m_history->indexOf(keys.front())));
     });
     connect(m_actions.remove, &QAction::triggered, this, &ResultPanel::removeSelected);
 }
@@ -227,7 +233,7 @@ void ResultPanel::removeSelected() {
                              ? tr("“%1” was deleted.").arg(titleText(*m_history->find(keys.front())))
                              : tr("%1 results were deleted.").arg(keys.size());
     m_history->remove(keys);
-    Q_EMIT removed(what);
+    Q_EMIT removed(keys, what);
 }
 
 void ResultPanel::updateActions() {
@@ -244,6 +250,25 @@ void ResultPanel::updateActions() {
         return entry != nullptr && entry->pinned;
     };
     m_actions.pin->setChecked(!keys.empty() && std::all_of(keys.begin(), keys.end(), pinned));
+    nameTargets(keys);
+}
+
+/// The menus say what they would act on.
+void ResultPanel::nameTargets(const std::vector<std::string>& keys) {
+    const ResultEntry* const only = keys.size() == 1 ? m_history->find(keys.front()) : nullptr;
+    if (only == nullptr) {
+        const bool several = keys.size() > 1;
+        m_actions.pin->setText(several ? tr("&Pin %1 results").arg(keys.size()) : tr("&Pin"));
+        m_actions.rename->setText(tr("Re&name"));
+        m_actions.remove->setText(several ? tr("De&lete %1 results").arg(keys.size()) : tr("De&lete"));
+        return;
+    }
+    const int widest = fontMetrics().averageCharWidth() * kNameWidths;
+    QString name = fontMetrics().elidedText(titleText(*only), Qt::ElideMiddle, widest);
+    name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+    m_actions.pin->setText(tr("&Pin “%1”").arg(name));
+    m_actions.rename->setText(tr("Re&name “%1”").arg(name));
+    m_actions.remove->setText(tr("De&lete “%1”").arg(name));
 }
 
 void ResultPanel::explainEmpty() {

@@ -32,9 +32,9 @@ struct ResultActions {
     QMenu* makeMenu(QWidget* window) const;
 };
 
-/// The Results dock: a card for every run, a search, and what can be done with those that are chosen,
-/// which are those shown last unless the user chose others. P and F2 act on them anywhere in the window, Del
-/// and Return while the list has the focus.
+/// The Results dock: a card for every run, a search, and what can be done with those that are chosen. A click
+/// on a card shows its result, and a result that is shown is chosen, so that what P and F2 act on anywhere in
+/// the window, and Del while the list has the focus, is what is seen, unless the user chose several.
 class ResultPanel : public QWidget {
     Q_OBJECT
 
@@ -51,7 +51,7 @@ Q_SIGNALS:
     void restoreWanted(const std::string& key);
     void compareWanted(const std::vector<std::string>& keys);
     /// Results were taken off the list; the sentence says which.
-    void removed(const QString& sentence);
+    void removed(const std::vector<std::string>& keys, const QString& sentence);
 
 private:
     QLayout* makeBar();
@@ -60,6 +60,7 @@ private:
     void pinSelected();
     void showDifference();
     void updateActions();
+    void nameTargets(const std::vector<std::string>& keys);
     void explainEmpty();
     void sayUsage();
 

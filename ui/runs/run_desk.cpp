@@ -63,7 +63,7 @@ void RunDesk::connectQueue() {
     connect(m_queue, &JobQueue::previewed, this, [this](int id, const RunPictures& pictures) {
         if (id != m_live)
             return;
-        m_resultShown = false;
+        setResultShown(false);
         Q_EMIT previewed(pictures);
         Q_EMIT changed();
     });
@@ -144,7 +144,7 @@ void RunDesk::watch(int id) {
     const QueuedJob* const job = m_queue->find(id);
     ++m_showRequest;
     m_live = id;
-    m_resultShown = false;
+    setResultShown(false);
     m_shownPlan = job->plan;
     Q_EMIT watching(*job);
     Q_EMIT changed();
@@ -176,7 +176,7 @@ void RunDesk::takeFailed(const QueuedJob& job) {
         if (m_last.result)
             showLast();
         else
-            Q_EMIT emptied();
+            clear();
     }
     if (job.shown)
         Q_EMIT refused(job.problem);
@@ -200,6 +200,21 @@ void RunDesk::show(const std::string& key) {
     m_history->want(key, got, failed);
 }
 
+void RunDesk::clear() {
+    ++m_showRequest;
+    m_live = 0;
+    m_last = {};
+    m_shownPlan.reset();
+    setResultShown(false);
+    Q_EMIT emptied();
+    Q_EMIT changed();
+}
+
+void RunDesk::setResultShown(bool shown) {
+    m_resultShown = shown;
+    m_history->setShown(shown ? m_last.key : std::string());
+}
+
 void RunDesk::showLast() {
     show(ShownResult(m_last));
 }
@@ -207,7 +222,7 @@ void RunDesk::showLast() {
 void RunDesk::show(ShownResult result) {
     m_live = 0;
     m_last = std::move(result);
-    m_resultShown = true;
+    setResultShown(true);
     m_shownPlan = m_last.result->plan;
     Q_EMIT shown(m_last);
     Q_EMIT changed();

@@ -69,6 +69,8 @@ public:
     void show(const std::string& key);
     /// Goes back to the result that was shown last; there must be one.
     void showLast();
+    /// Shows nothing any more, as before the first run; emptied() follows.
+    void clear();
     /// The finished result that was shown last; null if there is none.
     const std::shared_ptr<const Result>& result() const { return m_last.result; }
     const ShownResult& last() const { return m_last; }
@@ -88,7 +90,7 @@ Q_SIGNALS:
     void shown(const texloom::ui::ShownResult& result);
     /// The run that is shown was stopped at this share of its work; its last picture stands.
     void stopped(const texloom::ui::QueuedJob& job, double fraction);
-    /// The run that is shown failed, and there is no result to go back to.
+    /// Nothing is shown any more, and there is no result to go back to.
     void emptied();
     /// What was asked for goes into the queue.
     void accepted();
@@ -112,6 +114,7 @@ private:
     void takeFailed(const QueuedJob& job);
     void lookAgain();
     void setOutlook(const Outlook& outlook);
+    void setResultShown(bool shown);
     void show(ShownResult result);
 
     RunController* m_controller;

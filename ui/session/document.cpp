@@ -166,12 +166,8 @@ void Document::setFile(const QString& path) {
 void Document::startNew() {
     if (!askToSave())
         return;
-    LoadedSession empty;
-    empty.session = m_window.read();
-    empty.session.settings.exemplars.clear();
-    empty.session.used.clear();
     m_loading = true;
-    m_window.show(empty, [this] {
+    m_window.startAfresh([this] {
         m_loading = false;
         dropRecovery();
         setFile({});

@@ -38,6 +38,8 @@ public:
         std::function<Session()> read; ///< as it stands; cheap
         /// Shows it in place of all that is open, and calls `shown` when that is done.
         std::function<void(const LoadedSession&, std::function<void()> shown)> show;
+        /// Closes all that is open, as when the window first opens, and calls `shown` when that is done.
+        std::function<void(std::function<void()> shown)> startAfresh;
         std::function<void(const QString&)> tell, refuse; ///< says a sentence in place
         /// Whether there is something made by hand that only a session keeps, such as edits or a painted
         /// mask.

@@ -19,6 +19,7 @@
 #include "ui/plots/figures_panel.h"
 #include "ui/results/limits_dialog.h"
 #include "ui/session/document.h"
+#include "ui/session/undo_history.h"
 #include "ui/window/drop_targets.h"
 #include "ui/window/hovers.h"
 #include "ui/window/readout.h"
@@ -33,6 +34,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 namespace texloom::ui {
@@ -86,6 +88,7 @@ MainWindow::MainWindow(QWidget* parent)
     restoreShortcuts(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly));
     setTabOrderThrough();
     methodChosen();
+    m_firstSettings = settingsOf(*m_method, *m_inspector);
     exemplarsChanged();
     m_document->settle();
     plan();
@@ -233,8 +236,7 @@ void MainWindow::connectDesk() {
                                                                    : outlook.quickRefusal);
     });
     connect(m_desk, &RunDesk::watching, this, [this] {
-        if (m_comparisons->view()->isVisible())
-            m_results->setTab(ResultView::ResultTab);
+        m_results->setTab(ResultView::ResultTab);
         m_actions.editExemplar->setChecked(false);
     });
     connect(m_desk, &RunDesk::shown, this, [this](const ShownResult& shown) {
@@ -248,15 +250,13 @@ void MainWindow::connectDesk() {
 void MainWindow::connectResults() {
     restoreLimits(*m_desk->history());
     connect(m_resultPanel, &ResultPanel::showWanted, this, [this](const std::string& key) {
+        showResults();
         m_results->setTab(ResultView::ResultTab);
         m_desk->show(key);
     });
     connect(m_resultPanel, &ResultPanel::restoreWanted, this, &MainWindow::restoreResult);
     connect(m_resultPanel, &ResultPanel::compareWanted, m_comparisons, &Comparisons::compareChosen);
-    connect(m_resultPanel, &ResultPanel::removed, this, [this](const QString& sentence) {
-        m_messages->say(MessageBar::Kind::Information, sentence, tr("Undo"),
-                        [this] { m_desk->history()->undoRemove(); });
-    });
+    connect(m_resultPanel, &ResultPanel::removed, this, &MainWindow::offerToPutBack);
     connect(m_comparisons, &Comparisons::ready, this, [this] {
         showResults();
         m_results->showPage(m_comparisons->view());
@@ -266,6 +266,26 @@ void MainWindow::connectResults() {
     connect(m_comparisons, &Comparisons::told, this,
             [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); });
     connect(m_export, &ResultExport::failed, this, &MainWindow::fail);
+}
+
+/// Says that results were removed, until that is undone in one way or another.
+void MainWindow::offerToPutBack(const std::vector<std::string>& keys, const QString& sentence) {
+    QUndoStack* const stack = m_undo->stack();
+    m_undo->removed(m_desk->history(), keys);
+    m_messages->say(MessageBar::Kind::Information, sentence, tr("Undo"),
+                    [this, stack, keys, at = stack->index()] {
+                        if (stack->index() == at)
+                            stack->undo();
+                        else // other steps came after it
+                            m_desk->history()->putBack(keys);
+                    });
+    connect(
+        m_desk->history(), &ResultHistory::rowsInserted, m_messages,
+        [this, sentence] {
+            if (m_messages->text() == sentence)
+                m_messages->dismiss();
+        },
+        Qt::SingleShotConnection);
 }
 
 CompareView* MainWindow::compare() const {

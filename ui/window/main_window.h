@@ -7,6 +7,7 @@
 #include "ui/exemplar/named_image.h"
 #include "ui/results/result_panel.h"
 #include "ui/runs/run_desk.h"
+#include "ui/session/settings_state.h"
 #include "ui/window/actions.h"
 #include "ui/window/drop_targets.h"
 
@@ -114,6 +115,7 @@ private:
     void connectStore();
     void connectDesk();
     void connectResults();
+    void offerToPutBack(const std::vector<std::string>& keys, const QString& sentence);
     void connectLattice();
     void connectTools();
     std::vector<NamedImage> images() const;
@@ -123,6 +125,7 @@ private:
     bool handmade() const;
     void tidyMasks();
     void showTitle();
+    void startAfresh(const std::function<void()>& shown);
     void showSession(const LoadedSession& loaded, const std::function<void()>& shown);
     void editExemplar(bool edit);
 
@@ -174,6 +177,7 @@ private:
     LatticeTool* m_lattice = nullptr;
     FiguresPanel* m_figures = nullptr;
     QComboBox* m_method;
+    SettingsState m_firstSettings; ///< as the window first opens
     QByteArray m_defaultLayout;
     QTimer m_planTimer;
 };

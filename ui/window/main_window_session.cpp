@@ -3,6 +3,7 @@
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
@@ -25,6 +26,7 @@ void MainWindow::makeDocument() {
                       [this](const LoadedSession& loaded, const std::function<void()>& shown) {
                           showSession(loaded, shown);
                       },
+                      [this](const std::function<void()>& shown) { startAfresh(shown); },
                       [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); },
                       [this](const QString& text) { fail(text); }, [this] { return handmade(); }},
                      this);
@@ -102,6 +104,25 @@ void MainWindow::showSession(const LoadedSession& loaded, const std::function<vo
         },
         Qt::SingleShotConnection);
     m_store->replaceAll(loaded.exemplars);
+}
+
+void MainWindow::startAfresh(const std::function<void()>& shown) {
+    m_actions.editExemplar->setChecked(false);
+    connect(
+        m_store, &ExemplarStore::replaced, this,
+        [this, shown] {
+            const UndoHistory::Pause pause(m_undo);
+            m_desk->clear();
+            m_messages->dismiss();
+            showSettings(m_firstSettings, *m_method, *m_inspector);
+            m_inspector->output()->forgetSize();
+            m_centre->setCurrentIndex(0);
+            m_undo->clear();
+            shown();
+            plan();
+        },
+        Qt::SingleShotConnection);
+    m_store->replaceAll({});
 }
 
 void MainWindow::editExemplar(bool edit) {

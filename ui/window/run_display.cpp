@@ -26,7 +26,7 @@ RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
     connect(m_desk, &RunDesk::previewed, this, &RunDisplay::showPreview);
     connect(m_desk, &RunDesk::shown, this, &RunDisplay::showResult);
     connect(m_desk, &RunDesk::stopped, this, &RunDisplay::sayStopped);
-    connect(m_desk, &RunDesk::emptied, this, [this] { m_to.results->setTitle({}); });
+    connect(m_desk, &RunDesk::emptied, this, &RunDisplay::clear);
     connect(m_desk, &RunDesk::endedUnseen, this, &RunDisplay::offer);
     connect(m_desk, &RunDesk::accepted, m_to.messages, &MessageBar::dismiss);
     connect(m_desk, &RunDesk::refused, this,
@@ -69,6 +69,14 @@ void RunDisplay::showResult(const ShownResult& shown) {
         notes += translated(note);
     m_to.results->setNotes(notes);
     m_to.figures->setResult(shown.result);
+}
+
+void RunDisplay::clear() {
+    m_to.results->showPictures({});
+    m_to.results->setBadge({});
+    m_to.results->setTitle({});
+    m_to.results->setNotes({});
+    m_to.figures->setResult(nullptr);
 }
 
 void RunDisplay::sayStopped(const QueuedJob& job, double fraction) {

@@ -32,6 +32,7 @@ private:
     void announce(const QueuedJob& job);
     void showPreview(const RunPictures& pictures);
     void showResult(const ShownResult& shown);
+    void clear();
     void sayStopped(const QueuedJob& job, double fraction);
     void offer(const QueuedJob& job, const std::string& key);
 
