@@ -81,8 +81,8 @@ std::string resultOf(const MainWindow& window, const char* method) {
 int beVictim(const QString& folder) {
     QSettings().setValue(QStringLiteral("results/folder"), folder + QStringLiteral("/results"));
     MainWindow window;
-    window.document()->setRecoveryFolder(folder + QStringLiteral("/recovery"));
-    window.document()->setRecoveryDelay(std::chrono::milliseconds(50));
+    window.document()->recovery()->setFolder(folder + QStringLiteral("/recovery"));
+    window.document()->recovery()->setDelay(std::chrono::milliseconds(50));
     window.show();
     if (!openAndFinish(window, folder + QStringLiteral("/bark.png")))
         return 1;
@@ -215,7 +215,7 @@ private Q_SLOTS:
             [&](const std::shared_ptr<const Result>& result) { read = !result->synthesis.image.empty(); },
             [](const QString& why) { QFAIL(qPrintable(why)); });
         QTRY_VERIFY(read);
-        window.document()->setRecoveryFolder(kept.path());
+        window.document()->recovery()->setFolder(kept.path());
         window.document()->offerRecovery();
         auto* box = child<QMessageBox>(window, "recoveryDialog");
         child<QPushButton>(*box, "recover")->click();

@@ -47,7 +47,7 @@ private Q_SLOTS:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_window = std::make_unique<MainWindow>();
-        m_window->document()->setRecoveryFolder(m_folder->filePath(QStringLiteral("recovery")));
+        m_window->document()->recovery()->setFolder(m_folder->filePath(QStringLiteral("recovery")));
         m_window->resize(1200, 800);
         m_window->show();
     }

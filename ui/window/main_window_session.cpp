@@ -50,7 +50,7 @@ void MainWindow::tidyMasks() {
         recipes.push_back(entry.recipe);
     inBackground(
         this,
-        [recipes, recovery = m_document->recoveryFolder()] {
+        [recipes, recovery = m_document->recovery()->folder()] {
             removeOldMasks(recipes, recovery);
             return true;
         },
