@@ -2576,6 +2576,37 @@
     </message>
 </context>
 <context>
+    <name>texloom::ui::Comparisons</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Dieses Ergebnis wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 · exemplar · %2</source>
+        <translation>%1 · Vorlage · %2</translation>
+    </message>
+    <message>
+        <source>No exemplar is open</source>
+        <translation>Keine Vorlage ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Write a contact sheet</source>
+        <translation>Kontaktbogen schreiben</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::CornersPage</name>
     <message>
         <source>Top left</source>
@@ -3430,6 +3461,41 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::Hovers</name>
+    <message>
+        <source>%1: x %2, y %3</source>
+        <translation>%1: x %2, y %3</translation>
+    </message>
+    <message>
+        <source>working space · float</source>
+        <translation>Arbeitsraum · Gleitkomma</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2 x %3, y %4</source>
+        <translation>%1 → %2 x %3, y %4</translation>
+    </message>
+    <message>
+        <source>%1 x %2, y %3</source>
+        <translation>%1 x %2, y %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>once in the result</source>
+        <translation>einmal im Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 times in the result</source>
+        <translation>%1-mal im Ergebnis</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ImageViewer</name>
     <message>
         <source>%1 pixels at %2. %3</source>
@@ -3886,26 +3952,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Einstellungen wiederhergestellt, aber diese Dateien haben sich seither geändert, sodass das Ergebnis anders ausfällt: %1.</translation>
     </message>
     <message>
-        <source>Writing to %1…</source>
-        <translation>Schreibe nach %1 …</translation>
-    </message>
-    <message>
-        <source>Wrote 1 file to %1.</source>
-        <translation>1 Datei nach %1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Wrote %1 files to %2.</source>
-        <translation>%1 Dateien nach %2 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>The result is on the clipboard.</source>
-        <translation>Das Ergebnis ist in der Zwischenablage.</translation>
-    </message>
-    <message>
         <source>About Texloom</source>
         <translation>Über Texloom</translation>
     </message>
@@ -3920,74 +3966,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Open an exemplar first.</source>
         <translation>Öffnen Sie zuerst eine Vorlage.</translation>
-    </message>
-    <message>
-        <source>Quick preview under way: %1</source>
-        <translation>Schnellvorschau läuft: %1</translation>
-    </message>
-    <message>
-        <source>Under way: %1</source>
-        <translation>Läuft: %1</translation>
-    </message>
-    <message>
-        <source>Quick preview</source>
-        <translation>Schnellvorschau</translation>
-    </message>
-    <message>
-        <source>Preview 1:%1</source>
-        <translation>Vorschau 1:%1</translation>
-    </message>
-    <message>
-        <source>Finished: %1.</source>
-        <translation>Fertig: %1.</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3 · %4</source>
-        <translation>%1 · Startwert %2 · %3 · %4</translation>
-    </message>
-    <message>
-        <source>Quick preview: %1</source>
-        <translation>Schnellvorschau: %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1</source>
-        <translation>Angehalten bei %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1. The picture is as far as it got.</source>
-        <translation>%1. Das Bild ist so weit, wie es kam.</translation>
-    </message>
-    <message>
-        <source>Back to the last result</source>
-        <translation>Zurück zum letzten Ergebnis</translation>
-    </message>
-    <message>
-        <source>x %1, y %2</source>
-        <translation>x %1, y %2</translation>
-    </message>
-    <message>
-        <source>%1 → %2 x %3, y %4</source>
-        <translation>%1 → %2 x %3, y %4</translation>
-    </message>
-    <message>
-        <source>working space · float</source>
-        <translation>Arbeitsraum · Gleitkomma</translation>
-    </message>
-    <message>
-        <source>%1 x %2, y %3</source>
-        <translation>%1 x %2, y %3</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>%1[*] – Texloom</source>
@@ -4010,14 +3988,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
-        <source>once in the result</source>
-        <translation>einmal im Ergebnis</translation>
-    </message>
-    <message>
-        <source>%1 times in the result</source>
-        <translation>%1-mal im Ergebnis</translation>
-    </message>
-    <message>
         <source>Result: %1</source>
         <translation>Ergebnis: %1</translation>
     </message>
@@ -4026,12 +3996,32 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Öffnen Sie zuerst eine Vorlage: Ihre Patches werden miteinander verglichen.</translation>
     </message>
     <message>
-        <source>%1: x %2, y %3</source>
-        <translation>%1: x %2, y %3</translation>
-    </message>
-    <message>
         <source>Earlier: %1</source>
         <translation>Früher: %1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Several results and exemplars beside one another.</source>
+        <translation>Mehrere Ergebnisse und Vorlagen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4515,41 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>List the settings in which two chosen results differ; choose two first</source>
         <translation>Die Einstellungen auflisten, in denen sich zwei gewählte Ergebnisse unterscheiden; wählen Sie zuerst zwei</translation>
     </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Grenzen …</translation>
+    </message>
+    <message>
+        <source>Set how much memory and how much of the disk results may take</source>
+        <translation>Festlegen, wie viel Arbeitsspeicher und Festplattenplatz Ergebnisse belegen dürfen</translation>
+    </message>
+    <message>
+        <source>&amp;Results</source>
+        <translation>&amp;Ergebnisse</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultExport</name>
+    <message>
+        <source>Writing to %1…</source>
+        <translation>Schreibe nach %1 …</translation>
+    </message>
+    <message>
+        <source>Wrote 1 file to %1.</source>
+        <translation>1 Datei nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Wrote %1 files to %2.</source>
+        <translation>%1 Dateien nach %2 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>The result is on the clipboard.</source>
+        <translation>Das Ergebnis ist in der Zwischenablage.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultHistory</name>
@@ -4700,6 +4725,76 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>Preparing the pictures</source>
         <translation>Bilder werden vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunDesk</name>
+    <message>
+        <source>Started: %1</source>
+        <translation>Begonnen: %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1: %2</source>
+        <translation>Angehalten bei %1: %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Fehlgeschlagen: %1: %2</translation>
+    </message>
+    <message>
+        <source>Finished in %1: %2</source>
+        <translation>Fertig in %1: %2</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Hinweis: %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunDisplay</name>
+    <message>
+        <source>Quick preview under way: %1</source>
+        <translation>Schnellvorschau läuft: %1</translation>
+    </message>
+    <message>
+        <source>Under way: %1</source>
+        <translation>Läuft: %1</translation>
+    </message>
+    <message>
+        <source>Quick preview</source>
+        <translation>Schnellvorschau</translation>
+    </message>
+    <message>
+        <source>Preview 1:%1</source>
+        <translation>Vorschau 1:%1</translation>
+    </message>
+    <message>
+        <source>Quick preview: %1</source>
+        <translation>Schnellvorschau: %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Angehalten bei %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1. The picture is as far as it got.</source>
+        <translation>%1. Das Bild ist so weit, wie es kam.</translation>
+    </message>
+    <message>
+        <source>Back to the last result</source>
+        <translation>Zurück zum letzten Ergebnis</translation>
+    </message>
+    <message>
+        <source>Finished: %1.</source>
+        <translation>Fertig: %1.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
     </message>
 </context>
 <context>
@@ -5044,6 +5139,37 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     </message>
 </context>
 <context>
+    <name>texloom::ui::Tries</name>
+    <message>
+        <source>Try &amp;all methods</source>
+        <translation>Alle Verfahren aus&amp;probieren</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method, the quickest first, and compare them</source>
+        <translation>Mit jedem Verfahren eine Vorschau erzeugen, die schnellsten zuerst, und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>Try &amp;some methods…</source>
+        <translation>&amp;Einige Verfahren ausprobieren …</translation>
+    </message>
+    <message>
+        <source>Choose methods, make a run with each and compare them</source>
+        <translation>Verfahren wählen, mit jedem einen Lauf machen und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>Parameter s&amp;weep…</source>
+        <translation>&amp;Parameterreihe …</translation>
+    </message>
+    <message>
+        <source>Make a run for every combination of some values and compare them</source>
+        <translation>Für jede Kombination einiger Werte einen Vorgang machen und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · Startwert %2 · %3</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::UndoHistory</name>
     <message>
         <source>Method</source>
@@ -5151,117 +5277,6 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::Workbench</name>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Jobs</source>
-        <translation>Aufträge</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>&amp;Results</source>
-        <translation>&amp;Ergebnisse</translation>
-    </message>
-    <message>
-        <source>&amp;Limits…</source>
-        <translation>&amp;Grenzen …</translation>
-    </message>
-    <message>
-        <source>Started: %1</source>
-        <translation>Begonnen: %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1: %2</source>
-        <translation>Angehalten bei %1: %2</translation>
-    </message>
-    <message>
-        <source>Failed: %1: %2</source>
-        <translation>Fehlgeschlagen: %1: %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Finished in %1: %2</source>
-        <translation>Fertig in %1: %2</translation>
-    </message>
-    <message>
-        <source>Note: %1</source>
-        <translation>Hinweis: %1</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Several results and exemplars beside one another.</source>
-        <translation>Mehrere Ergebnisse und Vorlagen nebeneinander.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare</source>
-        <translation>&amp;Vergleichen</translation>
-    </message>
-    <message>
-        <source>Try &amp;all methods</source>
-        <translation>Alle Verfahren aus&amp;probieren</translation>
-    </message>
-    <message>
-        <source>Make a preview with every method, the quickest first, and compare them</source>
-        <translation>Mit jedem Verfahren eine Vorschau erzeugen, die schnellsten zuerst, und sie vergleichen</translation>
-    </message>
-    <message>
-        <source>Parameter s&amp;weep…</source>
-        <translation>&amp;Parameterreihe …</translation>
-    </message>
-    <message>
-        <source>Make a run for every combination of some values and compare them</source>
-        <translation>Für jede Kombination einiger Werte einen Vorgang machen und sie vergleichen</translation>
-    </message>
-    <message>
-        <source>This result was removed.</source>
-        <translation>Dieses Ergebnis wurde entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 · exemplar · %2</source>
-        <translation>%1 · Vorlage · %2</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3</source>
-        <translation>%1 · Startwert %2 · %3</translation>
-    </message>
-    <message>
-        <source>Write a contact sheet</source>
-        <translation>Kontaktbogen schreiben</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG-Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Try &amp;some methods…</source>
-        <translation>&amp;Einige Verfahren ausprobieren …</translation>
-    </message>
-    <message>
-        <source>Choose methods, make a run with each and compare them</source>
-        <translation>Verfahren wählen, mit jedem einen Lauf machen und sie vergleichen</translation>
-    </message>
-    <message>
-        <source>No exemplar is open</source>
-        <translation>Keine Vorlage ist geöffnet</translation>
     </message>
 </context>
 <context>

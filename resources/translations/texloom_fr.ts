@@ -2576,6 +2576,37 @@
     </message>
 </context>
 <context>
+    <name>texloom::ui::Comparisons</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Ce résultat a été retiré.</translation>
+    </message>
+    <message>
+        <source>%1 · exemplar · %2</source>
+        <translation>%1 · échantillon · %2</translation>
+    </message>
+    <message>
+        <source>No exemplar is open</source>
+        <translation>Aucun modèle n’est ouvert</translation>
+    </message>
+    <message>
+        <source>Write a contact sheet</source>
+        <translation>Écrire une planche-contact</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Images PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::CornersPage</name>
     <message>
         <source>Top left</source>
@@ -3430,6 +3461,41 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::Hovers</name>
+    <message>
+        <source>%1: x %2, y %3</source>
+        <translation>%1 : x %2, y %3</translation>
+    </message>
+    <message>
+        <source>working space · float</source>
+        <translation>espace de travail · flottant</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2 x %3, y %4</source>
+        <translation>%1 → %2 x %3, y %4</translation>
+    </message>
+    <message>
+        <source>%1 x %2, y %3</source>
+        <translation>%1 x %2, y %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>once in the result</source>
+        <translation>une fois dans le résultat</translation>
+    </message>
+    <message>
+        <source>%1 times in the result</source>
+        <translation>%1 fois dans le résultat</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ImageViewer</name>
     <message>
         <source>%1 pixels at %2. %3</source>
@@ -3886,26 +3952,6 @@ Déposez une image ici.</translation>
         <translation>Réglages rétablis, mais ces fichiers ont changé depuis, le résultat différera donc : %1.</translation>
     </message>
     <message>
-        <source>Writing to %1…</source>
-        <translation>Écriture dans %1…</translation>
-    </message>
-    <message>
-        <source>Wrote 1 file to %1.</source>
-        <translation>1 fichier écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>Wrote %1 files to %2.</source>
-        <translation>%1 fichiers écrits dans %2.</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ouvrir le dossier</translation>
-    </message>
-    <message>
-        <source>The result is on the clipboard.</source>
-        <translation>Le résultat est dans le presse-papiers.</translation>
-    </message>
-    <message>
         <source>About Texloom</source>
         <translation>À propos de Texloom</translation>
     </message>
@@ -3920,74 +3966,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Open an exemplar first.</source>
         <translation>Ouvrez d’abord un échantillon.</translation>
-    </message>
-    <message>
-        <source>Quick preview under way: %1</source>
-        <translation>Aperçu rapide en cours : %1</translation>
-    </message>
-    <message>
-        <source>Under way: %1</source>
-        <translation>En cours : %1</translation>
-    </message>
-    <message>
-        <source>Quick preview</source>
-        <translation>Aperçu rapide</translation>
-    </message>
-    <message>
-        <source>Preview 1:%1</source>
-        <translation>Aperçu 1:%1</translation>
-    </message>
-    <message>
-        <source>Finished: %1.</source>
-        <translation>Terminé : %1.</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Montrer</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3 · %4</source>
-        <translation>%1 · graine %2 · %3 · %4</translation>
-    </message>
-    <message>
-        <source>Quick preview: %1</source>
-        <translation>Aperçu rapide : %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1</source>
-        <translation>Arrêté à %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1 : %2</translation>
-    </message>
-    <message>
-        <source>%1. The picture is as far as it got.</source>
-        <translation>%1. L’image en est restée là.</translation>
-    </message>
-    <message>
-        <source>Back to the last result</source>
-        <translation>Revenir au dernier résultat</translation>
-    </message>
-    <message>
-        <source>x %1, y %2</source>
-        <translation>x %1, y %2</translation>
-    </message>
-    <message>
-        <source>%1 → %2 x %3, y %4</source>
-        <translation>%1 → %2 x %3, y %4</translation>
-    </message>
-    <message>
-        <source>working space · float</source>
-        <translation>espace de travail · flottant</translation>
-    </message>
-    <message>
-        <source>%1 x %2, y %3</source>
-        <translation>%1 x %2, y %3</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>%1[*] – Texloom</source>
@@ -4010,14 +3988,6 @@ Déposez une image ici.</translation>
         <translation>&amp;Outils</translation>
     </message>
     <message>
-        <source>once in the result</source>
-        <translation>une fois dans le résultat</translation>
-    </message>
-    <message>
-        <source>%1 times in the result</source>
-        <translation>%1 fois dans le résultat</translation>
-    </message>
-    <message>
         <source>Result: %1</source>
         <translation>Résultat : %1</translation>
     </message>
@@ -4026,12 +3996,32 @@ Déposez une image ici.</translation>
         <translation>Ouvrez d’abord un échantillon : ses patchs sont comparés entre eux.</translation>
     </message>
     <message>
-        <source>%1: x %2, y %3</source>
-        <translation>%1 : x %2, y %3</translation>
-    </message>
-    <message>
         <source>Earlier: %1</source>
         <translation>Auparavant : %1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Several results and exemplars beside one another.</source>
+        <translation>Plusieurs résultats et échantillons côte à côte.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Calculs</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -4525,6 +4515,41 @@ Déposez une image ici.</translation>
         <source>List the settings in which two chosen results differ; choose two first</source>
         <translation>Lister les réglages par lesquels deux résultats choisis diffèrent ; choisissez-en d’abord deux</translation>
     </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Limites…</translation>
+    </message>
+    <message>
+        <source>Set how much memory and how much of the disk results may take</source>
+        <translation>Définir la mémoire et la place sur le disque que les résultats peuvent occuper</translation>
+    </message>
+    <message>
+        <source>&amp;Results</source>
+        <translation>&amp;Résultats</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultExport</name>
+    <message>
+        <source>Writing to %1…</source>
+        <translation>Écriture dans %1…</translation>
+    </message>
+    <message>
+        <source>Wrote 1 file to %1.</source>
+        <translation>1 fichier écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Wrote %1 files to %2.</source>
+        <translation>%1 fichiers écrits dans %2.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>The result is on the clipboard.</source>
+        <translation>Le résultat est dans le presse-papiers.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultHistory</name>
@@ -4700,6 +4725,76 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>Preparing the pictures</source>
         <translation>Préparation des images</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunDesk</name>
+    <message>
+        <source>Started: %1</source>
+        <translation>Commencé : %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1: %2</source>
+        <translation>Arrêté à %1 : %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Échec : %1 : %2</translation>
+    </message>
+    <message>
+        <source>Finished in %1: %2</source>
+        <translation>Terminé en %1 : %2</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Remarque : %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunDisplay</name>
+    <message>
+        <source>Quick preview under way: %1</source>
+        <translation>Aperçu rapide en cours : %1</translation>
+    </message>
+    <message>
+        <source>Under way: %1</source>
+        <translation>En cours : %1</translation>
+    </message>
+    <message>
+        <source>Quick preview</source>
+        <translation>Aperçu rapide</translation>
+    </message>
+    <message>
+        <source>Preview 1:%1</source>
+        <translation>Aperçu 1:%1</translation>
+    </message>
+    <message>
+        <source>Quick preview: %1</source>
+        <translation>Aperçu rapide : %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Arrêté à %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1. The picture is as far as it got.</source>
+        <translation>%1. L’image en est restée là.</translation>
+    </message>
+    <message>
+        <source>Back to the last result</source>
+        <translation>Revenir au dernier résultat</translation>
+    </message>
+    <message>
+        <source>Finished: %1.</source>
+        <translation>Terminé : %1.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
     </message>
 </context>
 <context>
@@ -5044,6 +5139,37 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     </message>
 </context>
 <context>
+    <name>texloom::ui::Tries</name>
+    <message>
+        <source>Try &amp;all methods</source>
+        <translation>Essayer &amp;toutes les méthodes</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method, the quickest first, and compare them</source>
+        <translation>Faire un aperçu avec chaque méthode, les plus rapides d’abord, et les comparer</translation>
+    </message>
+    <message>
+        <source>Try &amp;some methods…</source>
+        <translation>Essayer &amp;quelques méthodes…</translation>
+    </message>
+    <message>
+        <source>Choose methods, make a run with each and compare them</source>
+        <translation>Choisir des méthodes, faire un calcul avec chacune et les comparer</translation>
+    </message>
+    <message>
+        <source>Parameter s&amp;weep…</source>
+        <translation>&amp;Balayage de paramètres…</translation>
+    </message>
+    <message>
+        <source>Make a run for every combination of some values and compare them</source>
+        <translation>Faire un calcul pour chaque combinaison de quelques valeurs et les comparer</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · graine %2 · %3</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::UndoHistory</name>
     <message>
         <source>Method</source>
@@ -5151,117 +5277,6 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::Workbench</name>
-    <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>Jobs</source>
-        <translation>Calculs</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Journal</translation>
-    </message>
-    <message>
-        <source>&amp;Results</source>
-        <translation>&amp;Résultats</translation>
-    </message>
-    <message>
-        <source>&amp;Limits…</source>
-        <translation>&amp;Limites…</translation>
-    </message>
-    <message>
-        <source>Started: %1</source>
-        <translation>Commencé : %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1: %2</source>
-        <translation>Arrêté à %1 : %2</translation>
-    </message>
-    <message>
-        <source>Failed: %1: %2</source>
-        <translation>Échec : %1 : %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Finished in %1: %2</source>
-        <translation>Terminé en %1 : %2</translation>
-    </message>
-    <message>
-        <source>Note: %1</source>
-        <translation>Remarque : %1</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Comparaison</translation>
-    </message>
-    <message>
-        <source>Several results and exemplars beside one another.</source>
-        <translation>Plusieurs résultats et échantillons côte à côte.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare</source>
-        <translation>&amp;Comparer</translation>
-    </message>
-    <message>
-        <source>Try &amp;all methods</source>
-        <translation>Essayer &amp;toutes les méthodes</translation>
-    </message>
-    <message>
-        <source>Make a preview with every method, the quickest first, and compare them</source>
-        <translation>Faire un aperçu avec chaque méthode, les plus rapides d’abord, et les comparer</translation>
-    </message>
-    <message>
-        <source>Parameter s&amp;weep…</source>
-        <translation>&amp;Balayage de paramètres…</translation>
-    </message>
-    <message>
-        <source>Make a run for every combination of some values and compare them</source>
-        <translation>Faire un calcul pour chaque combinaison de quelques valeurs et les comparer</translation>
-    </message>
-    <message>
-        <source>This result was removed.</source>
-        <translation>Ce résultat a été retiré.</translation>
-    </message>
-    <message>
-        <source>%1 · exemplar · %2</source>
-        <translation>%1 · échantillon · %2</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3</source>
-        <translation>%1 · graine %2 · %3</translation>
-    </message>
-    <message>
-        <source>Write a contact sheet</source>
-        <translation>Écrire une planche-contact</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>Images PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 écrit.</translation>
-    </message>
-    <message>
-        <source>Try &amp;some methods…</source>
-        <translation>Essayer &amp;quelques méthodes…</translation>
-    </message>
-    <message>
-        <source>Choose methods, make a run with each and compare them</source>
-        <translation>Choisir des méthodes, faire un calcul avec chacune et les comparer</translation>
-    </message>
-    <message>
-        <source>No exemplar is open</source>
-        <translation>Aucun modèle n’est ouvert</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,7 @@
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -184,8 +184,8 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("source.png"), {64, 64})));
         ExportOptions options;
         options.image = toPath(m_folder.filePath(QStringLiteral("made.png")));
-        exportResult(*m_window->result(), options);
-        const RunPlan& plan = m_window->result()->plan;
+        exportResult(*m_window->desk()->result(), options);
+        const RunPlan& plan = m_window->desk()->result()->plan;
         const Values settings = plan.steps.front().settings;
         const std::uint64_t seed = plan.request.seed;
         const Size size = plan.request.size;

@@ -59,6 +59,8 @@ public:
     /// The exemplar that sizes are multiples of. Until the user sets a size, it is twice the exemplar's, but
     /// modest.
     void setExemplarSize(Size size);
+    /// Forgets that the user set a size: that of the next exemplar counts again.
+    void forgetSize() { m_sizeChosen = false; }
 
 Q_SIGNALS:
     void edited();

@@ -1,7 +1,10 @@
 #include "ui/session/undo_history.h"
 
+#include "ui/runs/result_history.h"
+
 #include <QAction>
 #include <QElapsedTimer>
+#include <QPointer>
 #include <QUndoCommand>
 #include <QUndoStack>
 
@@ -51,6 +54,34 @@ private:
     Show m_show;
     bool m_done = false;
     QElapsedTimer m_since;
+};
+
+/// Takes results off a history's list, which has been done when it is pushed.
+class RemoveResults : public QUndoCommand {
+public:
+    RemoveResults(ResultHistory* history, std::vector<std::string> keys)
+        : QUndoCommand(keys.size() == 1 ? UndoHistory::tr("Delete result")
+                                        : UndoHistory::tr("Delete results")),
+          m_history(history), m_keys(std::move(keys)) {}
+    ~RemoveResults() override {
+        if (m_history && m_removed)
+            m_history->purge(m_keys);
+    }
+
+    void undo() override {
+        m_removed = false;
+        m_history->putBack(m_keys);
+    }
+    void redo() override {
+        if (!m_removed)
+            m_history->remove(m_keys);
+        m_removed = true;
+    }
+
+private:
+    QPointer<ResultHistory> m_history;
+    std::vector<std::string> m_keys;
+    bool m_removed = true;
 };
 
 QString nameOf(const QString& difference) {
@@ -115,6 +146,10 @@ void UndoHistory::settingsEdited() {
     m_stack->push(new StateCommand<SettingsState>(SettingsId, nameOf(difference), difference, m_last, now,
                                                   [this](const SettingsState& state) { show(state); }));
     m_last = std::move(now);
+}
+
+void UndoHistory::removed(ResultHistory* history, const std::vector<std::string>& keys) {
+    m_stack->push(new RemoveResults(history, keys));
 }
 
 void UndoHistory::asOne(const std::function<void()>& change) {

@@ -6,19 +6,17 @@
 #include "ui/common/shortcuts_dialog.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
-#include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
+#include "ui/maps/result_view.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_page.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -29,7 +27,6 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QUrl>
 
 #include <algorithm>
 #include <utility>
@@ -39,7 +36,6 @@ namespace texloom::ui {
 namespace {
 
 const QString kOpenFolder = QStringLiteral("folders/open");
-const QString kExportFolder = QStringLiteral("folders/export");
 constexpr std::chrono::milliseconds kDragGrace{150};
 
 bool isRecipe(const QString& path) {
@@ -176,7 +172,7 @@ void MainWindow::exemplarOpened(int id) {
         offerRecipe(path, tr("%1 was made here and holds its settings.").arg(QFileInfo(path).fileName()));
     else if (m_messages->kind() == MessageBar::Kind::Error)
         m_messages->dismiss();
-    const bool first = m_store->entries().size() == 1 && !m_result && !m_controller->running();
+    const bool first = m_store->entries().size() == 1 && !m_desk->result() && !m_desk->running();
     if (first)
         startRun(true);
 }
@@ -262,38 +258,6 @@ void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
             restore(input);
         },
         [this](const QString& why) { fail(why); });
-}
-
-void MainWindow::exportDialog() {
-    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString known = QFileInfo(pictures).isDir() ? pictures : QDir::homePath();
-    const QString folder = QSettings().value(kExportFolder, known).toString();
-    auto* dialog = new ExportDialog(m_result, folder, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { writeFiles(*dialog); });
-    dialog->open();
-}
-
-void MainWindow::writeFiles(const ExportDialog& dialog) {
-    const QString folder = dialog.folder();
-    QSettings().setValue(kExportFolder, folder);
-    m_messages->say(MessageBar::Kind::Information, tr("Writing to %1…").arg(folder));
-    inBackground(
-        this,
-        [result = dialog.result(), options = dialog.options()] { return exportResult(*result, options); },
-        [this, folder](const std::vector<ExportEntry>& written) {
-            const QString text = written.size() == 1
-                                     ? tr("Wrote 1 file to %1.").arg(folder)
-                                     : tr("Wrote %1 files to %2.").arg(written.size()).arg(folder);
-            m_messages->say(MessageBar::Kind::Information, text, tr("Open folder"),
-                            [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
-        },
-        [this](const QString& why) { fail(why); });
-}
-
-void MainWindow::copyResult() {
-    QApplication::clipboard()->setImage(m_resultPictures.result->image());
-    m_messages->say(MessageBar::Kind::Information, tr("The result is on the clipboard."));
 }
 
 void MainWindow::showShortcuts() {

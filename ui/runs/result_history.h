@@ -14,13 +14,16 @@
 
 namespace texloom::ui {
 
+/// The folder in which results are kept, as the settings have it.
+QString resultFolder();
+
 /// All results, newest first, as a model for views: every run that ended, those of earlier sessions too. They
 /// are written to a folder as they come and read back when they are wanted, on a thread of its own.
 class ResultHistory : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { KeyRole = Qt::UserRole, ChipsRole, PinnedRole, PreviewRole, SearchRole };
+    enum Role { KeyRole = Qt::UserRole, ChipsRole, PinnedRole, PreviewRole, SearchRole, ShownRole };
     using Wanted = std::function<void(const std::shared_ptr<const Result>&)>;
     using Missing = std::function<void(const QString&)>;
 
@@ -48,10 +51,15 @@ public:
     QImage thumbnail(const std::string& key) const;
 
     void setPinned(const std::string& key, bool pinned);
-    /// Takes results off the list. Their files stay until others are removed or the window closes.
+    /// The result that a window shows, which views mark; none if empty.
+    void setShown(const std::string& key);
+    /// Takes results off the list. Their files stay, so that they can come back, until purge(), the end of
+    /// the window, or until the disk's budget needs the room.
     void remove(const std::vector<std::string>& keys);
-    /// Puts those back that were removed last.
-    void undoRemove();
+    /// Puts removed results back, those whose files are still there.
+    void putBack(const std::vector<std::string>& keys);
+    /// Deletes the files of removed results.
+    void purge(const std::vector<std::string>& keys);
     /// The budget of memory for results, in bytes.
     void setMemoryBudget(std::uint64_t bytes);
     void setDiskBudget(std::uint64_t bytes);
@@ -75,17 +83,21 @@ private:
     void readThumbnails(const std::vector<ResultEntry>& entries);
     void save(const ResultEntry& entry, const std::shared_ptr<const Result>& result, const QImage& thumbnail);
     void saveEntry(const std::string& key);
-    void purgeRemoved();
+    void purge(const ResultEntry& entry);
+    void purgeBeyondDisk();
     void keepWithinDisk();
     void takeRow(const std::string& key);
+    std::vector<ResultEntry>::iterator removedWith(const std::string& key);
+    QString accessibleText(const ResultEntry& entry) const;
     int rowOf(const std::string& key) const;
     const ResultEntry& entryAt(const QModelIndex& index) const;
 
     ResultFolder m_folder;
     ResultStore m_store;
     std::map<std::string, QImage> m_thumbnails;
-    std::vector<ResultEntry> m_removed; ///< those that undoRemove() would put back
-    QThreadPool m_disk;                 ///< one thread, so that what is written keeps its order
+    std::vector<ResultEntry> m_removed; ///< those that putBack() would put back, the first removed first
+    std::string m_shown;
+    QThreadPool m_disk; ///< one thread, so that what is written keeps its order
     bool m_ready = false;
 };
 

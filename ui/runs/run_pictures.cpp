@@ -1,4 +1,4 @@
-#include "ui/jobs/run_pictures.h"
+#include "ui/runs/run_pictures.h"
 
 #include "core/analysis/map_pictures.h"
 

@@ -7,9 +7,9 @@
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/job_panel.h"
 #include "ui/log/log_panel.h"
+#include "ui/maps/result_view.h"
 #include "ui/results/limits_dialog.h"
-#include "ui/viewers/result_view.h"
-#include "ui/window/workbench.h"
+#include "ui/session/undo_history.h"
 
 #include <QAction>
 #include <QApplication>
@@ -34,10 +34,6 @@ using namespace texloom::ui;
 namespace {
 
 constexpr int kPatience = 60'000;
-
-QString resultFolder() {
-    return QSettings().value(QStringLiteral("results/folder")).toString();
-}
 
 /// A finished run of 48 × 40 px made without a window.
 std::shared_ptr<const Result> smallResult(const QString& exemplar, std::uint64_t seed) {
@@ -76,7 +72,7 @@ std::vector<std::uint64_t> seedsOf(const JobQueue& queue) {
 } // namespace
 
 /// The docks at the bottom: results, jobs, log.
-class WorkbenchTest : public QObject {
+class DocksTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -94,8 +90,8 @@ private Q_SLOTS:
             MainWindow window;
             window.show();
             QVERIFY(openAndFinish(window, m_exemplar));
-            made = window.result();
-            ResultHistory* const history = window.workbench()->history();
+            made = window.desk()->result();
+            ResultHistory* const history = window.desk()->history();
             QCOMPARE(history->rowCount(), 1);
             key = history->entries().back().key;
             QVERIFY(history->setData(history->indexOf(key), QStringLiteral("My weave"), Qt::EditRole));
@@ -103,7 +99,7 @@ private Q_SLOTS:
         }
         MainWindow again;
         again.show();
-        ResultHistory* const history = again.workbench()->history();
+        ResultHistory* const history = again.desk()->history();
         QTRY_COMPARE(history->rowCount(), 1);
         const QModelIndex row = history->index(0);
         QCOMPARE(row.data().toString(), QStringLiteral("My weave"));
@@ -111,19 +107,19 @@ private Q_SLOTS:
         QTRY_VERIFY(!row.data(Qt::DecorationRole).value<QImage>().isNull());
         QVERIFY(history->entries().front().quick);
 
-        again.workbench()->show(key);
-        QTRY_VERIFY(again.result());
+        again.desk()->show(key);
+        QTRY_VERIFY(again.desk()->result());
         QVERIFY(again.results()->isVisible());
-        QVERIFY(samePixels(again.result()->synthesis.image, made->synthesis.image));
-        QVERIFY(again.result()->synthesis.map == made->synthesis.map);
+        QVERIFY(samePixels(again.desk()->result()->synthesis.image, made->synthesis.image));
+        QVERIFY(again.desk()->result()->synthesis.map == made->synthesis.map);
         QVERIFY(again.results()->title().contains(QStringLiteral("Quick preview")));
         QVERIFY(child<QAction>(again, "export")->isEnabled());
 
         QSignalSpy opened(again.store(), &ExemplarStore::opened);
         again.openFiles({m_exemplar});
         QVERIFY(opened.wait());
-        again.workbench()->show(key);
-        QTRY_VERIFY(again.result() != nullptr && !again.controller()->running());
+        again.desk()->show(key);
+        QTRY_VERIFY(again.desk()->result() != nullptr && !again.desk()->running());
         const Source source = made->synthesis.map.at(9, 7);
         QTRY_VERIFY2((Q_EMIT again.results()->viewer(ResultView::ResultTab)->hovered({9, 7}),
                       again.exemplarPanel()->viewer()->marker() == QPoint(source.x, source.y)),
@@ -136,7 +132,7 @@ private Q_SLOTS:
         window.resize(1200, 800);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        ResultHistory* const history = window.workbench()->history();
+        ResultHistory* const history = window.desk()->history();
         QTRY_VERIFY(history->ready());
         for (int i = 0; i < 200; ++i)
             history->add(result, false, plain(qRgb(i, 255 - i, 80)));
@@ -184,8 +180,8 @@ private Q_SLOTS:
         entry.write("{");
         entry.close();
         MainWindow window;
-        QTRY_COMPARE(window.workbench()->history()->rowCount(), 1);
-        QTRY_VERIFY(window.workbench()->log()->text().contains(QString::fromStdString(key)));
+        QTRY_COMPARE(window.desk()->history()->rowCount(), 1);
+        QTRY_VERIFY(window.log()->text().contains(QString::fromStdString(key)));
     }
 
     void oldestUnpinnedOnesMakeRoomOnTheDisk() {
@@ -208,7 +204,7 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        ResultHistory* const history = window.workbench()->history();
+        ResultHistory* const history = window.desk()->history();
         const std::string key = history->entries().back().key;
         auto* list = child<QListView>(window, "resultList");
         QVERIFY(QTest::qWaitForWindowActive(&window));
@@ -232,11 +228,98 @@ private Q_SLOTS:
         QTRY_VERIFY(back);
     }
 
+    void aClickShowsAResultAndNamesIt() {
+        MainWindow window;
+        window.resize(1400, 900);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        ResultHistory* const history = window.desk()->history();
+        QTRY_VERIFY(history->ready());
+        const std::string first = history->add(smallResult(m_exemplar, 31), false, plain(Qt::red));
+        const std::string second = history->add(smallResult(m_exemplar, 32), false, plain(Qt::blue));
+        auto* list = child<QListView>(window, "resultList");
+        const auto click = [&](int row, Qt::KeyboardModifiers keys = {}) {
+            settle();
+            const QPoint centre = list->visualRect(list->model()->index(row, 0)).center();
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, keys, centre);
+        };
+        const auto shown = [&](const std::string& key) {
+            return history->indexOf(key).data(ResultHistory::ShownRole).toBool();
+        };
+        click(1);
+        QTRY_COMPARE(window.desk()->last().key, first);
+        QVERIFY(window.desk()->resultShown() && shown(first) && !shown(second));
+        QVERIFY(history->indexOf(first)
+                    .data(Qt::AccessibleTextRole)
+                    .toString()
+                    .endsWith(QStringLiteral("shown")));
+        click(0);
+        QTRY_COMPARE(window.desk()->last().key, second);
+        QVERIFY(!shown(first) && shown(second));
+        const auto* remove = child<QAction>(window, "removeResult");
+        QVERIFY(remove->text().contains(history->indexOf(second).data().toString()));
+        QCOMPARE(remove->iconText(), QStringLiteral("Delete"));
+
+        click(1, Qt::ControlModifier);
+        QTest::qWait(50);
+        QVERIFY2(shown(second), "while several are being chosen, none of them is shown");
+        QVERIFY(remove->text().contains(QLatin1Char('2')));
+
+        window.results()->setTab(ResultView::SynthesisTab);
+        click(1);
+        QTRY_COMPARE(window.desk()->last().key, first);
+        QVERIFY(window.results()->viewer(ResultView::ResultTab)->isVisible());
+        child<QAction>(window, "renameResult")->trigger();
+        auto* editor = list->viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        QTest::keyClicks(editor, QStringLiteral("red"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(QString::fromStdString(history->find(first)->title), QStringLiteral("red"));
+    }
+
+    void undoBringsDeletedResultsBackInTheirTurn() {
+        MainWindow window;
+        window.show();
+        ResultHistory* const history = window.desk()->history();
+        QTRY_VERIFY(history->ready());
+        std::vector<std::string> keys;
+        for (int i = 0; i < 3; ++i)
+            keys.push_back(history->add(smallResult(m_exemplar, 41), false, plain(Qt::red)));
+        history->waitForDisk();
+        const auto folder = [&](const std::string& key) {
+            return QDir(QStringLiteral("%1/%2").arg(resultFolder(), QString::fromStdString(key)));
+        };
+        auto* undo = child<QAction>(window, "undo");
+        auto* redo = child<QAction>(window, "redo");
+        auto* remove = child<QAction>(window, "removeResult");
+        window.resultPanel()->select({keys[0]});
+        remove->trigger();
+        window.inspector()->output()->setSeed(77);
+        window.resultPanel()->select({keys[1], keys[2]});
+        remove->trigger();
+        QCOMPARE(history->rowCount(), 0);
+        QVERIFY(undo->text().contains(QStringLiteral("Delete results")));
+        undo->trigger();
+        QCOMPARE(history->rowCount(), 2);
+        QVERIFY2(window.messages()->text().isEmpty(), "what was undone is no longer offered to be");
+        undo->trigger();
+        QVERIFY(window.inspector()->output()->seed() != 77U);
+        undo->trigger();
+        QCOMPARE(history->rowCount(), 3);
+        redo->trigger();
+        QCOMPARE(history->rowCount(), 2);
+        history->waitForDisk();
+        QVERIFY2(folder(keys[0]).exists(), "it can still come back");
+        window.undoHistory()->clear();
+        history->waitForDisk();
+        QVERIFY2(!folder(keys[0]).exists() && folder(keys[1]).exists(), "now it cannot");
+    }
+
     void searchAndRenameByKeyboard() {
         MainWindow window;
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
-        ResultHistory* const history = window.workbench()->history();
+        ResultHistory* const history = window.desk()->history();
         QTRY_VERIFY(history->ready());
         history->add(smallResult(m_exemplar, 11), false, plain(Qt::red));
         history->add(smallResult(m_exemplar, 22), false, plain(Qt::blue));
@@ -266,21 +349,21 @@ private Q_SLOTS:
         inspector->setValues({{"patch", 20}});
         inspector->output()->setSeed(7);
         inspector->output()->setOutputSize({70, 60});
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(false);
         QVERIFY(finished.wait(kPatience));
-        const ResultHistory* const history = window.workbench()->history();
+        const ResultHistory* const history = window.desk()->history();
         const std::string full = history->entries().back().key;
         const std::string quick = history->entries().front().key;
         inspector->setValues({{"patch", 30}});
         inspector->output()->setSeed(8);
         inspector->output()->setOutputSize({90, 90});
-        window.workbench()->restore(full);
+        window.restoreResult(full);
         QCOMPARE(std::get<int>(inspector->values().at("patch")), 20);
         QCOMPARE(inspector->output()->seed(), 7U);
         QVERIFY((inspector->output()->outputSize() == Size{70, 60}));
         inspector->output()->setOutputSize({90, 90});
-        window.workbench()->restore(quick);
+        window.restoreResult(quick);
         QVERIFY2((inspector->output()->outputSize() == Size{90, 90}), "a preview's size is not taken over");
 
         auto* list = child<QListView>(window, "resultList");
@@ -297,10 +380,10 @@ private Q_SLOTS:
     void settingsOfAResultWhoseExemplarIsClosedReadItAgain() {
         MainWindow window;
         window.show();
-        QTRY_VERIFY(window.workbench()->history()->ready());
+        QTRY_VERIFY(window.desk()->history()->ready());
         const std::string key =
-            window.workbench()->history()->add(smallResult(m_exemplar, 5), false, plain(Qt::red));
-        window.workbench()->restore(key);
+            window.desk()->history()->add(smallResult(m_exemplar, 5), false, plain(Qt::red));
+        window.restoreResult(key);
         QTRY_COMPARE(window.store()->entries().size(), std::size_t{1});
         QTRY_COMPARE(window.inspector()->output()->seed(), 5U);
         QCOMPARE(window.inspector()->method()->id(), std::string("random-phase"));
@@ -313,7 +396,7 @@ private Q_SLOTS:
         auto* dialog = child<LimitsDialog>(window, "limitsDialog");
         child<QDoubleSpinBox>(*dialog, "memoryLimit")->setValue(0.5);
         dialog->accept();
-        QCOMPARE(window.workbench()->history()->store().memoryBudget(), std::uint64_t{512} << 20);
+        QCOMPARE(window.desk()->history()->store().memoryBudget(), std::uint64_t{512} << 20);
         QSettings().remove(QStringLiteral("results/memory"));
     }
 
@@ -392,7 +475,7 @@ private Q_SLOTS:
     void jobsDockShowsAndMovesWhatWaits() {
         MainWindow window;
         window.show();
-        JobQueue* const queue = window.workbench()->queue();
+        JobQueue* const queue = window.desk()->queue();
         queue->setPaused(true);
         for (std::uint64_t seed = 1; seed <= 3; ++seed)
             queue->add(planFor(m_exemplar, {64, 64}, seed), false, false, JobQueue::Place::Last);
@@ -413,7 +496,7 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        JobQueue* const queue = window.workbench()->queue();
+        JobQueue* const queue = window.desk()->queue();
         queue->setPaused(true);
         window.inspector()->output()->setOutputSize({64, 48});
         window.inspector()->output()->setSeed(41);
@@ -421,28 +504,28 @@ private Q_SLOTS:
         child<QAction>(window, "addToQueue")->trigger();
         QTRY_COMPARE(queue->waiting(), 1);
         window.inspector()->output()->setSeed(42);
-        const auto before = window.result();
+        const auto before = window.desk()->result();
         QSignalSpy finished(queue, &JobQueue::finished);
         queue->setPaused(false);
         QVERIFY(finished.wait(kPatience));
-        const ResultEntry& entry = window.workbench()->history()->entries().back();
+        const ResultEntry& entry = window.desk()->history()->entries().back();
         QCOMPARE(entry.recipe.seed, 41U);
         QVERIFY((entry.recipe.size == Size{64, 48}));
-        QVERIFY2(window.result() == before, "the queue works behind what is shown");
+        QVERIFY2(window.desk()->result() == before, "the queue works behind what is shown");
     }
 
     void aQueuedRunCanBeWatched() {
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        JobQueue* const queue = window.workbench()->queue();
+        JobQueue* const queue = window.desk()->queue();
         QSignalSpy finished(queue, &JobQueue::finished);
         queue->add(planFor(m_large, {120, 120}, 3), false, false, JobQueue::Place::Last);
         auto* list = child<QTreeWidget>(window, "jobList");
         Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
         QVERIFY(window.results()->title().startsWith(QStringLiteral("Under way")));
         QVERIFY(finished.wait(kPatience));
-        QVERIFY((window.result()->plan.request.size == Size{120, 120}));
+        QVERIFY((window.desk()->result()->plan.request.size == Size{120, 120}));
     }
 
     void threadBudgetHolds() {
@@ -463,13 +546,13 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        const QString log = window.workbench()->log()->text();
+        const QString log = window.log()->text();
         QVERIFY2(log.contains(QStringLiteral("Started: ")) && log.contains(QStringLiteral("Finished in ")),
                  qPrintable(log));
         child<QToolButton>(window, "copyLog")->click();
         QCOMPARE(QApplication::clipboard()->text(), log);
         window.openFiles({QStringLiteral("/no/such/picture.png")});
-        QTRY_VERIFY(window.workbench()->log()->text().contains(QStringLiteral("/no/such/picture.png")));
+        QTRY_VERIFY(window.log()->text().contains(QStringLiteral("/no/such/picture.png")));
     }
 
     void layoutIsResetWithTheDocks() {
@@ -489,5 +572,5 @@ private:
     QString m_large;
 };
 
-TEXLOOM_UI_TESTS(WorkbenchTest)
-#include "workbench_test.moc"
+TEXLOOM_UI_TESTS(DocksTest)
+#include "docks_test.moc"

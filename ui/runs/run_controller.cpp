@@ -1,4 +1,4 @@
-#include "ui/jobs/run_controller.h"
+#include "ui/runs/run_controller.h"
 
 #include "ui/common/background.h"
 #include "ui/common/text.h"
@@ -36,7 +36,12 @@ RunController::RunController(QObject* parent) : QObject(parent) {
 }
 
 RunController::~RunController() {
-    m_job.reset();
+    halt();
+}
+
+void RunController::halt() {
+    ++m_run;
+    end();
 }
 
 void RunController::stop() {

@@ -1,4 +1,4 @@
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
 #include "core/base/text.h"
 #include "ui/common/text.h"

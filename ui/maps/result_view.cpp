@@ -1,4 +1,4 @@
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 
 #include "core/analysis/map_pictures.h"
 #include "ui/common/background.h"

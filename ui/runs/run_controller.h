@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/session/run/run.h"
-#include "ui/jobs/run_pictures.h"
+#include "ui/runs/run_pictures.h"
 
 #include <QObject>
 #include <QString>
@@ -24,7 +24,7 @@ struct RunProgress {
 QString labelOf(const RunPlan& plan);
 
 /// Owns the run under way: starts it, looks at it on a timer, and tells the window how it goes and ends. A
-/// run goes on its own threads; destroying the controller cancels it and waits for its end.
+/// run goes on its own threads; destroying the controller halts it.
 class RunController : public QObject {
     Q_OBJECT
 
@@ -37,6 +37,8 @@ public:
     void start(RunPlan plan, bool quick);
     /// Asks the run to end; stopped() follows.
     void stop();
+    /// Ends the run and waits for that; nobody is told.
+    void halt();
     bool running() const { return m_job != nullptr; }
     /// Whether the run under way, or the last one, is or was a preview at a small size.
     bool quick() const { return m_quick; }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/exemplar/exemplar_store.h"
-#include "ui/jobs/run_pictures.h"
+#include "ui/runs/run_pictures.h"
 #include "ui/viewers/image_viewer.h"
 
 #include <QPoint>

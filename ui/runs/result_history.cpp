@@ -1,11 +1,12 @@
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 #include "core/base/text.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
-#include <QPixmap>
+#include <QSettings>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +24,11 @@ QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
 
 } // namespace
 
+QString resultFolder() {
+    const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    return QSettings().value(QStringLiteral("results/folder"), cache + QStringLiteral("/results")).toString();
+}
+
 ResultHistory::ResultHistory(const QString& folder, QObject* parent)
     : QAbstractListModel(parent), m_folder(toPath(folder)) {
     m_disk.setMaxThreadCount(1);
@@ -30,7 +36,8 @@ ResultHistory::ResultHistory(const QString& folder, QObject* parent)
 }
 
 ResultHistory::~ResultHistory() {
-    purgeRemoved();
+    for (const ResultEntry& entry : m_removed)
+        purge(entry);
     m_disk.waitForDone();
 }
 
@@ -93,6 +100,15 @@ QModelIndex ResultHistory::indexOf(const std::string& key) const {
     return row < 0 ? QModelIndex() : index(row);
 }
 
+QString ResultHistory::accessibleText(const ResultEntry& entry) const {
+    QStringList parts = QStringList(titleText(entry)) + chipsOf(entry);
+    if (entry.pinned)
+        parts += tr("pinned");
+    if (entry.key == m_shown)
+        parts += tr("shown");
+    return parts.join(QStringLiteral(", "));
+}
+
 QVariant ResultHistory::data(const QModelIndex& index, int role) const {
     if (!index.isValid())
         return {};
@@ -106,9 +122,7 @@ QVariant ResultHistory::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
         return detailsText(entry);
     case Qt::AccessibleTextRole:
-        return entry.pinned
-                   ? tr("%1, %2, pinned").arg(titleText(entry), chipsOf(entry).join(QStringLiteral(", ")))
-                   : tr("%1, %2").arg(titleText(entry), chipsOf(entry).join(QStringLiteral(", ")));
+        return accessibleText(entry);
     case KeyRole:
         return QString::fromStdString(entry.key);
     case ChipsRole:
@@ -117,6 +131,8 @@ QVariant ResultHistory::data(const QModelIndex& index, int role) const {
         return entry.pinned;
     case PreviewRole:
         return entry.quick;
+    case ShownRole:
+        return entry.key == m_shown;
     case SearchRole:
         return searchText(entry);
     default:
@@ -215,27 +231,60 @@ void ResultHistory::takeRow(const std::string& key) {
 }
 
 void ResultHistory::remove(const std::vector<std::string>& keys) {
-    purgeRemoved();
     for (const std::string& key : keys)
         takeRow(key);
+    purgeBeyondDisk();
 }
 
-void ResultHistory::undoRemove() {
-    for (const ResultEntry& entry : std::exchange(m_removed, {})) {
+void ResultHistory::putBack(const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) {
+        const auto removed = removedWith(key);
+        if (removed == m_removed.end())
+            continue;
         const auto& all = m_store.entries();
-        const auto newer = std::count_if(all.begin(), all.end(),
-                                         [&](const ResultEntry& other) { return other.key > entry.key; });
-        beginInsertRows({}, static_cast<int>(newer), static_cast<int>(newer));
-        m_store.putBack(entry);
+        const auto newer = static_cast<int>(
+            std::count_if(all.begin(), all.end(), [&](const ResultEntry& other) { return other.key > key; }));
+        beginInsertRows({}, newer, newer);
+        m_store.putBack(*removed);
+        m_removed.erase(removed);
         endInsertRows();
     }
 }
 
-void ResultHistory::purgeRemoved() {
-    for (const ResultEntry& entry : std::exchange(m_removed, {})) {
-        m_thumbnails.erase(entry.key);
-        m_disk.start([folder = m_folder, entry] { folder.remove(entry); });
+void ResultHistory::purge(const std::vector<std::string>& keys) {
+    for (const std::string& key : keys)
+        if (const auto removed = removedWith(key); removed != m_removed.end()) {
+            purge(*removed);
+            m_removed.erase(removed);
+        }
+}
+
+void ResultHistory::purge(const ResultEntry& entry) {
+    m_thumbnails.erase(entry.key);
+    m_disk.start([folder = m_folder, entry] { folder.remove(entry); });
+}
+
+/// Results that could come back give way to those that are on the list.
+void ResultHistory::purgeBeyondDisk() {
+    std::uint64_t bytes = m_store.diskUsed();
+    for (const ResultEntry& entry : m_removed)
+        bytes += entry.bytes;
+    auto kept = m_removed.begin();
+    for (; kept != m_removed.end() && bytes > m_store.diskBudget(); ++kept) {
+        bytes -= kept->bytes;
+        purge(*kept);
     }
+    m_removed.erase(m_removed.begin(), kept);
+}
+
+std::vector<ResultEntry>::iterator ResultHistory::removedWith(const std::string& key) {
+    return std::find_if(m_removed.begin(), m_removed.end(),
+                        [&](const ResultEntry& entry) { return entry.key == key; });
+}
+
+void ResultHistory::setShown(const std::string& key) {
+    for (const std::string& changed : {std::exchange(m_shown, key), key})
+        changeRow(changed, [] {});
 }
 
 void ResultHistory::setMemoryBudget(std::uint64_t bytes) {
@@ -249,14 +298,13 @@ void ResultHistory::setDiskBudget(std::uint64_t bytes) {
 }
 
 void ResultHistory::keepWithinDisk() {
+    purgeBeyondDisk();
     const std::vector<std::string> beyond = m_store.beyondDisk();
     if (beyond.empty())
         return;
-    std::vector<ResultEntry> undoable = std::exchange(m_removed, {});
     for (const std::string& key : beyond)
         takeRow(key);
-    purgeRemoved();
-    m_removed = std::move(undoable);
+    purge(beyond);
     Q_EMIT remarked(
         tr("The oldest results that are not pinned were removed, %1 in number, to keep the rest within "
            "%2.")

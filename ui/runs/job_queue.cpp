@@ -1,4 +1,4 @@
-#include "ui/jobs/job_queue.h"
+#include "ui/runs/job_queue.h"
 
 #include "ui/common/background.h"
 
