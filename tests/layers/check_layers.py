@@ -9,7 +9,7 @@ import re
 import sys
 import tempfile
 
-CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "methods", "session"]
+CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "volume", "methods", "session"]
 TOPS = {
     "core": ["core"],
     "ui": ["core", "ui"],
