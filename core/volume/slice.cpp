@@ -166,13 +166,13 @@ Plane axisPlane(Axis axis, const Vector3d& origin) {
     return {origin, Vector3d::UnitX(), Vector3d::UnitY()};
 }
 
-Plane turned(const Plane& plane, const Vector3d& pivot, double tilt, double roll) {
-    if (tilt == 0 && roll == 0)
+Plane turned(const Plane& plane, const Vector3d& pivot, double turn, double tilt) {
+    if (turn == 0 && tilt == 0)
         return plane;
-    const Eigen::Matrix3d turn =
-        (Eigen::AngleAxisd(tilt, plane.down.normalized()) * Eigen::AngleAxisd(roll, plane.right.normalized()))
+    const Eigen::Matrix3d rotation =
+        (Eigen::AngleAxisd(turn, plane.down.normalized()) * Eigen::AngleAxisd(tilt, plane.right.normalized()))
             .toRotationMatrix();
-    return {pivot + turn * (plane.origin - pivot), turn * plane.right, turn * plane.down};
+    return {pivot + rotation * (plane.origin - pivot), rotation * plane.right, rotation * plane.down};
 }
 
 Image slice(const VolumeSource& source, const Plane& plane, Size size, JobContext& context) {

@@ -29,9 +29,9 @@ struct Plane {
 /// cube that meet share their voxels, and y is down wherever it can be.
 Plane axisPlane(Axis axis, const Eigen::Vector3d& origin);
 
-/// That plane turned about `pivot`: by `tilt` radians about its own down direction, then by `roll` about its
-/// own right one. A tilt of π / 4 cuts a cube at 45°.
-Plane turned(const Plane& plane, const Eigen::Vector3d& pivot, double tilt, double roll);
+/// That plane turned about `pivot`: by `turn` radians about its own down direction, then by `tilt` about its
+/// own right one. A turn of π / 4 cuts a cube at 45°.
+Plane turned(const Plane& plane, const Eigen::Vector3d& pivot, double turn, double tilt);
 
 /// The picture of a plane of a source. Where rows and columns of the picture are rows of voxels, the values
 /// are those of the voxels, bit for bit; else each pixel is interpolated linearly among the eight voxels
