@@ -5141,6 +5141,81 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     </message>
 </context>
 <context>
+    <name>texloom::ui::SlicePanel</name>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Es gibt kein Volumen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Making the slice…</source>
+        <translation>Der Schnitt entsteht …</translation>
+    </message>
+    <message>
+        <source>The axis that the slice is square to while it is not turned</source>
+        <translation>Die Achse, zu der der Schnitt senkrecht steht, solange er nicht gedreht ist</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation>Senkrecht zu z</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation>Senkrecht zu y</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation>Senkrecht zu x</translation>
+    </message>
+    <message>
+        <source>The voxel in the middle of the picture</source>
+        <translation>Das Voxel in der Mitte des Bildes</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s vertical</source>
+        <translation>Wie weit der Schnitt um die Senkrechte des Bildes gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s horizontal</source>
+        <translation>Wie weit der Schnitt um die Waagrechte des Bildes gekippt ist</translation>
+    </message>
+    <message>
+        <source>Width and height of the picture</source>
+        <translation>Breite und Höhe des Bildes</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Middle x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Middle y</source>
+        <translation>Mitte y</translation>
+    </message>
+    <message>
+        <source>Middle z</source>
+        <translation>Mitte z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::StartPage</name>
     <message>
         <source>Opened last</source>

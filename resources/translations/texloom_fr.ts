@@ -5141,6 +5141,81 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     </message>
 </context>
 <context>
+    <name>texloom::ui::SlicePanel</name>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Il n’y a pas de volume à regarder.</translation>
+    </message>
+    <message>
+        <source>Making the slice…</source>
+        <translation>Calcul de la coupe…</translation>
+    </message>
+    <message>
+        <source>The axis that the slice is square to while it is not turned</source>
+        <translation>L’axe auquel la coupe est perpendiculaire tant qu’elle n’est pas tournée</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation>Perpendiculaire à z</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation>Perpendiculaire à y</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation>Perpendiculaire à x</translation>
+    </message>
+    <message>
+        <source>The voxel in the middle of the picture</source>
+        <translation>Le voxel au milieu de l’image</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s vertical</source>
+        <translation>De combien la coupe est tournée autour de la verticale de l’image</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s horizontal</source>
+        <translation>De combien la coupe est inclinée autour de l’horizontale de l’image</translation>
+    </message>
+    <message>
+        <source>Width and height of the picture</source>
+        <translation>Largeur et hauteur de l’image</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Middle x</source>
+        <translation>Milieu x</translation>
+    </message>
+    <message>
+        <source>Middle y</source>
+        <translation>Milieu y</translation>
+    </message>
+    <message>
+        <source>Middle z</source>
+        <translation>Milieu z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::StartPage</name>
     <message>
         <source>Opened last</source>
