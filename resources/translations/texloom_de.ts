@@ -1877,6 +1877,290 @@
         <source>{} is what the result is made from and would be lost; name another file.</source>
         <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
     </message>
+    <message>
+        <source>A box of {} voxels is empty; each side must be at least 1.</source>
+        <translation>Ein Quader von {} Voxeln ist leer; jede Seite muss mindestens 1 sein.</translation>
+    </message>
+    <message>
+        <source>A box of {} voxels takes {}, and {} of memory are free; ask for smaller ones.</source>
+        <translation>Ein Quader von {} Voxeln braucht {}, und {} Speicher sind frei; kleinere gehen.</translation>
+    </message>
+    <message>
+        <source>A slice goes {} voxels from pixel to pixel; it must be more than 0 and up to {}.</source>
+        <translation>Ein Schnitt geht von Pixel zu Pixel {} Voxel weit; es müssen mehr als 0 und höchstens {} sein.</translation>
+    </message>
+    <message>
+        <source>A slice of {} × {} px has no pixels.</source>
+        <translation>Ein Schnitt von {} × {} px hat keine Pixel.</translation>
+    </message>
+    <message>
+        <source>A volume of {} voxels with {} channels has no voxels.</source>
+        <translation>Ein Volumen von {} Voxeln mit {} Kanälen hat keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The box from ({}, {}, {}) on lies too far out; coordinates go from −{} to {}.</source>
+        <translation>Der Quader ab ({}, {}, {}) liegt zu weit draußen; Koordinaten gehen von −{} bis {}.</translation>
+    </message>
+    <message>
+        <source>The box {} is not all within the volume, which has {}.</source>
+        <translation>Der Quader {} liegt nicht ganz im Volumen; dieses hat {}.</translation>
+    </message>
+    <message>
+        <source>The model of kind {} has no array {}; it was made by another version.</source>
+        <translation>Das Modell der Art {} hat kein Feld {}; eine andere Version hat es gemacht.</translation>
+    </message>
+    <message>
+        <source>The model was made by {}; one made by {} is needed.</source>
+        <translation>Das Modell stammt von {}; nötig ist eines von {}.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s array {} has {} values and a shape of {}.</source>
+        <translation>Das Feld {} des Modells hat {} Werte und die Form {}.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s array {} holds {} {}; {} {} are needed.</source>
+        <translation>Das Feld {} des Modells enthält {} {}; nötig sind {} {}.</translation>
+    </message>
+    <message>
+        <source>The slice lies beside the volume, which has {}.</source>
+        <translation>Der Schnitt liegt neben dem Volumen; dieses hat {}.</translation>
+    </message>
+    <message>
+        <source>The slice lies too far out; coordinates go from −{} to {}.</source>
+        <translation>Der Schnitt liegt zu weit draußen; Koordinaten gehen von −{} bis {}.</translation>
+    </message>
+    <message>
+        <source>The slice {} is missing; there are others from {} to {}.</source>
+        <translation>Der Schnitt {} fehlt; andere sind da, von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a volume of {} voxels with {} channels ({}).</source>
+        <translation>Der Speicher reicht nicht für ein Volumen von {} Voxeln mit {} Kanälen ({}).</translation>
+    </message>
+    <message>
+        <source>{} and {} have the same number; slices of a volume are numbered one by one.</source>
+        <translation>{} und {} haben dieselbe Nummer; die Schnitte eines Volumens sind einzeln nummeriert.</translation>
+    </message>
+    <message>
+        <source>{} became shorter while it was read.</source>
+        <translation>{} wurde kürzer, während es gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>{} does not describe a volume.</source>
+        <translation>{} beschreibt kein Volumen.</translation>
+    </message>
+    <message>
+        <source>{} has a face of {} corners; faces can have up to {}.</source>
+        <translation>{} hat eine Fläche mit {} Ecken; Flächen haben höchstens {}.</translation>
+    </message>
+    <message>
+        <source>{} has faces without a list of vertices.</source>
+        <translation>{} hat Flächen ohne eine Liste von Ecken.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} normals; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Normalen; mehr kann kein Netz haben.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} texture coordinates; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Texturkoordinaten; mehr kann kein Netz haben.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} triangles; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Dreiecke; mehr kann kein Netz haben.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} vertices; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Ecken; mehr kann kein Netz haben.</translation>
+    </message>
+    <message>
+        <source>{} has no faces with an area ({} without one); there is nothing to see.</source>
+        <translation>{} hat keine Flächen mit einem Inhalt ({} ohne); es gibt nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>{} has vertices without x, y and z.</source>
+        <translation>{} hat Ecken ohne x, y und z.</translation>
+    </message>
+    <message>
+        <source>{} has {} bytes; {} voxels with {} channels, as {} says, take {}.</source>
+        <translation>{} hat {} Byte; {} Voxel mit {} Kanälen, wie {} sagt, brauchen {}.</translation>
+    </message>
+    <message>
+        <source>{} holds arrays, but is no model of Texloom: its head names no kind of model.</source>
+        <translation>{} enthält Felder, ist aber kein Modell von Texloom: Der Kopf nennt keine Art von Modell.</translation>
+    </message>
+    <message>
+        <source>{} holds values at z = {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} enthält bei z = {} Werte, die keine endlichen Zahlen sind; Texloom braucht endliche.</translation>
+    </message>
+    <message>
+        <source>{} holds values in its array {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} enthält im Feld {} Werte, die keine endlichen Zahlen sind; Texloom braucht endliche.</translation>
+    </message>
+    <message>
+        <source>{} holds {} arrays; a model has up to {}.</source>
+        <translation>{} enthält {} Felder; ein Modell hat höchstens {}.</translation>
+    </message>
+    <message>
+        <source>{} is a damaged OBJ file.</source>
+        <translation>{} ist eine beschädigte OBJ-Datei.</translation>
+    </message>
+    <message>
+        <source>{} is a model in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} ist ein Modell im Format {}; dieses Texloom liest Formate bis {}. Ein neueres liest es.</translation>
+    </message>
+    <message>
+        <source>{} is a volume in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} ist ein Volumen im Format {}; dieses Texloom liest Formate bis {}. Ein neueres liest es.</translation>
+    </message>
+    <message>
+        <source>{} is a volume of {} channels; volumes with up to {} can be opened.</source>
+        <translation>{} ist ein Volumen mit {} Kanälen; öffnen lassen sich Volumen mit bis zu {}.</translation>
+    </message>
+    <message>
+        <source>{} is a volume of {} voxels and takes {}; {} of memory are free.</source>
+        <translation>{} ist ein Volumen von {} Voxeln und braucht {}; {} Speicher sind frei.</translation>
+    </message>
+    <message>
+        <source>{} is a volume of {} voxels; volumes up to {} voxels can be opened.</source>
+        <translation>{} ist ein Volumen von {} Voxeln; öffnen lassen sich Volumen bis {} Voxel.</translation>
+    </message>
+    <message>
+        <source>{} is damaged or no model: a name in its head is empty, longer than {} bytes or holds control characters.</source>
+        <translation>{} ist beschädigt oder kein Modell: Ein Name im Kopf ist leer, länger als {} Byte oder enthält Steuerzeichen.</translation>
+    </message>
+    <message>
+        <source>{} is damaged or no model: its array {} does not say a type (F32, F64 or I64), a shape of up to {} axes and a place.</source>
+        <translation>{} ist beschädigt oder kein Modell: Das Feld {} nennt keinen Typ (F32, F64 oder I64), keine Form mit höchstens {} Achsen oder keinen Ort.</translation>
+    </message>
+    <message>
+        <source>{} is damaged or no model: its head is said to have {} bytes; it can have up to {}.</source>
+        <translation>{} ist beschädigt oder kein Modell: Der Kopf soll {} Byte haben; höchstens {} sind möglich.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: a number in it is none.</source>
+        <translation>{} ist beschädigt: Wo eine Zahl stehen muss, steht keine.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: it breaks off before its last face.</source>
+        <translation>{} ist beschädigt: Es bricht vor der letzten Fläche ab.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: it holds {} where a whole number must be.</source>
+        <translation>{} ist beschädigt: Es enthält {}, wo eine ganze Zahl stehen muss.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its array {} begins at byte {}, not at {} where the one before it ends.</source>
+        <translation>{} ist beschädigt: Das Feld {} beginnt bei Byte {}, nicht bei {}, wo das vorige endet.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its array {} has a shape of {} and room from byte {} to {}.</source>
+        <translation>{} ist beschädigt: Das Feld {} hat die Form {} und Platz von Byte {} bis {}.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its arrays take {} bytes, and it holds {}.</source>
+        <translation>{} ist beschädigt: Die Felder brauchen {} Byte, und es enthält {}.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its head has the line “{}”.</source>
+        <translation>{} ist beschädigt: Im Kopf steht die Zeile „{}“.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: {} numbers of a surface do not lie within the {} bytes of their buffer.</source>
+        <translation>{} ist beschädigt: {} Zahlen einer Fläche liegen nicht in den {} Byte ihres Puffers.</translation>
+    </message>
+    <message>
+        <source>{} is no PLY file that can be read: its head does not end, or does not say its format.</source>
+        <translation>{} ist keine lesbare PLY-Datei: Der Kopf endet nicht oder nennt kein Format.</translation>
+    </message>
+    <message>
+        <source>{} is no model of Texloom: its format is {}, not a number.</source>
+        <translation>{} ist kein Modell von Texloom: Das Format ist {}, keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{} is no model: it has {} bytes.</source>
+        <translation>{} ist kein Modell: Es hat {} Byte.</translation>
+    </message>
+    <message>
+        <source>{} is no model: its head is not JSON.</source>
+        <translation>{} ist kein Modell: Der Kopf ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>{} is no slice of a volume: its name does not end in a number of up to {} digits.</source>
+        <translation>{} ist kein Schnitt eines Volumens: Der Name endet nicht mit einer Zahl von höchstens {} Ziffern.</translation>
+    </message>
+    <message>
+        <source>{} is not a mesh that Texloom reads (OBJ, PLY or glTF).</source>
+        <translation>{} ist kein Netz, das Texloom liest (OBJ, PLY oder glTF).</translation>
+    </message>
+    <message>
+        <source>{} is not the file that {} was written for: its SHA-1 is another.</source>
+        <translation>{} ist nicht die Datei, zu der {} geschrieben wurde: Ihr SHA-1 ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>{} is there already and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
+        <translation>{} ist schon da und würde für einen Teil dieses Volumens von {} Schnitten gehalten; löschen Sie es oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>{} is {} long; a glTF file can have up to {}.</source>
+        <translation>{} ist {} lang; eine glTF-Datei hat höchstens {}.</translation>
+    </message>
+    <message>
+        <source>{} is {} long; models are read up to {}.</source>
+        <translation>{} ist {} lang; Modelle werden bis {} gelesen.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px with {} channels; the volume&apos;s first slice {} is {} × {} px with {}.</source>
+        <translation>{} hat {} × {} px mit {} Kanälen; der erste Schnitt {} des Volumens hat {} × {} px mit {}.</translation>
+    </message>
+    <message>
+        <source>{} needs the extension {}, which Texloom does not read; save it without compression.</source>
+        <translation>{} braucht die Erweiterung {}, die Texloom nicht liest; speichern Sie es ohne Kompression.</translation>
+    </message>
+    <message>
+        <source>{} says that it has {} elements of the kind {}; there is room for {}.</source>
+        <translation>{} soll {} Elemente der Art {} haben; Platz ist für {}.</translation>
+    </message>
+    <message>
+        <source>{}: a face uses normal {}; there are {}.</source>
+        <translation>{}: Eine Fläche benutzt Normale {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>{}: a face uses texture coordinate {}; there are {}.</source>
+        <translation>{}: Eine Fläche benutzt Texturkoordinate {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>{}: a face uses vertex {}; there are {}.</source>
+        <translation>{}: Eine Fläche benutzt Ecke {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>{}: a surface has no positions of 32-bit floats, or other numbers of normals or texture coordinates.</source>
+        <translation>{}: Eine Fläche hat keine Positionen aus 32-Bit-Gleitkommazahlen oder eine andere Anzahl von Normalen oder Texturkoordinaten.</translation>
+    </message>
+    <message>
+        <source>{}: its nodes are missing, nested more than {} deep or more than {}.</source>
+        <translation>{}: Seine Knoten fehlen, sind tiefer als {} verschachtelt oder mehr als {}.</translation>
+    </message>
+    <message>
+        <source>{}: normal {} is not a finite vector.</source>
+        <translation>{}: Normale {} ist kein endlicher Vektor.</translation>
+    </message>
+    <message>
+        <source>{}: texture coordinate {} is not a finite pair of numbers.</source>
+        <translation>{}: Texturkoordinate {} ist kein Paar endlicher Zahlen.</translation>
+    </message>
+    <message>
+        <source>{}: the numbers of a surface are missing, sparse or of another kind than they must be.</source>
+        <translation>{}: Die Zahlen einer Fläche fehlen, sind dünn besetzt oder von anderer Art, als sie sein müssen.</translation>
+    </message>
+    <message>
+        <source>{}: the numbers of a surface lie in no buffer, or are of no known type.</source>
+        <translation>{}: Die Zahlen einer Fläche liegen in keinem Puffer oder sind von keinem bekannten Typ.</translation>
+    </message>
+    <message>
+        <source>{}: vertex {} lies at ({}, {}, {}); coordinates must be numbers of up to {}.</source>
+        <translation>{}: Ecke {} liegt bei ({}, {}, {}); Koordinaten müssen Zahlen bis {} sein.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -4949,6 +5233,81 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>%1 is taken by “%2”; give that other keys first.</source>
         <translation>%1 ist schon für „%2“ vergeben; geben Sie dem zuerst andere Tasten.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SlicePanel</name>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Es gibt kein Volumen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Making the slice…</source>
+        <translation>Der Schnitt entsteht …</translation>
+    </message>
+    <message>
+        <source>The axis that the slice is square to while it is not turned</source>
+        <translation>Die Achse, zu der der Schnitt senkrecht steht, solange er nicht gedreht ist</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation>Senkrecht zu z</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation>Senkrecht zu y</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation>Senkrecht zu x</translation>
+    </message>
+    <message>
+        <source>The voxel in the middle of the picture</source>
+        <translation>Das Voxel in der Mitte des Bildes</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s vertical</source>
+        <translation>Wie weit der Schnitt um die Senkrechte des Bildes gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s horizontal</source>
+        <translation>Wie weit der Schnitt um die Waagrechte des Bildes gekippt ist</translation>
+    </message>
+    <message>
+        <source>Width and height of the picture</source>
+        <translation>Breite und Höhe des Bildes</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Middle x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Middle y</source>
+        <translation>Mitte y</translation>
+    </message>
+    <message>
+        <source>Middle z</source>
+        <translation>Mitte z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
     </message>
 </context>
 <context>

@@ -1877,6 +1877,290 @@
         <source>{} is what the result is made from and would be lost; name another file.</source>
         <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
     </message>
+    <message>
+        <source>A box of {} voxels is empty; each side must be at least 1.</source>
+        <translation>Une boîte de {} voxels est vide ; chaque côté doit valoir au moins 1.</translation>
+    </message>
+    <message>
+        <source>A box of {} voxels takes {}, and {} of memory are free; ask for smaller ones.</source>
+        <translation>Une boîte de {} voxels prend {}, et {} de mémoire sont libres ; demandez-en de plus petites.</translation>
+    </message>
+    <message>
+        <source>A slice goes {} voxels from pixel to pixel; it must be more than 0 and up to {}.</source>
+        <translation>Une coupe avance de {} voxels d’un pixel à l’autre ; il en faut plus de 0 et au plus {}.</translation>
+    </message>
+    <message>
+        <source>A slice of {} × {} px has no pixels.</source>
+        <translation>Une coupe de {} × {} px n’a aucun pixel.</translation>
+    </message>
+    <message>
+        <source>A volume of {} voxels with {} channels has no voxels.</source>
+        <translation>Un volume de {} voxels à {} canaux n’a aucun voxel.</translation>
+    </message>
+    <message>
+        <source>The box from ({}, {}, {}) on lies too far out; coordinates go from −{} to {}.</source>
+        <translation>La boîte à partir de ({}, {}, {}) est trop éloignée ; les coordonnées vont de −{} à {}.</translation>
+    </message>
+    <message>
+        <source>The box {} is not all within the volume, which has {}.</source>
+        <translation>La boîte {} n’est pas tout entière dans le volume, qui a {}.</translation>
+    </message>
+    <message>
+        <source>The model of kind {} has no array {}; it was made by another version.</source>
+        <translation>Le modèle de type {} n’a pas de tableau {} ; il vient d’une autre version.</translation>
+    </message>
+    <message>
+        <source>The model was made by {}; one made by {} is needed.</source>
+        <translation>Le modèle vient de {} ; il en faut un de {}.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s array {} has {} values and a shape of {}.</source>
+        <translation>Le tableau {} du modèle a {} valeurs et la forme {}.</translation>
+    </message>
+    <message>
+        <source>The model&apos;s array {} holds {} {}; {} {} are needed.</source>
+        <translation>Le tableau {} du modèle contient {} {} ; il faut {} {}.</translation>
+    </message>
+    <message>
+        <source>The slice lies beside the volume, which has {}.</source>
+        <translation>La coupe passe à côté du volume, qui a {}.</translation>
+    </message>
+    <message>
+        <source>The slice lies too far out; coordinates go from −{} to {}.</source>
+        <translation>La coupe est trop éloignée ; les coordonnées vont de −{} à {}.</translation>
+    </message>
+    <message>
+        <source>The slice {} is missing; there are others from {} to {}.</source>
+        <translation>La coupe {} manque ; il y en a d’autres de {} à {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a volume of {} voxels with {} channels ({}).</source>
+        <translation>La mémoire manque pour un volume de {} voxels à {} canaux ({}).</translation>
+    </message>
+    <message>
+        <source>{} and {} have the same number; slices of a volume are numbered one by one.</source>
+        <translation>{} et {} portent le même numéro ; les coupes d’un volume sont numérotées une à une.</translation>
+    </message>
+    <message>
+        <source>{} became shorter while it was read.</source>
+        <translation>{} a raccourci pendant sa lecture.</translation>
+    </message>
+    <message>
+        <source>{} does not describe a volume.</source>
+        <translation>{} ne décrit pas de volume.</translation>
+    </message>
+    <message>
+        <source>{} has a face of {} corners; faces can have up to {}.</source>
+        <translation>{} a une face de {} sommets ; une face en a au plus {}.</translation>
+    </message>
+    <message>
+        <source>{} has faces without a list of vertices.</source>
+        <translation>{} a des faces sans liste de sommets.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} normals; no mesh can have more.</source>
+        <translation>{} a plus de {} normales ; aucun maillage ne peut en avoir plus.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} texture coordinates; no mesh can have more.</source>
+        <translation>{} a plus de {} coordonnées de texture ; aucun maillage ne peut en avoir plus.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} triangles; no mesh can have more.</source>
+        <translation>{} a plus de {} triangles ; aucun maillage ne peut en avoir plus.</translation>
+    </message>
+    <message>
+        <source>{} has more than {} vertices; no mesh can have more.</source>
+        <translation>{} a plus de {} sommets ; aucun maillage ne peut en avoir plus.</translation>
+    </message>
+    <message>
+        <source>{} has no faces with an area ({} without one); there is nothing to see.</source>
+        <translation>{} n’a aucune face d’aire non nulle ({} d’aire nulle) ; il n’y a rien à voir.</translation>
+    </message>
+    <message>
+        <source>{} has vertices without x, y and z.</source>
+        <translation>{} a des sommets sans x, y et z.</translation>
+    </message>
+    <message>
+        <source>{} has {} bytes; {} voxels with {} channels, as {} says, take {}.</source>
+        <translation>{} a {} octets ; {} voxels à {} canaux, comme le dit {}, en prennent {}.</translation>
+    </message>
+    <message>
+        <source>{} holds arrays, but is no model of Texloom: its head names no kind of model.</source>
+        <translation>{} contient des tableaux, mais n’est pas un modèle de Texloom : son en-tête ne nomme aucun type de modèle.</translation>
+    </message>
+    <message>
+        <source>{} holds values at z = {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} contient à z = {} des valeurs qui ne sont pas des nombres finis ; il en faut de finis à Texloom.</translation>
+    </message>
+    <message>
+        <source>{} holds values in its array {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} contient dans son tableau {} des valeurs qui ne sont pas des nombres finis ; il en faut de finis à Texloom.</translation>
+    </message>
+    <message>
+        <source>{} holds {} arrays; a model has up to {}.</source>
+        <translation>{} contient {} tableaux ; un modèle en a au plus {}.</translation>
+    </message>
+    <message>
+        <source>{} is a damaged OBJ file.</source>
+        <translation>{} est un fichier OBJ abîmé.</translation>
+    </message>
+    <message>
+        <source>{} is a model in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} est un modèle au format {} ; ce Texloom lit les formats jusqu’à {}. Un plus récent le lit.</translation>
+    </message>
+    <message>
+        <source>{} is a volume in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} est un volume au format {} ; ce Texloom lit les formats jusqu’à {}. Un plus récent le lit.</translation>
+    </message>
+    <message>
+        <source>{} is a volume of {} channels; volumes with up to {} can be opened.</source>
+        <translation>{} est un volume à {} canaux ; on peut ouvrir des volumes jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>{} is a volume of {} voxels and takes {}; {} of memory are free.</source>
+        <translation>{} est un volume de {} voxels et prend {} ; {} de mémoire sont libres.</translation>
+    </message>
+    <message>
+        <source>{} is a volume of {} voxels; volumes up to {} voxels can be opened.</source>
+        <translation>{} est un volume de {} voxels ; on peut ouvrir des volumes jusqu’à {} voxels.</translation>
+    </message>
+    <message>
+        <source>{} is damaged or no model: a name in its head is empty, longer than {} bytes or holds control characters.</source>
+        <translation>{} est abîmé ou n’est pas un modèle : un nom de son en-tête est vide, dépasse {} octets ou contient des caractères de contrôle.</translation>
+    </message>
+    <message>
+        <source>{} is damaged or no model: its array {} does not say a type (F32, F64 or I64), a shape of up to {} axes and a place.</source>
+        <translation>{} est abîmé ou n’est pas un modèle : le tableau {} n’indique pas de type (F32, F64 ou I64), de forme à {} axes au plus ou de place.</translation>
+    </message>
+    <message>
+        <source>{} is damaged or no model: its head is said to have {} bytes; it can have up to {}.</source>
+        <translation>{} est abîmé ou n’est pas un modèle : l’en-tête ferait {} octets ; il peut en faire {} au plus.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: a number in it is none.</source>
+        <translation>{} est abîmé : il manque un nombre là où il en faut un.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: it breaks off before its last face.</source>
+        <translation>{} est abîmé : il s’interrompt avant la dernière face.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: it holds {} where a whole number must be.</source>
+        <translation>{} est abîmé : il contient {} là où il faut un nombre entier.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its array {} begins at byte {}, not at {} where the one before it ends.</source>
+        <translation>{} est abîmé : le tableau {} commence à l’octet {}, et non à {} où finit le précédent.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its array {} has a shape of {} and room from byte {} to {}.</source>
+        <translation>{} est abîmé : le tableau {} a la forme {} et de la place de l’octet {} à {}.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its arrays take {} bytes, and it holds {}.</source>
+        <translation>{} est abîmé : ses tableaux prennent {} octets, et il en contient {}.</translation>
+    </message>
+    <message>
+        <source>{} is damaged: its head has the line “{}”.</source>
+        <translation>{} est abîmé : son en-tête a la ligne « {} ».</translation>
+    </message>
+    <message>
+        <source>{} is damaged: {} numbers of a surface do not lie within the {} bytes of their buffer.</source>
+        <translation>{} est abîmé : {} nombres d’une surface ne tiennent pas dans les {} octets de leur tampon.</translation>
+    </message>
+    <message>
+        <source>{} is no PLY file that can be read: its head does not end, or does not say its format.</source>
+        <translation>{} n’est pas un fichier PLY lisible : son en-tête ne finit pas, ou ne dit pas son format.</translation>
+    </message>
+    <message>
+        <source>{} is no model of Texloom: its format is {}, not a number.</source>
+        <translation>{} n’est pas un modèle de Texloom : son format est {}, et non un nombre.</translation>
+    </message>
+    <message>
+        <source>{} is no model: it has {} bytes.</source>
+        <translation>{} n’est pas un modèle : il a {} octets.</translation>
+    </message>
+    <message>
+        <source>{} is no model: its head is not JSON.</source>
+        <translation>{} n’est pas un modèle : son en-tête n’est pas du JSON.</translation>
+    </message>
+    <message>
+        <source>{} is no slice of a volume: its name does not end in a number of up to {} digits.</source>
+        <translation>{} n’est pas une coupe d’un volume : son nom ne finit pas par un nombre de {} chiffres au plus.</translation>
+    </message>
+    <message>
+        <source>{} is not a mesh that Texloom reads (OBJ, PLY or glTF).</source>
+        <translation>{} n’est pas un maillage que lit Texloom (OBJ, PLY ou glTF).</translation>
+    </message>
+    <message>
+        <source>{} is not the file that {} was written for: its SHA-1 is another.</source>
+        <translation>{} n’est pas le fichier pour lequel {} a été écrit : son SHA-1 est différent.</translation>
+    </message>
+    <message>
+        <source>{} is there already and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
+        <translation>{} existe déjà et passerait pour une partie de ce volume de {} coupes ; supprimez-le ou choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>{} is {} long; a glTF file can have up to {}.</source>
+        <translation>{} fait {} ; un fichier glTF en fait au plus {}.</translation>
+    </message>
+    <message>
+        <source>{} is {} long; models are read up to {}.</source>
+        <translation>{} fait {} ; les modèles sont lus jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px with {} channels; the volume&apos;s first slice {} is {} × {} px with {}.</source>
+        <translation>{} fait {} × {} px à {} canaux ; la première coupe {} du volume fait {} × {} px à {}.</translation>
+    </message>
+    <message>
+        <source>{} needs the extension {}, which Texloom does not read; save it without compression.</source>
+        <translation>{} demande l’extension {}, que Texloom ne lit pas ; enregistrez-le sans compression.</translation>
+    </message>
+    <message>
+        <source>{} says that it has {} elements of the kind {}; there is room for {}.</source>
+        <translation>{} annonce {} éléments du type {} ; il y a place pour {}.</translation>
+    </message>
+    <message>
+        <source>{}: a face uses normal {}; there are {}.</source>
+        <translation>{} : une face utilise la normale {} ; il y en a {}.</translation>
+    </message>
+    <message>
+        <source>{}: a face uses texture coordinate {}; there are {}.</source>
+        <translation>{} : une face utilise la coordonnée de texture {} ; il y en a {}.</translation>
+    </message>
+    <message>
+        <source>{}: a face uses vertex {}; there are {}.</source>
+        <translation>{} : une face utilise le sommet {} ; il y en a {}.</translation>
+    </message>
+    <message>
+        <source>{}: a surface has no positions of 32-bit floats, or other numbers of normals or texture coordinates.</source>
+        <translation>{} : une surface n’a pas de positions en flottants de 32 bits, ou un autre nombre de normales ou de coordonnées de texture.</translation>
+    </message>
+    <message>
+        <source>{}: its nodes are missing, nested more than {} deep or more than {}.</source>
+        <translation>{} : ses nœuds manquent, sont imbriqués à plus de {} niveaux ou sont plus de {}.</translation>
+    </message>
+    <message>
+        <source>{}: normal {} is not a finite vector.</source>
+        <translation>{} : la normale {} n’est pas un vecteur fini.</translation>
+    </message>
+    <message>
+        <source>{}: texture coordinate {} is not a finite pair of numbers.</source>
+        <translation>{} : la coordonnée de texture {} n’est pas un couple de nombres finis.</translation>
+    </message>
+    <message>
+        <source>{}: the numbers of a surface are missing, sparse or of another kind than they must be.</source>
+        <translation>{} : les nombres d’une surface manquent, sont creux ou d’un autre type que celui qu’il faut.</translation>
+    </message>
+    <message>
+        <source>{}: the numbers of a surface lie in no buffer, or are of no known type.</source>
+        <translation>{} : les nombres d’une surface ne sont dans aucun tampon, ou d’aucun type connu.</translation>
+    </message>
+    <message>
+        <source>{}: vertex {} lies at ({}, {}, {}); coordinates must be numbers of up to {}.</source>
+        <translation>{} : le sommet {} est en ({}, {}, {}) ; les coordonnées doivent être des nombres jusqu’à {}.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -4949,6 +5233,81 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>%1 is taken by “%2”; give that other keys first.</source>
         <translation>%1 sert déjà à « %2 » ; donnez-lui d’abord d’autres touches.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SlicePanel</name>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Il n’y a pas de volume à regarder.</translation>
+    </message>
+    <message>
+        <source>Making the slice…</source>
+        <translation>Calcul de la coupe…</translation>
+    </message>
+    <message>
+        <source>The axis that the slice is square to while it is not turned</source>
+        <translation>L’axe auquel la coupe est perpendiculaire tant qu’elle n’est pas tournée</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation>Perpendiculaire à z</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation>Perpendiculaire à y</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation>Perpendiculaire à x</translation>
+    </message>
+    <message>
+        <source>The voxel in the middle of the picture</source>
+        <translation>Le voxel au milieu de l’image</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s vertical</source>
+        <translation>De combien la coupe est tournée autour de la verticale de l’image</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s horizontal</source>
+        <translation>De combien la coupe est inclinée autour de l’horizontale de l’image</translation>
+    </message>
+    <message>
+        <source>Width and height of the picture</source>
+        <translation>Largeur et hauteur de l’image</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Middle x</source>
+        <translation>Milieu x</translation>
+    </message>
+    <message>
+        <source>Middle y</source>
+        <translation>Milieu y</translation>
+    </message>
+    <message>
+        <source>Middle z</source>
+        <translation>Milieu z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
     </message>
 </context>
 <context>

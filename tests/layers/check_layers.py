@@ -9,11 +9,11 @@ import re
 import sys
 import tempfile
 
-CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "methods", "session"]
+CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "volume", "methods", "session"]
 # From the cellar to the roof: a folder of ui/ knows only those before it.
 UI = [
     "common", "picture", "runs", "viewers", "exemplar", "inspector", "jobs", "results", "log", "maps", "export",
-    "compare", "lattice", "blend", "plots", "session", "window",
+    "compare", "lattice", "blend", "plots", "volume", "session", "window",
 ]
 ORDERS = {"core": CORE, "ui": UI}
 TOPS = {
