@@ -26,6 +26,8 @@ void PatchProjection::pad(Image& image) const {
     for (int c = 0; c < image.channels(); ++c)
         for (int y = 0; y < image.height(); ++y) {
             float* row = image.plane(c).row(y);
+            if (y < m_size.height && image.width() == m_size.width)
+                continue;
             if (y >= m_size.height)
                 std::copy_n(image.plane(c).row(y % m_size.height), m_size.width, row);
             for (int x = m_size.width; x < image.width(); ++x)

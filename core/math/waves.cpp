@@ -180,13 +180,14 @@ private:
                 {peak.x, peak.y, std::vector<Complex>(m_model.means.size(), Complex(0, 0)), 0});
             added = true;
         }
+        m_spreads.resize(m_model.waves.size(), 0.0);
         if (added)
             solveStrengths();
         return added;
     }
 
     void refine() {
-        constexpr int kMostSweeps = 40;
+        constexpr int kMostSweeps = 12;
         constexpr double kSettled = 1e-4;
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
             double moved = 0;
@@ -196,6 +197,11 @@ private:
                 break;
         }
         solveStrengths();
+        const double unknowns = 2 + 2 * m_left.channels();
+        const double deviation =
+            std::sqrt(leftOver() / std::max(1.0, m_pixels * m_left.channels() - unknowns));
+        for (std::size_t i = 0; i < m_model.waves.size(); ++i)
+            m_model.waves[i].uncertainty = deviation * m_spreads[i];
     }
 
     /// Adds a wave to what is left, or takes it off.
@@ -214,54 +220,82 @@ private:
             }
     }
 
+    /// The normal equations of a wave's frequency and its strength in one channel.
+    struct Normal {
+        double matrix[4][4] = {}, right[4] = {};
+        void add(const double (&terms)[4], double value) {
+            for (int i = 0; i < 4; ++i) {
+                right[i] += terms[i] * value;
+                for (int j = 0; j <= i; ++j)
+                    matrix[i][j] += terms[i] * terms[j];
+            }
+        }
+    };
+
     /// One Gauss–Newton step for a wave's frequency and strengths, the other waves as they are.
     /// @return how far the frequency moved, in cycles per side.
     double step(Wave& wave) {
         add(wave, 1);
-        const int channels = m_left.channels(), unknowns = 2 + 2 * channels;
-        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
-        Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+        const int channels = m_left.channels();
+        std::vector<Normal> normals(static_cast<std::size_t>(channels));
         const double middleX = 0.5 * (m_size.width - 1), middleY = 0.5 * (m_size.height - 1);
         // Counted from the middle, frequency and phase do not disturb each other.
         const std::vector<Complex> alongX = powers(wave.x, m_size.width, -middleX),
                                    alongY = powers(wave.y, m_size.height, -middleY);
         const Complex shift = std::polar(1.0, kTurn * (wave.x * middleX + wave.y * middleY));
         each([&](int x, int y) {
-            const Complex e = alongX[static_cast<std::size_t>(x)] * alongY[static_cast<std::size_t>(y)];
+            const Complex &a = alongX[static_cast<std::size_t>(x)], &b = alongY[static_cast<std::size_t>(y)];
+            const double real = a.real() * b.real() - a.imag() * b.imag();
+            const double imaginary = a.real() * b.imag() + a.imag() * b.real();
             for (int c = 0; c < channels; ++c) {
-                const Complex own = wave.strengths[static_cast<std::size_t>(c)] * shift * e;
-                const double slope = -kTurn * own.imag();
-                const double terms[4] = {slope * (x - middleX), slope * (y - middleY), e.real(), -e.imag()};
-                const int index[4] = {0, 1, 2 + 2 * c, 3 + 2 * c};
-                const double value = static_cast<double>(m_left(x, y, c));
-                for (int i = 0; i < 4; ++i) {
-                    right[index[i]] += terms[i] * value;
-                    for (int j = 0; j <= i; ++j)
-                        normal(index[i], index[j]) += terms[i] * terms[j];
-                }
+                const Complex own = wave.strengths[static_cast<std::size_t>(c)] * shift;
+                const double slope = -kTurn * (own.real() * imaginary + own.imag() * real);
+                normals[static_cast<std::size_t>(c)].add(
+                    {slope * (x - middleX), slope * (y - middleY), real, -imaginary},
+                    static_cast<double>(m_left(x, y, c)));
             }
         });
-        const Eigen::MatrixXd whole = normal.selfadjointView<Eigen::Lower>();
+        const double moved = solve(normals, wave);
+        const Complex back = std::polar(1.0, -kTurn * (wave.x * middleX + wave.y * middleY));
+        if (moved >= 0)
+            for (Complex& strength : wave.strengths)
+                strength *= back;
+        add(wave, -1);
+        return std::max(0.0, moved);
+    }
+
+    /// Moves a wave as its normal equations say, strengths as counted from the middle.
+    /// @return how far, in cycles per side, or −1 where they say nothing.
+    double solve(const std::vector<Normal>& normals, Wave& wave) {
+        const auto unknowns = static_cast<Eigen::Index>(2 + 2 * normals.size());
+        Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns, unknowns);
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+        for (std::size_t c = 0; c < normals.size(); ++c) {
+            const auto own = static_cast<Eigen::Index>(2 + 2 * c);
+            const Eigen::Index index[4] = {0, 1, own, own + 1};
+            for (int i = 0; i < 4; ++i) {
+                right[index[i]] += normals[c].right[i];
+                for (int j = 0; j <= i; ++j)
+                    matrix(index[i], index[j]) += normals[c].matrix[i][j];
+            }
+        }
+        const Eigen::MatrixXd whole = matrix.selfadjointView<Eigen::Lower>();
         const Eigen::VectorXd solution = whole.ldlt().solve(right);
         const double farthest =
             std::max(std::abs(solution[0]) * m_size.width, std::abs(solution[1]) * m_size.height);
-        if (!std::isfinite(farthest)) {
-            add(wave, -1);
-            return 0;
-        }
+        if (!std::isfinite(farthest) || !solution.allFinite())
+            return -1;
         constexpr double kLongest = 0.25;
         const double share = farthest > kLongest ? kLongest / farthest : 1;
         wave.x += share * solution[0];
         wave.y += share * solution[1];
-        const Complex back = std::polar(1.0, -kTurn * (wave.x * middleX + wave.y * middleY));
-        for (int c = 0; c < channels; ++c)
-            wave.strengths[static_cast<std::size_t>(c)] =
-                Complex(solution[2 + 2 * c], solution[3 + 2 * c]) * back;
-        add(wave, -1);
+        for (std::size_t c = 0; c < normals.size(); ++c)
+            wave.strengths[c] = {solution[static_cast<Eigen::Index>(2 + 2 * c)],
+                                 solution[static_cast<Eigen::Index>(3 + 2 * c)]};
         const Eigen::Matrix2d inverse = whole.topLeftCorner<2, 2>().inverse();
-        const double noise = leftOver() / std::max(1.0, m_pixels * channels - unknowns);
-        const double variance = std::max(inverse(0, 0), inverse(1, 1)) * noise;
-        wave.uncertainty = variance > 0 && std::isfinite(variance) ? std::sqrt(variance) : 0;
+        const double variance = std::max(inverse(0, 0), inverse(1, 1));
+        m_spreads[static_cast<std::size_t>(&wave - m_model.waves.data())] =
+            variance > 0 && std::isfinite(variance) ? std::sqrt(variance) : 0;
         return share * farthest;
     }
 
@@ -314,6 +348,7 @@ private:
     Size m_size;
     Image m_left; ///< the image less its mean and the waves
     WaveModel m_model;
+    std::vector<double> m_spreads; ///< of each wave's frequency, over the deviation of what is left
     double m_pixels = 0, m_variance = 0, m_highest = 0;
 };
 

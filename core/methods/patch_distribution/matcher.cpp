@@ -63,6 +63,7 @@ std::vector<float> Matcher::drawDirections(int number) const {
     const int length = m_padded.channels() * m_settings.patch * m_settings.patch;
     std::vector<std::vector<double>> directions;
     for (int k = 0; k < m_settings.directions; ++k) {
+        m_context.check();
         std::vector<double> one;
         for (int i = 0; i < length; ++i)
             one.push_back(m_context.random().normal(i, number, static_cast<std::uint32_t>(k)));
@@ -127,12 +128,19 @@ double Matcher::moveAlong(int k, std::span<const float> direction) {
         m_projection.projectRow(m_padded, direction, y, numbers.row(y));
     }
     Image moved({numbers.width, numbers.height}, 1);
-    for (int y = 0; y < numbers.height; ++y)
-        std::copy_n(numbers.row(y), numbers.width, moved.plane(0).row(y));
+    const auto everyRow = [&](const auto& visit) {
+        for (int y = 0; y < numbers.height; ++y) {
+            if (y % 32 == 0)
+                m_context.check();
+            visit(numbers.row(y), moved.plane(0).row(y));
+        }
+    };
+    everyRow([&](const float* number, float* to) { std::copy_n(number, numbers.width, to); });
     const double square = wanted.match(moved.plane(0), work->ranks, [this] { m_context.check(); });
-    for (int y = 0; y < numbers.height; ++y)
+    everyRow([&](float* number, const float* to) {
         for (int x = 0; x < numbers.width; ++x)
-            numbers(x, y) = moved(x, y, 0) - numbers(x, y);
+            number[x] = to[x] - number[x];
+    });
     return square;
 }
 
@@ -156,9 +164,10 @@ void Matcher::spread(Image& image, std::span<const float> directions, double pac
 double Matcher::step(Image& image, int number, double pace) {
     const std::vector<float> directions = drawDirections(number);
     const std::size_t length = directions.size() / static_cast<std::size_t>(m_settings.directions);
-    for (int c = 0; c < image.channels(); ++c)
-        for (int y = 0; y < image.height(); ++y)
+    m_context.parallel(0, image.height(), [&](int y) {
+        for (int c = 0; c < image.channels(); ++c)
             std::copy_n(image.plane(c).row(y), image.width(), m_padded.plane(c).row(y));
+    });
     m_projection.pad(m_padded);
     std::vector<double> squares(static_cast<std::size_t>(m_settings.directions));
     m_context.parallel(0, m_settings.directions, [&](int k) {
