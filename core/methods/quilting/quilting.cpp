@@ -1,7 +1,7 @@
 #include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
-#include "core/methods/quilting/quilter.h"
+#include "core/methods/quilting/settings.h"
 
 namespace texloom::quilting {
 
@@ -10,13 +10,21 @@ namespace {
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     Estimate need =
         growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
-    need.bytes +=
-        PositionMap::bytesFor({request.size.width + settings.patch, request.size.height + settings.patch});
+    need.bytes += PatchQuilter::mapBytesFor(request.size, settings.patch);
     return need;
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return Quilter(request, settings, context).run();
+    const std::vector<PatchSource> exemplars = patchSources(request);
+    const QuiltOptions options = settings.quiltOptions(request);
+    Quilt quilt = PatchQuilter(exemplars, options, context).run();
+    Synthesis result;
+    result.image = std::move(quilt.image);
+    result.map = std::move(quilt.map);
+    result.mapKind = settings.stitch == Stitch::Cut ? MapKind::Exact : MapKind::Dominant;
+    result.figures = {{TR("Patches"), static_cast<double>(quilt.patches)},
+                      {TR("Mean error along a cut"), quilt.meanCutError}};
+    return result;
 }
 
 } // namespace

@@ -1,21 +1,27 @@
 #pragma once
 
 #include "core/image/image.h"
-#include "core/methods/random_phase/settings.h"
 
 #include <functional>
 #include <vector>
 
-namespace texloom::random_phase {
+namespace texloom {
+
+/// How an exemplar becomes a spot.
+struct SpotOptions {
+    bool periodic = true;    ///< take the exemplar's periodic component instead of the exemplar itself
+    double transition = 0.1; ///< share of each side over which an extended spot fades out
+};
 
 /// The exemplar as a spot that is laid on a torus of any size (Galerne, Gousseau & Morel 2011, section V):
 /// its mean is taken off, and along every axis on which the torus has another length its borders fade out.
 /// On a smaller torus the spot is folded: pixels a whole number of turns apart add up. Values are scaled by
 /// one factor for all channels, so that the sum of the channels' variances on the torus is the exemplar's.
-class Spot {
+class PhaseSpot {
 public:
     /// @param check called every few milliseconds; may throw.
-    Spot(const ImageView& exemplar, Size torus, const Settings& settings, const std::function<void()>& check);
+    PhaseSpot(const ImageView& exemplar, Size torus, const SpotOptions& options,
+              const std::function<void()>& check);
 
     /// The exemplar's mean of a channel, which the spot lacks.
     double mean(int channel) const { return m_means[static_cast<std::size_t>(channel)]; }
@@ -24,7 +30,7 @@ public:
     /// Writes a channel of the spot to a plane of the torus's size whose samples are 0.
     void write(int channel, const PlaneSpan& plane) const;
 
-    /// Bytes that a Spot takes, at most, while it is made.
+    /// Bytes that a PhaseSpot takes, at most, while it is made.
     static std::uint64_t bytesFor(Size exemplar, int channels);
 
 private:
@@ -37,4 +43,4 @@ private:
     double m_variance = 0; ///< sum over channels, before fading
 };
 
-} // namespace texloom::random_phase
+} // namespace texloom

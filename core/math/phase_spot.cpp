@@ -1,4 +1,4 @@
-#include "core/methods/random_phase/spot.h"
+#include "core/math/phase_spot.h"
 
 #include "core/math/periodic_component.h"
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace texloom::random_phase {
+namespace texloom {
 
 namespace {
 
@@ -35,9 +35,9 @@ double sumOfSquares(const PlaneView& plane) {
 
 } // namespace
 
-Spot::Spot(const ImageView& exemplar, Size torus, const Settings& settings,
-           const std::function<void()>& check)
-    : m_values(settings.periodic ? periodicComponent(exemplar, check) : Image(exemplar)), m_torus(torus),
+PhaseSpot::PhaseSpot(const ImageView& exemplar, Size torus, const SpotOptions& options,
+                     const std::function<void()>& check)
+    : m_values(options.periodic ? periodicComponent(exemplar, check) : Image(exemplar)), m_torus(torus),
       m_means(channelMeans(exemplar, check)) {
     for (int c = 0; c < m_values.channels(); ++c) {
         check();
@@ -49,11 +49,11 @@ Spot::Spot(const ImageView& exemplar, Size torus, const Settings& settings,
     }
     if (torus == exemplar.size())
         return;
-    fade(exemplar, settings.transition);
+    fade(exemplar, options.transition);
     scaleToVariance(check);
 }
 
-void Spot::fade(const ImageView& exemplar, double share) {
+void PhaseSpot::fade(const ImageView& exemplar, double share) {
     const auto weightsFor = [share](int length, int torusLength) {
         return fading(length, length == torusLength ? 0 : share);
     };
@@ -67,7 +67,7 @@ void Spot::fade(const ImageView& exemplar, double share) {
         }
 }
 
-void Spot::scaleToVariance(const std::function<void()>& check) {
+void PhaseSpot::scaleToVariance(const std::function<void()>& check) {
     double energy = 0;
     const Size folded{std::min(m_torus.width, m_values.width()), std::min(m_torus.height, m_values.height())};
     for (int c = 0; c < m_values.channels(); ++c) {
@@ -89,11 +89,11 @@ void Spot::scaleToVariance(const std::function<void()>& check) {
         }
 }
 
-int Spot::rows() const {
+int PhaseSpot::rows() const {
     return std::min(m_torus.height, m_values.height());
 }
 
-void Spot::write(int channel, const PlaneSpan& plane) const {
+void PhaseSpot::write(int channel, const PlaneSpan& plane) const {
     for (int y = 0; y < m_values.height(); ++y) {
         const float* from = m_values.view().plane(channel).row(y);
         float* to = plane.row(y % plane.height);
@@ -102,8 +102,8 @@ void Spot::write(int channel, const PlaneSpan& plane) const {
     }
 }
 
-std::uint64_t Spot::bytesFor(Size exemplar, int channels) {
+std::uint64_t PhaseSpot::bytesFor(Size exemplar, int channels) {
     return Image::bytesFor(exemplar, channels) + 3 * Image::bytesFor(exemplar, 1) + (1U << 20);
 }
 
-} // namespace texloom::random_phase
+} // namespace texloom
