@@ -86,12 +86,12 @@ void analyzeQuality(const QualityOptions& options) {
     if (options.json) {
         JsonField::Json json;
         for (const Figure& figure : figures)
-            json[figure.name] = figure.value;
+            json[figure.name.text()] = figure.value;
         fmt::print("{}\n", json.dump(2));
         return;
     }
     for (const Figure& figure : figures)
-        fmt::print("{:50} {:8.4f}\n", figure.name, figure.value);
+        fmt::print("{:50} {:8.4f}\n", figure.name.text(), figure.value);
 }
 
 } // namespace

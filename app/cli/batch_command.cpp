@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <new>
-
 namespace texloom::cli {
 
 namespace {
@@ -68,12 +66,8 @@ std::string attempt(const BatchItem& item, const BatchOptions& options) {
             throw Error(item.problem);
         runInput(loadAndWarn(item.recipe), outputOf(item, options));
         return {};
-    } catch (const Error& error) {
-        return error.what();
-    } catch (const std::bad_alloc&) {
-        return "There is not enough memory for this; try a smaller output.";
     } catch (const std::exception& error) {
-        return error.what();
+        return messageOf(error).text();
     }
 }
 

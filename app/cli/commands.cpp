@@ -106,7 +106,7 @@ void printMethod(const Method& method) {
         if (port.id != kExemplarPort && port.id != kCompanionPort)
             fmt::print("  --input {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
     for (const Param& param : method.params()) {
-        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limitsText(),
+        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limits(),
                    defaultText(param), param.help());
         if (const auto& condition = param.condition())
             fmt::print("      Matters only with {}={}.\n", condition->name, toText(condition->value));
@@ -331,7 +331,7 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     if (result.plan.stripRows == 0)
         exportResult(result, options);
     fs::remove(checkpointFor(out.output));
-    for (const std::string& note : result.synthesis.notes)
+    for (const Message& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);
     if (!out.report.empty())

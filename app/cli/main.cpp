@@ -9,8 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <new>
-
 namespace {
 
 using namespace texloom;
@@ -207,9 +205,7 @@ int main(int argc, char** argv) {
         return complain("Cancelled.", CancelledByUser);
     } catch (const UsageError& error) {
         return complain(error.what(), Usage);
-    } catch (const std::bad_alloc&) {
-        return complain("There is not enough memory for this; try a smaller output.", Failed);
     } catch (const std::exception& error) {
-        return complain(error.what(), Failed);
+        return complain(messageOf(error).text(), Failed);
     }
 }

@@ -16,9 +16,9 @@ using Json = JsonField::Json;
 Json figuresOf(const Result& result, const TextureDistance& distance) {
     Json json;
     for (const Figure& figure : result.figures)
-        json["run"][figure.name] = figure.value;
+        json["run"][figure.name.text()] = figure.value;
     for (const Figure& figure : distanceFigures(distance))
-        json["fromTheFirst"][figure.name] = figure.value;
+        json["fromTheFirst"][figure.name.text()] = figure.value;
     return json;
 }
 

@@ -14,19 +14,17 @@ void checkLattice(const LatticeSettings& settings, const std::string& exemplar, 
     if (settings.lattice != LatticeSource::Given)
         return;
     const Lattice given = settings.given();
-    const std::string vectors =
-        fmt::format("({}, {}) and ({}, {}) px", numberText(given.v1.x), numberText(given.v1.y),
-                    numberText(given.v2.x), numberText(given.v2.y));
     constexpr double kSmallestTile = 0.5;
     if (!(given.area() >= kSmallestTile) || given.area() < 0.01 * given.v1.length() * given.v2.length())
-        failUsage("The lattice's vectors {} do not span a tile; give two that do not lie on one line.",
-                  vectors);
+        failUsage(
+            "The lattice's vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie "
+            "on one line.",
+            numberText(given.v1.x), numberText(given.v1.y), numberText(given.v2.x), numberText(given.v2.y));
     const Lattice shortest = given.reduced();
     const Vec2 extent = shortest.extent();
     if (extent.x > size.width || extent.y > size.height)
         failUsage("The lattice's tile of {:.0f} × {:.0f} px is larger than {} with {} × {} px; give shorter "
-                  "vectors, "
-                  "or set lattice=none.",
+                  "vectors, or set lattice=none.",
                   extent.x, extent.y, exemplar, size.width, size.height);
 }
 
@@ -77,7 +75,7 @@ Finding findingIn(const std::shared_ptr<const Image>& exemplar, const std::funct
 } // namespace
 
 Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
-                   const std::shared_ptr<const Image>& exemplar, std::vector<std::string>& notes,
+                   const std::shared_ptr<const Image>& exemplar, std::vector<Message>& notes,
                    const std::function<void()>& check) {
     if (settings.lattice == LatticeSource::None)
         return {};
@@ -87,19 +85,18 @@ Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
     if (!found.lattice.free())
         return found.lattice;
     if (found.candidates)
-        notes.push_back(fmt::format(
-            "No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it "
-            "was taken as a texture that does not repeat; if it does, rectify it in the window "
-            "(Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give "
-            "them with lattice=given, and if not, image quilting may suit it better.",
-            name, 100 * found.confidence));
+        notes.push_back(
+            message("No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it "
+                    "was treated as a texture that does not repeat. If it does, rectify it in the window "
+                    "(Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or "
+                    "give them with lattice=given; if it does not, image quilting may suit it better.",
+                    name, 100 * found.confidence));
     else
-        notes.push_back(fmt::format(
-            "Nothing in {} repeats itself about twice, so it was taken as a texture that does not "
-            "repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw "
-            "its vectors in the Lattice workspace or give them with lattice=given, and if not, image "
-            "quilting may suit it better.",
-            name));
+        notes.push_back(message("Nothing in {} repeats about twice, so it was treated as a texture that does "
+                                "not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen "
+                                "at an angle, draw its vectors in the Lattice workspace, or give them with "
+                                "lattice=given; if it does not, image quilting may suit it better.",
+                                name));
     return {};
 }
 

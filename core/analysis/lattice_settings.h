@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/lattice.h"
+#include "core/base/message.h"
 #include "core/base/param.h"
 #include "core/base/text.h"
 #include "core/image/image.h"
@@ -63,7 +64,7 @@ void checkLattice(const LatticeSettings& settings, const std::string& exemplar, 
 /// sentence where the lattice was looked for in vain.
 /// @param check called every few milliseconds; may throw.
 Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
-                   const std::shared_ptr<const Image>& exemplar, std::vector<std::string>& notes,
+                   const std::shared_ptr<const Image>& exemplar, std::vector<Message>& notes,
                    const std::function<void()>& check);
 
 } // namespace texloom

@@ -61,31 +61,34 @@ Value Param::defaultFor(int shorterSide) const {
     return scaled;
 }
 
-std::string Param::limitsText() const {
+Message Param::limits() const {
     switch (m_type) {
     case Type::Toggle:
-        return "on or off";
+        return TR("on or off");
     case Type::Choice: {
         std::string ids;
         for (const Choice& choice : m_choices)
             ids += (ids.empty() ? "" : ", ") + choice.id;
-        return ids;
+        return Message::verbatim(ids);
     }
     case Type::Integer:
     case Type::Real:
         break;
     }
     if (!hasRange())
-        return m_type == Type::Integer ? "any whole number" : "any number";
-    const std::string unitText = m_unit.empty() ? "" : " " + m_unit;
-    return numberText(smallest()) + " to " + numberText(largest()) + unitText;
+        return m_type == Type::Integer ? TR("any whole number") : TR("any number");
+    if (m_unit.empty())
+        return message("{} to {}", numberText(smallest()), numberText(largest()));
+    return message("{} to {} {}", numberText(smallest()), numberText(largest()), Message(m_unit));
 }
 
 void Param::refuse(const std::string& value) const {
-    const std::string verb = m_type == Type::Choice   ? "is one of"
-                             : m_type == Type::Toggle ? "is"
-                                                      : "goes from";
-    failUsage("{} = {}: {} {} {}.", m_name, value, m_title, verb, limitsText());
+    const Message title(m_title);
+    if (m_type == Type::Choice)
+        failUsage("{} = {}: {} is one of {}.", m_name, value, title, limits());
+    if (hasRange())
+        failUsage("{} = {}: {} goes from {}.", m_name, value, title, limits());
+    failUsage("{} = {}: {} is {}.", m_name, value, title, limits());
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/base/value.h"
 
 #include <functional>
@@ -71,7 +72,7 @@ public:
     /// Reads the value from text as written on a command line. @throws UsageError as checked().
     Value parse(std::string_view text) const;
     /// "4 to 512 px", "on or off", or "cut, smooth-cut".
-    std::string limitsText() const;
+    Message limits() const;
     /// Whether the parameter matters under these settings.
     bool applies(const Values& settings) const;
 

@@ -84,16 +84,6 @@ bool parseUnsigned(std::string_view text, std::uint64_t& number) {
     return parseWhole(text, number);
 }
 
-std::string listText(const std::vector<std::string>& words) {
-    std::string list;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0)
-            list += i + 1 == words.size() ? " and " : ", ";
-        list += words[i];
-    }
-    return list;
-}
-
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
     std::string best;
     std::size_t bestDistance = std::max<std::size_t>(2, word.size() / 2) + 1;

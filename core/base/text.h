@@ -29,9 +29,6 @@ bool parseNumber(std::string_view text, double& number);
 bool parseInteger(std::string_view text, long long& number);
 bool parseUnsigned(std::string_view text, std::uint64_t& number);
 
-/// "a, b and c".
-std::string listText(const std::vector<std::string>& words);
-
 /// The entry of `known` most like `word` (by edit distance), or "" when none is near: for "did you mean".
 std::string nearest(std::string_view word, const std::vector<std::string>& known);
 

@@ -68,7 +68,7 @@ const ColorSpace& findSpace(std::string_view id) {
             return space;
         known.push_back(space.id);
     }
-    failUsage("There is no colour space {}; there is {}.", id, listText(known));
+    failUsage("There is no colour space {}; choose one of {}.", id, listOf(known));
 }
 
 void toWorking(Image& image, std::string_view space) {

@@ -107,7 +107,7 @@ MapRole mapRoleFrom(std::string_view id) {
             return info.role;
         known.push_back(info.id);
     }
-    failUsage("There is no kind of map {}; there is {}.", id, listText(known));
+    failUsage("There is no kind of map {}; the kinds are {}.", id, listOf(known));
 }
 
 MapName mapNameFrom(const std::string& stem) {

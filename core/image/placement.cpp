@@ -70,8 +70,8 @@ void checkCorners(const RectifyEdit& edit, Size before) {
                 "Corner {} of the rectification lies at {:.1f}, {:.1f}, outside the image of {} × {} px.",
                 i + 1, corner.x, corner.y, before.width, before.height);
         if (crossAt(corner, edit.corners[(i + 3) % 4], edit.corners[(i + 1) % 4]) < 1)
-            failUsage("The four corners of the rectification must go clockwise round an area without a dent, "
-                      "from the top left.");
+            failUsage("The four corners of the rectification must go clockwise from the top left around an "
+                      "area without a dent.");
     }
 }
 
@@ -84,15 +84,15 @@ Size rectifiedSize(const RectifyEdit& edit) {
     return {static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
 }
 
-void need(bool fits, const char* name, double value, const char* limits) {
-    if (!fits)
-        failUsage("{} = {}: it is {}.", name, value, limits);
+void need(const Message& name, double value, double least, double most) {
+    if (!(value >= least && value <= most))
+        failUsage("{} = {}: it goes from {} to {}.", name, value, least, most);
 }
 
 void checkFlatten(const FlattenEdit& edit) {
-    need(edit.width >= 0.02 && edit.width <= 1, "The window's width", edit.width, "0.02 to 1");
-    need(edit.order >= 1 && edit.order <= 4, "The polynomial's order", edit.order, "1 to 4");
-    need(edit.strength >= 0 && edit.strength <= 1, "The flattening's strength", edit.strength, "0 to 1");
+    need(TR("The window's width"), edit.width, 0.02, 1);
+    need(TR("The polynomial's order"), edit.order, 1, 4);
+    need(TR("The flattening's strength"), edit.strength, 0, 1);
 }
 
 struct SizeAfter {
@@ -106,7 +106,7 @@ struct SizeAfter {
         return edit.area.size;
     }
     Size operator()(const RotateEdit& edit) const {
-        need(edit.degrees >= -kTurn && edit.degrees <= kTurn, "The angle", edit.degrees, "-360° to 360°");
+        need(TR("The angle in degrees"), edit.degrees, -kTurn, kTurn);
         const Size size = inscribed(before, Turn(edit.degrees));
         if (size.empty())
             failUsage("Turned by {}°, too little of the image of {} × {} px would be left.", edit.degrees,

@@ -23,7 +23,7 @@ namespace {
 
 void checkImages(std::span<const ImageView> exemplars, const std::vector<Size>& sizes) {
     if (exemplars.size() != sizes.size())
-        fail("The map was made from {} exemplar(s), but {} image(s) were given.", sizes.size(),
+        fail("The map needs one image for each exemplar that it was made from: {}, not {}.", sizes.size(),
              exemplars.size());
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (exemplars[i].size() != sizes[i])

@@ -49,7 +49,7 @@ CropEdit cropFrom(const JsonField& field) {
 FlipEdit flipFrom(const JsonField& field) {
     const std::string axis = field.at("flip").text();
     if (axis != "horizontal" && axis != "vertical")
-        field.at("flip").wrong(R"("horizontal" or "vertical")");
+        field.at("flip").wrong(TR(R"("horizontal" or "vertical")"));
     return {axis == "horizontal" ? FlipEdit::Axis::Horizontal : FlipEdit::Axis::Vertical};
 }
 
@@ -74,7 +74,7 @@ FlattenEdit flattenFrom(const JsonField& field) {
     FlattenEdit edit;
     const std::string model = field.at("flatten").text();
     if (model != "smooth" && model != "polynomial")
-        field.at("flatten").wrong(R"("smooth" or "polynomial")");
+        field.at("flatten").wrong(TR(R"("smooth" or "polynomial")"));
     edit.model = model == "smooth" ? FlattenEdit::Model::Smooth : FlattenEdit::Model::Polynomial;
     if (field.has("width"))
         edit.width = field.at("width").number();
@@ -104,7 +104,7 @@ ExemplarEdit editFrom(const JsonField& field) {
         return rectifyFrom(field);
     }
     if (!field.has("flatten"))
-        field.wrong("one of crop, rotate, flip, rectify and flatten");
+        field.wrong(TR("one of crop, rotate, flip, rectify and flatten"));
     field.only({"flatten", "width", "order", "strength"});
     return flattenFrom(field);
 }

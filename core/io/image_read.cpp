@@ -42,9 +42,10 @@ std::string formatOf(const fs::path& path) {
         fail("There is no file {}.", path.string());
     if (error)
         fail("{} cannot be read: {}.", path.string(), error.message());
+    if (fs::is_directory(status))
+        fail("{} is a folder, not an image.", path.string());
     if (!fs::is_regular_file(status))
-        fail("{} is {}, not an image.", path.string(),
-             fs::is_directory(status) ? "a folder" : "no ordinary file");
+        fail("{} is not an ordinary file, so it is not an image.", path.string());
     std::ifstream file(path, std::ios::binary);
     if (!file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
@@ -165,7 +166,8 @@ void checkSpec(const fs::path& path, const OIIO::ImageSpec& spec, std::int64_t l
         fail("{} has {} channels; images with up to {} can be opened.", path.string(), spec.nchannels,
              kMostChannels);
     if (spec.deep || spec.depth > 1)
-        fail("{} is a {} image; only flat ones can be opened.", path.string(), spec.deep ? "deep" : "volume");
+        fail("{} is a {} image; only flat ones can be opened.", path.string(),
+             Message(spec.deep ? TR("deep") : TR("volume")));
 }
 
 /// Number of steps from 0 to 1 in integer samples; 0 for others.
@@ -237,9 +239,8 @@ void checkFinite(const fs::path& path, const Image& image) {
                 if (!std::isfinite(image(x, y, c)) && broken++ == 0)
                     first = {x, y};
     if (broken > 0)
-        fail("{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs "
-             "finite "
-             "ones.",
+        fail("{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without "
+             "them.",
              path.string(), grouped(broken), first.width, first.height);
 }
 

@@ -46,8 +46,13 @@ const Format& formatFor(const fs::path& path) {
         if (std::find(format.extensions.begin(), format.extensions.end(), extension) !=
             format.extensions.end())
             return format;
+    if (extension.empty())
+        failUsage(
+            "{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, "
+            ".tif, .exr and .hdr.",
+            path.string());
     failUsage("{} cannot be written: the name ends in {}; Texloom writes .png, .jpg, .tif, .exr and .hdr.",
-              path.string(), extension.empty() ? "nothing that names a format" : extension);
+              path.string(), extension);
 }
 
 OIIO::TypeDesc typeOf(Depth depth) {
@@ -71,7 +76,7 @@ void checkFormat(const fs::path& path, const Format& format, int channels, Depth
         for (const int count : format.channels)
             counts.push_back(std::to_string(count));
         failUsage("{} cannot be written: the image has {} channels, and {} holds {}.", path.string(),
-                  channels, path.extension().string(), listText(counts));
+                  channels, path.extension().string(), listOf(counts));
     }
     if (std::find(format.depths.begin(), format.depths.end(), depth) == format.depths.end())
         failUsage("{} cannot be written: {} does not hold {} samples.", path.string(),
@@ -133,7 +138,8 @@ private:
 
 [[noreturn]] void failWriting(const fs::path& path, const std::string& message) {
     const std::string why = message.substr(0, message.find('\n'));
-    fail("{} cannot be written: {}.", path.string(), why.empty() ? "the disk may be full" : why);
+    fail("{} cannot be written: {}.", path.string(),
+         why.empty() ? Message(TR("the disk may be full")) : Message::verbatim(why));
 }
 
 } // namespace

@@ -29,7 +29,7 @@ JsonField JsonField::at(std::size_t index) const {
     return {m_document, m_json.at(index), m_name + "[" + std::to_string(index) + "]"};
 }
 
-void JsonField::wrong(std::string_view expected) const {
+void JsonField::wrong(const Message& expected) const {
     std::string text = m_json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() > 60)
         text = text.substr(0, 57) + "…";
@@ -39,29 +39,29 @@ void JsonField::wrong(std::string_view expected) const {
 void JsonField::only(const std::vector<std::string>& known) const {
     for (const auto& [key, value] : m_json.items())
         if (std::find(known.begin(), known.end(), key) == known.end())
-            failUsage("The {} has a field {} that is not known here; there is {}.", m_document,
-                      m_name.empty() ? key : m_name + "." + key, listText(known));
+            failUsage("The {} has an unknown field {}; the known ones are {}.", m_document,
+                      m_name.empty() ? key : m_name + "." + key, listOf(known));
 }
 
 void JsonField::needObject() const {
     if (!m_json.is_object())
-        wrong("an object");
+        wrong(TR("an object"));
 }
 
 void JsonField::needArray(std::size_t least, std::size_t most) const {
     if (!m_json.is_array() || m_json.size() < least || m_json.size() > most)
-        wrong(fmt::format("a list of {} to {}", least, most));
+        wrong(message("a list of {} to {}", least, most));
 }
 
 std::string JsonField::text() const {
     if (!m_json.is_string())
-        wrong("text");
+        wrong(TR("text"));
     return m_json.get<std::string>();
 }
 
 double JsonField::number() const {
     if (!m_json.is_number() || !std::isfinite(m_json.get<double>()))
-        wrong("a number");
+        wrong(TR("a number"));
     return m_json.get<double>();
 }
 
@@ -71,7 +71,7 @@ int JsonField::whole() const {
                           ? m_json.get<std::uint64_t>() <= INT_MAX
                           : m_json.is_number_integer() && m_json.get<std::int64_t>() >= INT_MIN;
     if (!fits)
-        wrong("a whole number that is not too large");
+        wrong(TR("a whole number that is not too large"));
     return m_json.get<int>();
 }
 
@@ -84,7 +84,7 @@ Value JsonField::value() const {
         return m_json.get<double>();
     if (m_json.is_string())
         return text();
-    wrong("a number, text, true or false");
+    wrong(TR("a number, text, true or false"));
 }
 
 Values JsonField::values() const {
@@ -95,7 +95,7 @@ Values JsonField::values() const {
     return values;
 }
 
-Json parseJson(const std::string& document, std::string_view text) {
+Json parseJson(const Message& document, std::string_view text) {
     try {
         return Json::parse(text, [&document](int depth, Json::parse_event_t, Json&) {
             if (depth > kDeepest)

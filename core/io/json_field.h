@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/base/value.h"
 
 #include <nlohmann/json.hpp>
@@ -19,7 +20,7 @@ class JsonField {
 public:
     using Json = nlohmann::ordered_json;
 
-    JsonField(std::string document, const Json& json) : JsonField(std::move(document), json, {}) {}
+    JsonField(Message document, const Json& json) : JsonField(std::move(document), json, {}) {}
 
     const Json& json() const { return m_json; }
     std::size_t size() const { return m_json.size(); }
@@ -27,7 +28,7 @@ public:
     JsonField at(const std::string& key) const;
     JsonField at(std::size_t index) const;
 
-    [[noreturn]] void wrong(std::string_view expected) const;
+    [[noreturn]] void wrong(const Message& expected) const;
     /// Refuses fields that are not among these.
     void only(const std::vector<std::string>& known) const;
     void needObject() const;
@@ -43,17 +44,17 @@ public:
     Values values() const;
 
 private:
-    JsonField(std::string document, const Json& json, std::string name)
+    JsonField(Message document, const Json& json, std::string name)
         : m_document(std::move(document)), m_json(json), m_name(std::move(name)) {}
 
-    std::string m_document;
+    Message m_document;
     const Json& m_json;
     std::string m_name;
 };
 
 /// The text as JSON. @throws UsageError where it is none, holds numbers that are too large, or is nested too
 /// deep.
-JsonField::Json parseJson(const std::string& document, std::string_view text);
+JsonField::Json parseJson(const Message& document, std::string_view text);
 
 JsonField::Json toJson(const Value& value);
 JsonField::Json toJson(const Values& values);

@@ -82,8 +82,7 @@ std::uint16_t pixelIndex(const fs::path& path, double position, int count, int x
              y, position, count - 1);
     if (std::abs(position - whole) > kWhole)
         fail("{}: output pixel ({}, {}) comes from {:.2f}, between two pixels; a position map addresses "
-             "whole ones "
-             "(was it resampled, or is it for an exemplar of another size?).",
+             "whole ones (was it resampled, or is it for an exemplar of another size?).",
              path.string(), x, y, position);
     return static_cast<std::uint16_t>(whole);
 }
@@ -116,11 +115,12 @@ Source exactSource(const fs::path& path, const ImageView& image, const std::vect
 
 void checkMapFile(const fs::path& path, MapFormat format, const ImageFileInfo& info) {
     if (format == MapFormat::StMap && (info.channels < 2 || info.depth != "float"))
-        fail("{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.",
+        fail("{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} "
+             "of {}.",
              path.string(), info.channels, info.depth);
     if (format == MapFormat::Exact && (info.channels != 3 || info.depth != "16-bit"))
-        fail("{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.", path.string(),
-             info.channels, info.depth);
+        fail("{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.",
+             path.string(), info.channels, info.depth);
 }
 
 } // namespace
@@ -155,7 +155,7 @@ PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemp
         fail("{} does not say the size of its exemplar; name the exemplar too.", path.string());
     for (const Size& size : sizes)
         if (size.empty() || size.longerSide() >= Source::kNone)
-            fail("{} says an exemplar of {} × {} px; sides go from 1 to {} px.", path.string(), size.width,
+            fail("{} names an exemplar of {} × {} px; sides go from 1 to {} px.", path.string(), size.width,
                  size.height, Source::kNone - 1);
     PositionMap map(file.info.size, sizes);
     const ImageView image = file.image;
@@ -169,8 +169,7 @@ PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemp
 std::string mapConvention(const fs::path& path) {
     if (mapFormatFor(path) == MapFormat::StMap)
         return "STMap, 32-bit float: R = (x + 0.5) / width, G = 1 - (y + 0.5) / height with the origin at "
-               "the bottom "
-               "left, B = exemplar from 0, A = 1 where there is a source";
+               "the bottom left, B = exemplar from 0, A = 1 where there is a source";
     return "16-bit RGB: R = x and G = y in pixels from the top left, B = exemplar from 0; 65535 = none";
 }
 

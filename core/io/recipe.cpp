@@ -37,7 +37,7 @@ RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
     RecipeFile file;
     const fs::path path(field.at("file").text());
     if (path.empty())
-        field.at("file").wrong("the name of a file");
+        field.at("file").wrong(TR("the name of a file"));
     file.path = path.is_absolute() ? path : (folder / path).lexically_normal();
     file.space = field.has("space") ? field.at("space").text() : "";
     if (!file.space.empty())
@@ -138,13 +138,13 @@ Size sizeFrom(const JsonField& field) {
 Wrap wrapFrom(const JsonField& field) {
     const std::string axes = field.text();
     if (!axes.empty() && axes != "x" && axes != "y" && axes != "xy")
-        field.wrong(R"("", "x", "y" or "xy")");
+        field.wrong(TR(R"("", "x", "y" or "xy")"));
     return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
 }
 
 std::uint64_t seedFrom(const JsonField& field) {
     if (!field.json().is_number_unsigned())
-        field.wrong("a whole number from 0 to 18446744073709551615");
+        field.wrong(TR("a whole number from 0 to 18446744073709551615"));
     return field.json().get<std::uint64_t>();
 }
 
@@ -157,7 +157,7 @@ Region regionFrom(const JsonField& field) {
 void checkFormat(const JsonField& root) {
     const JsonField format = root.at("texloom");
     if (format.whole() < 1)
-        format.wrong(fmt::format("1 to {}", Recipe::kFormat));
+        format.wrong(message("1 to {}", Recipe::kFormat));
     if (format.whole() > Recipe::kFormat)
         failUsage("The recipe is of format {}, made by a newer Texloom; this one ({}) reads up to {}.",
                   format.whole(), kVersion, Recipe::kFormat);
@@ -254,8 +254,8 @@ std::string Recipe::toJson(const fs::path& folder) const {
 }
 
 Recipe Recipe::fromJson(std::string_view text, const fs::path& folder, bool needsExemplar) {
-    const Json json = parseJson("recipe", text);
-    return recipeFrom({"recipe", json}, folder, needsExemplar);
+    const Json json = parseJson(TR("recipe"), text);
+    return recipeFrom({TR("recipe"), json}, folder, needsExemplar);
 }
 
 Recipe readRecipe(const fs::path& path) {
@@ -268,7 +268,7 @@ Recipe readRecipe(const fs::path& path) {
             fail("{} holds no recipe.", path.string());
         return Recipe::fromJson(embedded, folder);
     } catch (const UsageError& error) {
-        throw UsageError(path.string() + ": " + error.what());
+        failUsage("{}: {}", path.string(), error.message());
     }
 }
 

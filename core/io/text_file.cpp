@@ -38,7 +38,7 @@ std::string readText(const fs::path& path, std::uintmax_t largestBytes) {
     while (const std::size_t count = file.next(block.data(), block.size())) {
         text.append(block.data(), count);
         if (text.size() > largestBytes)
-            fail("{} is longer than {}, too long for what it should be.", path.string(),
+            fail("{} is longer than {}, too long for a file of this kind.", path.string(),
                  byteText(largestBytes));
     }
     return text;

@@ -4,7 +4,7 @@
 
 namespace texloom {
 
-void addTo(std::vector<Curve>& curves, const std::string& name, double value) {
+void addTo(std::vector<Curve>& curves, const Message& name, double value) {
     const auto found = std::find_if(curves.begin(), curves.end(),
                                     [&name](const Curve& curve) { return curve.name == name; });
     if (found != curves.end())

@@ -1,9 +1,9 @@
 #include "core/job/job.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 #include <exception>
-#include <new>
 
 namespace texloom {
 
@@ -26,14 +26,10 @@ void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)
             cancelled();
         } catch (const StoppedEarly&) { // work that makes nothing of a part of itself
             cancelled();
-        } catch (const UsageError& error) {
-            failed({error.what(), true});
-        } catch (const std::bad_alloc&) {
-            failed({"There is not enough memory for this; try a smaller output.", false});
         } catch (const std::exception& error) {
-            failed({error.what(), false});
+            failed({messageOf(error), dynamic_cast<const UsageError*>(&error) != nullptr});
         } catch (...) {
-            failed({"The work ended for a reason that it does not say.", false});
+            failed({TR("The work ended for an unknown reason; try again."), false});
         }
         m_finished = true;
         if (onFinished)

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/job/job_context.h"
 
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <string>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -14,7 +14,7 @@ namespace texloom {
 
 /// Why a job gave no result, as one sentence for the user.
 struct Failure {
-    std::string message;
+    Message message;
     bool usage = false; ///< whether what was asked for was wrong, rather than what went on
 };
 

@@ -55,9 +55,9 @@ double JobMonitor::progress() const {
     return m_progress;
 }
 
-std::string JobMonitor::stage() const {
+Message JobMonitor::stage() const {
     const std::lock_guard lock(m_mutex);
-    return m_stages.empty() ? std::string() : m_stages.back().name;
+    return m_stages.empty() ? Message() : m_stages.back().name;
 }
 
 std::vector<StageTime> JobMonitor::stageTimes() const {
@@ -117,7 +117,7 @@ void JobContext::step(std::uint32_t number, double share) {
     m_monitor.m_curves.clear();
 }
 
-void JobContext::stage(double weight, std::string name) {
+void JobContext::stage(double weight, Message name) {
     check();
     m_stageBegin += m_stageWeight;
     m_stageWeight = weight * m_share;
@@ -136,7 +136,7 @@ void JobContext::progress(double fraction) {
     m_monitor.m_progress = std::clamp(whole, m_monitor.m_progress, 1.0);
 }
 
-void JobContext::curve(const std::string& name, double value) {
+void JobContext::curve(const Message& name, double value) {
     const std::lock_guard lock(m_monitor.m_mutex);
     addTo(m_monitor.m_curves, name, value);
 }

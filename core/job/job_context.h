@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/image/image.h"
 #include "core/image/position_map.h"
 #include "core/job/checkpoint.h"
@@ -12,7 +13,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace texloom {
@@ -41,7 +41,7 @@ struct Preview {
 
 /// The time one named stage of a job took.
 struct StageTime {
-    std::string name;
+    Message name;
     double seconds = 0;
 };
 
@@ -50,7 +50,8 @@ class JobMonitor {
 public:
     /// From 0 to 1; never falls.
     double progress() const;
-    std::string stage() const;
+    /// What it does now; empty before the first stage.
+    Message stage() const;
     /// The newest preview that was not taken yet.
     std::optional<Preview> takePreview() { return m_preview.take(); }
     /// Finished stages and the one under way.
@@ -103,11 +104,11 @@ public:
     /// own, and its curves begin anew.
     void step(std::uint32_t number, double share);
     /// Begins a part of the work that makes up `weight` of the whole run (all weights add to 1).
-    void stage(double weight, std::string name);
+    void stage(double weight, Message name);
     /// How much of the stage is done, 0 to 1.
     void progress(double fraction);
     /// Adds a value to a curve that others can watch grow; it becomes one of the result's.
-    void curve(const std::string& name, double value);
+    void curve(const Message& name, double value);
     /// Lets the work be taken up again from where it is now: at most every so often, and only where anyone
     /// keeps checkpoints, `state` is called for all that it takes.
     void checkpoint(std::chrono::milliseconds every, const std::function<std::string()>& state);

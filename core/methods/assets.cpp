@@ -23,7 +23,7 @@ bool isOf(AssetKind kind, const Asset& asset) {
     return false;
 }
 
-std::string kindText(AssetKind kind) {
+Message kindText(AssetKind kind) {
     static const std::array<const char*, 6> texts = {TR("an image"), TR("a mask"),   TR("a position map"),
                                                      TR("a model"),  TR("a volume"), TR("a mesh")};
     return texts.at(static_cast<std::size_t>(kind));

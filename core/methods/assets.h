@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/image/image.h"
 #include "core/image/position_map.h"
 
@@ -36,7 +37,7 @@ using Asset = std::variant<std::shared_ptr<const Image>, std::shared_ptr<const P
 bool isOf(AssetKind kind, const Asset& asset);
 
 /// "an image", "a model": for sentences.
-std::string kindText(AssetKind kind);
+Message kindText(AssetKind kind);
 
 /// Things by the id of the port they belong to (see Port), several of one port in the order they were given.
 class Assets {

@@ -11,36 +11,39 @@ namespace texloom {
 
 namespace {
 
-/// " Did you mean x?" or nothing.
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+/// Refuses an unknown word, and asks whether the known one that is most like it was meant, if any is like it.
+[[noreturn]] void refuseUnknown(const Message& sentence, std::string_view word,
+                                const std::vector<std::string>& known) {
     const std::string near = nearest(word, known);
-    return near.empty() ? "" : " Did you mean " + near + "?";
+    throw UsageError(near.empty() ? sentence : message("{} Did you mean {}?", sentence, near));
 }
 
-std::string idsOf(const std::vector<Port>& ports) {
+Message idsOf(const std::vector<Port>& ports) {
     std::vector<std::string> ids;
     for (const Port& port : ports)
         ids.push_back(port.id);
-    return listText(ids);
+    return listOf(ids);
 }
 
 /// A picture of a port has the size that the port's extent wants.
-void checkExtent(const Port& port, const Image& image, Size size, const std::string& like) {
+void checkExtent(const Port& port, const Image& image, Size size, const Message& like) {
     if (image.size() != size)
         failUsage("The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.",
-                  port.title, image.width(), image.height(), like, size.width, size.height);
+                  Message(port.title), image.width(), image.height(), like, size.width, size.height);
 }
 
 /// Kinds and numbers of what was given to one port.
 void checkPort(const MethodInfo& info, const Port& port, const std::vector<Asset>& given) {
     const int count = static_cast<int>(given.size());
     if (count < port.least)
-        failUsage("{} needs {} for its input {}, but {} were given.", info.title, port.least, port.id, count);
+        failUsage("{} needs {} for its input {}, but {} were given.", Message(info.title), port.least,
+                  port.id, count);
     if (count > port.most)
-        failUsage("{} takes {} for its input {}, but {} were given.", info.title, port.most, port.id, count);
+        failUsage("{} takes {} for its input {}, but {} were given.", Message(info.title), port.most, port.id,
+                  count);
     for (const Asset& asset : given)
         if (!isOf(port.kind, asset))
-            failUsage("The input {} of {} takes {}.", port.id, info.title, kindText(port.kind));
+            failUsage("The input {} of {} takes {}.", port.id, Message(info.title), kindText(port.kind));
 }
 
 /// Everything that was given goes into a port that there is.
@@ -48,15 +51,15 @@ void checkKnown(const MethodInfo& info, const Assets& inputs, bool ofExemplar) {
     for (const auto& [id, given] : inputs.byPort()) {
         const Port* const port = info.input(id);
         if (!port || (port->extent == Extent::Exemplar) != ofExemplar)
-            failUsage("{} has no input {}; it takes {}.", info.title, id, idsOf(info.takes));
+            failUsage("{} has no input {}; it takes {}.", Message(info.title), id, idsOf(info.takes));
     }
 }
 
 void checkExemplar(const MethodInfo& info, const Request& request, const Exemplar& exemplar) {
     const Size size = exemplar.image->size();
     if (exemplar.image->channels() != request.channels())
-        failUsage("{} has {} channels and {} has {}; all exemplars need the same number.",
-                  request.exemplars.front().name, request.channels(), exemplar.name,
+        failUsage("{} and {} have different numbers of channels, {} and {}; all exemplars need the same.",
+                  request.exemplars.front().name, exemplar.name, request.channels(),
                   exemplar.image->channels());
     if (size.longerSide() >= Source::kNone)
         failUsage("{} is {} × {} px; an exemplar's sides go up to {} px.", exemplar.name, size.width,
@@ -71,7 +74,7 @@ void checkExemplar(const MethodInfo& info, const Request& request, const Exempla
         checkPort(info, port, exemplar.inputs.at(port.id));
         for (const Asset& asset : exemplar.inputs.at(port.id))
             if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
-                checkExtent(port, **image, size, exemplar.name);
+                checkExtent(port, **image, size, Message::verbatim(exemplar.name));
     }
 }
 
@@ -82,9 +85,10 @@ void checkExemplars(const MethodInfo& info, const Request& request) {
     if (request.exemplars.empty())
         failUsage("There is no exemplar to learn from.");
     if (!port)
-        failUsage("{} takes no exemplar.", info.title);
+        failUsage("{} takes no exemplar.", Message(info.title));
     if (port->most == 1 && request.exemplars.size() > 1)
-        failUsage("{} learns from one exemplar, but {} were given.", info.title, request.exemplars.size());
+        failUsage("{} learns from one exemplar, but {} were given.", Message(info.title),
+                  request.exemplars.size());
     for (const Exemplar& exemplar : request.exemplars)
         checkExemplar(info, request, exemplar);
 }
@@ -113,9 +117,9 @@ void checkOutput(const MethodInfo& info, const Request& request) {
         failUsage("The output cannot be {} × {} px: its sides go from 1 to {} px.", size.width, size.height,
                   grouped(kLargestSide));
     if ((request.wrap.x || request.wrap.y) && !info.canWrap())
-        failUsage("{} cannot make an output that wraps.", info.title);
+        failUsage("{} cannot make an output that wraps.", Message(info.title));
     if (request.region && !info.makesParts())
-        failUsage("{} cannot make a part of an output alone; make all of it.", info.title);
+        failUsage("{} cannot make a part of an output alone; make all of it.", Message(info.title));
     if (request.region && !request.region->within(size))
         failUsage("The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.",
                   request.region->size.width, request.region->size.height, request.region->x,
@@ -138,7 +142,7 @@ const Param& Method::param(std::string_view name) const {
             return param;
         known.push_back(param.name());
     }
-    failUsage("{} has no parameter {}; it has {}.{}", m_id, name, listText(known), suggestion(name, known));
+    refuseUnknown(message("{} has no parameter {}; it has {}.", m_id, name, listOf(known)), name, known);
 }
 
 Values Method::defaults(Size exemplar) const {
@@ -224,8 +228,8 @@ const Method& findMethod(std::string_view id) {
     }
     for (const AbsentMethod& absent : absentMethods())
         if (absent.id == id)
-            failUsage("{} is not part of this build: {}", id, absent.reason);
-    failUsage("There is no method {}; there is {}.{}", id, listText(known), suggestion(id, known));
+            failUsage("{} is not part of this build. {}", id, Message(absent.reason));
+    refuseUnknown(message("There is no method {}; the methods are {}.", id, listOf(known)), id, known);
 }
 
 } // namespace texloom

@@ -42,7 +42,7 @@ template <class Settings> Param scalesField(int Settings::*member) {
     return field(member, "scales", TR("Scales"))
         .range(1, 8)
         .symbol("S")
-        .help(TR("At most so many, each half the size of the one before: more keep larger structures."));
+        .help(TR("Most scales, each half the size of the one before: more keep larger structures."));
 }
 
 /// λ_occ of the spatial uniformity (Gutierrez, thesis 2020, section 3.2.3).

@@ -93,7 +93,7 @@ Estimate growthEstimate(const Request& request, int patch, int overlap, int thre
     return need;
 }
 
-Synthesis grown(PatchGrower& grower, const Request& request, const std::string& stage, double mapWeight,
+Synthesis grown(PatchGrower& grower, const Request& request, const Message& stage, double mapWeight,
                 JobContext& context) {
     context.stage(0.02, TR("Preparing the exemplar"));
     grower.prepare();

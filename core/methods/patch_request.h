@@ -51,7 +51,7 @@ template <class Settings> PatchGrower::Layout layoutOf(const Request& request, c
 /// Grows an output patch by patch; the result has an estimated map and the number of patches.
 /// @param stage what the user is told. @param mapWeight of the making of the map; preparing takes 0.02, and
 /// growing has the rest.
-Synthesis grown(PatchGrower& grower, const Request& request, const std::string& stage, double mapWeight,
+Synthesis grown(PatchGrower& grower, const Request& request, const Message& stage, double mapWeight,
                 JobContext& context);
 
 /// The result of a method that makes new pixels: the image with its estimated map.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/image/image.h"
 #include "core/image/position_map.h"
 #include "core/job/curve.h"
@@ -52,13 +53,13 @@ struct Request {
 
 /// A named picture beside the result, such as a dictionary or a lattice.
 struct Picture {
-    std::string name;
+    Message name;
     Image image;
 };
 
 /// A named number about the result.
 struct Figure {
-    std::string name;
+    Message name;
     double value = 0;
 };
 
@@ -79,7 +80,7 @@ struct Synthesis {
     std::vector<Curve> curves; ///< those of JobContext::curve(); Method fills them in
     std::vector<Picture> pictures;
     std::vector<Figure> figures;
-    std::vector<std::string> notes; ///< sentences for the user about what the method decided by itself
+    std::vector<Message> notes; ///< sentences for the user about what the method decided by itself
 };
 
 } // namespace texloom

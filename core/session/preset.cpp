@@ -12,8 +12,8 @@
 namespace texloom {
 
 Preset Preset::fromJson(std::string_view id, std::string_view text) {
-    const JsonField::Json json = parseJson("preset", text);
-    const JsonField root("preset", json);
+    const JsonField::Json json = parseJson(TR("preset"), text);
+    const JsonField root(TR("preset"), json);
     root.only({"preset", "title", "summary", "steps"});
     if (root.has("preset") && root.at("preset").whole() > kFormat)
         failUsage("The preset is of format {}, made by a newer Texloom; this one ({}) reads up to {}.",
@@ -22,7 +22,7 @@ Preset Preset::fromJson(std::string_view id, std::string_view text) {
     const JsonField steps = root.at("steps");
     preset.steps = stepsFrom(steps);
     if (preset.steps.empty())
-        steps.wrong("a list of at least one method");
+        steps.wrong(TR("a list of at least one method"));
     for (const RecipeStep& step : preset.steps)
         findMethod(step.method).resolved(step.parameters, {});
     return preset;
@@ -36,7 +36,7 @@ std::string Preset::toJson() const {
 }
 
 std::vector<Preset> presetsIn(const std::filesystem::path& folder,
-                              const std::function<void(const std::string&)>& refused) {
+                              const std::function<void(const Message&)>& refused) {
     std::vector<Preset> read;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
@@ -45,7 +45,7 @@ std::vector<Preset> presetsIn(const std::filesystem::path& folder,
         try {
             read.push_back(Preset::fromJson(entry.path().stem().string(), readText(entry.path())));
         } catch (const Error& wrong) {
-            refused(entry.path().filename().string() + ": " + wrong.what());
+            refused(message("{}: {}", entry.path().filename().string(), wrong.message()));
         }
     }
     std::sort(read.begin(), read.end(), [](const Preset& a, const Preset& b) { return a.id < b.id; });

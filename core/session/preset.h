@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/io/recipe.h"
 
 #include <filesystem>
@@ -31,7 +32,7 @@ const std::vector<Preset>& presets();
 
 /// The presets in the .json files of a folder, by id; `refused` is told of those that cannot be read.
 std::vector<Preset> presetsIn(const std::filesystem::path& folder,
-                              const std::function<void(const std::string& sentence)>& refused);
+                              const std::function<void(const Message& sentence)>& refused);
 
 /// The shipped preset of this id, or null.
 const Preset* findPreset(std::string_view id);

@@ -26,7 +26,7 @@ fs::path folderOf(const fs::path& file) {
 void checkFormat(const JsonField& root) {
     const JsonField format = root.at("session");
     if (format.whole() < 1)
-        format.wrong(fmt::format("1 to {}", Session::kFormat));
+        format.wrong(message("1 to {}", Session::kFormat));
     if (format.whole() > Session::kFormat)
         failUsage("The session is of format {}, made by a newer Texloom; this one ({}) reads up to {}.",
                   format.whole(), kVersion, Session::kFormat);
@@ -34,7 +34,7 @@ void checkFormat(const JsonField& root) {
 
 bool flagFrom(const JsonField& field) {
     if (!field.json().is_boolean())
-        field.wrong("true or false");
+        field.wrong(TR("true or false"));
     return field.json().get<bool>();
 }
 
@@ -91,8 +91,8 @@ std::string Session::toJson(const fs::path& folder) const {
 }
 
 Session Session::fromJson(std::string_view text, const fs::path& folder) {
-    const Json json = parseJson("session", text);
-    const JsonField root("session", json);
+    const Json json = parseJson(TR("session"), text);
+    const JsonField root(TR("session"), json);
     if (!json.is_object())
         failUsage("A session is a JSON object; this is not one.");
     checkFormat(root);
@@ -120,7 +120,7 @@ Session readSession(const fs::path& path) {
     try {
         return Session::fromJson(readText(path), folderOf(path));
     } catch (const UsageError& error) {
-        throw UsageError(path.filename().string() + ": " + error.what());
+        failUsage("{}: {}", path.filename().string(), error.message());
     }
 }
 
@@ -139,7 +139,7 @@ Recipe readRun(const fs::path& path) {
     try {
         return runOf(readSession(path));
     } catch (const UsageError& error) {
-        throw UsageError(path.string() + ": " + error.what());
+        failUsage("{}: {}", path.string(), error.message());
     }
 }
 

@@ -1,59 +1,121 @@
 #!/usr/bin/env python3
-"""Collects the texts that lupdate does not find by itself, for the context "core": those marked with TR(), those of
-the shipped presets, and the sentences of errors, whose values are {}.
+"""Collects the texts that lupdate does not find by itself, for the context "core": those marked with TR(), the patterns
+of messages and errors, whose values are {}, and the texts of the shipped presets.
 
-    collect_core.py ROOT OUT.cpp SENTENCES.txt   writes a C++ file for lupdate, and the sentences with values, one a line
-    collect_core.py ROOT --check SENTENCES.txt   fails if the sentences are not those of the sources
+    collect_core.py ROOT OUT.cpp      writes them as a C++ file for lupdate
+    collect_core.py ROOT --patterns   prints the patterns of messages as a JSON list
 """
+import ast
 import json
 import pathlib
 import re
 import sys
 
-LITERAL = r'"(?:[^"\\]|\\.)*"'
-LITERALS = r"\s*((?:" + LITERAL + r"\s*)+)"
-MARKED = re.compile(r"\bTR\(" + LITERALS + r"\)")
-SENTENCE = re.compile(r"\b(?:fail|failUsage|fmt::format)\(" + LITERALS)
+MESSAGES = {"message", "fail", "failUsage"}
+# Calls that take a text for the user in any place, which must therefore be marked with TR() or be a message.
+TAKE_MARKED = {"stage", "wrong"}
+
+TOKEN = re.compile(
+    r"""(?P<comment>//[^\n]*|/\*.*?\*/)
+      | R"(?P<fence>[^(\s]*)\((?P<raw>.*?)\)(?P=fence)"
+      | (?P<literal>"(?:[^"\\\n]|\\.)*")
+      | '(?:[^'\\\n]|\\.)+'
+      | (?P<word>[A-Za-z_]\w*)
+      | (?P<other>[0-9][\w.']*|\S)""",
+    re.VERBOSE | re.DOTALL)
+
+
+class Text(str):
+    """The value of a string literal, or of several that stand side by side."""
+
+
+def tokens(source):
+    """Words and signs as str, strings as Text, without comments."""
+    found = []
+    for match in TOKEN.finditer(source):
+        if match["comment"]:
+            continue
+        if match["raw"] is not None:
+            text = Text(match["raw"])
+        elif match["literal"]:
+            text = Text(ast.literal_eval(match["literal"]))
+        else:
+            found.append(match[0])
+            continue
+        if found and isinstance(found[-1], Text):
+            text = Text(found.pop() + text)
+        found.append(text)
+    return found
+
+
+def arguments(found, begin):
+    """The tokens of a call's arguments, each with its depth in brackets, from the one behind "(" on."""
+    depth = 0
+    for token in found[begin:]:
+        if not isinstance(token, Text):
+            depth += (token in "([{") - (token in ")]}")
+        if depth < 0:
+            return
+        yield depth, token
+
+
+def calls(found, names):
+    """The place behind "(" of each call of one of these functions."""
+    for i, token in enumerate(found[:-1]):
+        if token in names and not isinstance(token, Text) and found[i + 1] == "(":
+            yield i + 2
+
+
+def first_texts(found, names):
+    return {str(found[i]) for i in calls(found, names) if i < len(found) and isinstance(found[i], Text)}
 
 
 def sources(root):
     for top in ("core", "ui"):
         for path in sorted((root / top).rglob("*.*")):
             if path.suffix in (".cpp", ".h", ".in"):
-                yield path.read_text(encoding="utf-8")
+                yield path, tokens(path.read_text(encoding="utf-8"))
 
 
-def texts(pattern, root):
-    for source in sources(root):
-        for match in pattern.finditer(source):
-            yield "".join(literal[1:-1] for literal in re.findall(LITERAL, match.group(1)))
-
-
-def sentences(root):
-    """Whole ones only: they begin with a capital or a value and end with a full stop."""
-    return {text for text in texts(SENTENCE, root)
-            if re.match(r"[A-Z{“]", text) and text.endswith(".") and len(re.findall(r"[a-z]{2,}", text)) > 1}
+def patterns(root):
+    return set().union(*(first_texts(found, MESSAGES) for _, found in sources(root)))
 
 
 def shipped(root):
     for path in sorted((root / "resources/presets").glob("*.json")):
         preset = json.loads(path.read_text(encoding="utf-8"))
-        for key in ("title", "summary"):
-            yield json.dumps(preset[key], ensure_ascii=False)[1:-1]
+        yield from (preset["title"], preset["summary"])
+
+
+def texts(root):
+    """Every text of the context "core"."""
+    marked = set().union(*(first_texts(found, {"TR"}) for _, found in sources(root)))
+    return marked | patterns(root) | set(shipped(root))
+
+
+def unmarked_in(found):
+    for begin in calls(found, TAKE_MARKED):
+        for depth, token in arguments(found, begin):
+            if depth == 0 and isinstance(token, Text):
+                yield str(token)
+
+
+def unmarked(root):
+    """Texts for the user that nothing translates, with the file that they are in."""
+    for path, found in sources(root):
+        for text in unmarked_in(found):
+            yield path.relative_to(root), text
 
 
 def main():
-    root, out, listed = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
-    with_values = "".join(text + "\n" for text in sorted(sentences(root)) if "{" in text)
-    if out == "--check":
-        if listed.read_text(encoding="utf-8") != with_values:
-            sys.exit(f"{listed} is not up to date; run resources/translations/update.sh")
+    root, out = pathlib.Path(sys.argv[1]), sys.argv[2]
+    if out == "--patterns":
+        print(json.dumps(sorted(patterns(root))))
         return
-    found = sorted({*texts(MARKED, root), *shipped(root), *sentences(root)} - {"text"})
-    lines = [f'    QT_TRANSLATE_NOOP("core", "{text}"),' for text in found]
+    lines = [f'    QT_TRANSLATE_NOOP("core", {json.dumps(text, ensure_ascii=False)}),' for text in sorted(texts(root))]
     pathlib.Path(out).write_text(
         "static const char* const texts[] = {\n" + "\n".join(lines) + "\n};\n", encoding="utf-8")
-    listed.write_text(with_values, encoding="utf-8")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 lupdate=$(command -v lupdate-qt6 || command -v /usr/lib/qt6/bin/lupdate || command -v lupdate)
 
-python3 "$here/collect_core.py" "$root" "$work/core_texts.cpp" "$work/sentences.txt"
+python3 "$here/collect_core.py" "$root" "$work/core_texts.cpp"
 cp "$here"/texloom_*.ts "$work" 2>/dev/null || true
 for language in de fr; do
   "$lupdate" -silent -I "$root" -no-obsolete -locations none -source-language en -target-language "$language" \
@@ -25,4 +25,4 @@ if [[ ${1:-} == --check ]]; then
   done
   exit $status
 fi
-cp "$work"/texloom_*.ts "$work"/sentences.txt "$here"
+cp "$work"/texloom_*.ts "$here"

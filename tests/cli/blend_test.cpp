@@ -47,7 +47,7 @@ TEST_F(Blending, refusesWhatItCannotBlend) {
     };
     EXPECT_THAT(complaint({"small.png", "-o", "out.png", "--band", "8"}), HasSubstr("32 × 30 px"));
     EXPECT_THAT(complaint({"b.png", "-o", "out.png", "--band", "31"}), HasSubstr("30 px"));
-    EXPECT_THAT(complaint({"b.png", "-o", "a.png", "--band", "8"}), HasSubstr("would be lost"));
+    EXPECT_THAT(complaint({"b.png", "-o", "a.png", "--band", "8"}), HasSubstr("would be overwritten"));
     EXPECT_THAT(complaint({"b.png", "-o", "out.png", "--method", "glue"}), HasSubstr("glue"));
     EXPECT_FALSE(std::filesystem::exists(m_folder / "out.png"));
 }

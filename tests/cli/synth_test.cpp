@@ -68,7 +68,7 @@ TEST_F(Cli, ListsEveryMethodAndParameter) {
         EXPECT_THAT(text, HasSubstr(method.id()));
         for (const Param& param : method.params()) {
             EXPECT_THAT(text, HasSubstr("--set " + param.name() + "="));
-            EXPECT_THAT(text, HasSubstr(param.limitsText()));
+            EXPECT_THAT(text, HasSubstr(param.limits().text()));
         }
     }
 }

@@ -308,7 +308,7 @@ TEST_P(Conformance, valuesOutOfRangeAreRefusedByNameAndLimit) {
                 ADD_FAILURE() << param.name() << " = " << value << " was taken";
             } catch (const UsageError& error) {
                 EXPECT_THAT(error.what(), HasSubstr(param.name() + " = "));
-                EXPECT_THAT(error.what(), HasSubstr(param.limitsText()));
+                EXPECT_THAT(error.what(), HasSubstr(param.limits().text()));
             }
     }
 }

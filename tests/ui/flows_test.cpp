@@ -264,19 +264,6 @@ private Q_SLOTS:
         useLanguage(QLocale::c());
     }
 
-    void sentencesWithValuesAreTranslated() {
-        const std::string sentence = "bark.png: Image quilting learns from one exemplar, but 3 were given.";
-        QCOMPARE(translated(sentence), QString::fromStdString(sentence));
-        useLanguage(QLocale(QStringLiteral("de_DE")));
-        QCOMPARE(translated(sentence),
-                 QStringLiteral("bark.png: Bild-Quilting lernt von einer Vorlage, gegeben wurden aber 3."));
-        QCOMPARE(translated("The companion moss is 2 × 3 px, but bark is 4 × 5 px; they must be alike."),
-                 QStringLiteral(
-                     "moss (companion) ist 2 × 3 px groß, bark aber 4 × 5 px; sie müssen gleich sein."));
-        QCOMPARE(translated("This is nobody's sentence."), QStringLiteral("This is nobody's sentence."));
-        useLanguage(QLocale::c());
-    }
-
     void keysAreChosenKeptAndGivenBack() {
         const QKeySequence other(QStringLiteral("Ctrl+Alt+W"));
         {

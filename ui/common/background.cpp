@@ -1,5 +1,6 @@
 #include "ui/common/background.h"
 
+#include "core/base/error.h"
 #include "ui/common/text.h"
 
 #include <new>
@@ -16,7 +17,7 @@ QString sentence(const std::exception& error) {
         return QCoreApplication::translate("background",
                                            "There is not enough memory for this; close an image or "
                                            "choose a smaller one.");
-    return translated(error.what());
+    return translated(messageOf(error));
 }
 
 } // namespace texloom::ui

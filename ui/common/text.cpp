@@ -1,7 +1,5 @@
 #include "ui/common/text.h"
 
-#include "ui/common/sentences.h"
-
 #include <QCoreApplication>
 #include <QFile>
 
@@ -10,12 +8,13 @@
 namespace texloom::ui {
 
 QString translated(const std::string& text) {
-    if (text.empty())
-        return {};
-    // Only sentences hold values; labels are what they are.
-    if (text.ends_with('.') && text.find(' ') != std::string::npos)
-        return translatedSentence(QString::fromStdString(text));
-    return QCoreApplication::translate("core", text.c_str());
+    // An empty text would be translated to what the file says of itself.
+    return text.empty() ? QString() : QCoreApplication::translate("core", text.c_str());
+}
+
+QString translated(const Message& message) {
+    return QString::fromStdString(
+        message.text([](const std::string& pattern) { return translated(pattern).toStdString(); }));
 }
 
 QString toQString(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/session/run/run.h"
 
 #include <QString>
@@ -11,6 +12,8 @@ namespace texloom::ui {
 
 /// A text that core marked with TR(), in the user's language.
 QString translated(const std::string& text);
+/// A message of core in the user's language, with its values.
+QString translated(const Message& message);
 
 /// A path as Qt writes it, and back.
 QString toQString(const std::filesystem::path& path);

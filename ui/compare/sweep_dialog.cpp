@@ -52,7 +52,7 @@ QString limitsOf(const Param& parameter) {
     QStringList texts;
     for (const Choice& choice : parameter.choices())
         texts += SweepDialog::tr("%1: %2").arg(QString::fromStdString(choice.id), translated(choice.title));
-    return texts.isEmpty() ? QString::fromStdString(parameter.limitsText()) : texts.join(QLatin1Char('\n'));
+    return texts.isEmpty() ? translated(parameter.limits()) : texts.join(QLatin1Char('\n'));
 }
 
 } // namespace
@@ -192,7 +192,7 @@ void SweepDialog::refresh() {
         m_cells = sweepCells(m_input, axes, m_varySeed->isChecked());
         m_said->setText(m_cells.size() == 1 ? tr("1 run") : tr("%1 runs").arg(m_cells.size()));
     } catch (const Error& error) {
-        m_said->setText(translated(error.what()));
+        m_said->setText(translated(error.message()));
         colors.setColor(QPalette::WindowText, errorColor(colors));
     }
     m_said->setPalette(colors);

@@ -29,7 +29,7 @@ const std::vector<Param>& fields() {
     static const std::vector<Param> all = {
         field(&Fields::angle, "angle", TR("Angle")).range(-45, 45).unit("°"),
         field(&Fields::model, "model", TR("Light"))
-            .choices({{"smooth", TR("Soft changes")}, {"polynomial", TR("One slope over all")}}),
+            .choices({{"smooth", TR("Soft changes")}, {"polynomial", TR("One slope over the whole")}}),
         field(&Fields::width, "width", TR("Softness")).range(0.02, 1),
         field(&Fields::order, "order", TR("Bends")).range(1, 4),
         field(&Fields::strength, "strength", TR("Strength")).range(0, 1),

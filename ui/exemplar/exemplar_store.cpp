@@ -80,7 +80,7 @@ RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known) {
 /// Loads a companion map and checks that it fits. @throws Error, UsageError
 ExemplarFile loadCompanion(const RunExemplar& original, const QString& path) {
     ExemplarFile companion = loadData(toPath(path));
-    checkSizeLike(original.image, companion, "companion");
+    checkSizeLike(original.image, companion, TR("companion"));
     return companion;
 }
 
@@ -374,7 +374,7 @@ void ExemplarStore::setMask(int id, const QString& path) {
             {},
             [file = toPath(path)](ExemplarState& state) {
                 ExemplarFile mask = loadMask(file);
-                checkSizeLike(state.original.image, mask, "mask");
+                checkSizeLike(state.original.image, mask, TR("mask"));
                 state.original.mask = std::move(mask);
             },
             true});

@@ -143,7 +143,7 @@ QString ParamRow::helpText() const {
         title += tr(" (%1 in the paper)").arg(symbolText(QString::fromStdString(m_param->symbol())));
     QString text = tr("<b>%1</b> %2").arg(title, translated(m_param->help()).toHtmlEscaped());
     if (m_param->hasRange())
-        text += tr(" %1.").arg(QString::fromStdString(m_param->limitsText()).toHtmlEscaped());
+        text += tr(" %1.").arg(translated(m_param->limits()).toHtmlEscaped());
     return text + QLatin1Char(' ') + defaultText().toHtmlEscaped();
 }
 

@@ -292,7 +292,7 @@ QString LatticeTool::problem() const {
     try {
         checkLattice(settings, m_name.toStdString(), m_exemplar->size());
     } catch (const std::exception& error) {
-        return translated(sentence(error).toStdString());
+        return sentence(error);
     }
     return {};
 }

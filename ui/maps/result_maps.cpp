@@ -16,7 +16,7 @@ namespace {
 /// More marks than this hide the picture, and each other.
 constexpr std::size_t kMostMarks = 500;
 
-void checkMemory(const char* what, std::uint64_t bytes) {
+void checkMemory(const Message& what, std::uint64_t bytes) {
     if (const std::uint64_t free = availableMemory(); bytes > free)
         fail("{} takes {}, of which only {} are free; make a smaller result.", what, byteText(bytes),
              byteText(free));
@@ -32,7 +32,7 @@ RunPictures withEstimate(RunPictures pictures, JobContext& context) {
                            exemplar.mask() ? exemplar.mask()->view().plane(0) : PlaneView{}});
         sizes.push_back(exemplar.image->size());
     }
-    checkMemory("Estimating the map", estimatedMapBytes(image.size(), sizes, image.channels()));
+    checkMemory(TR("Estimating the map"), estimatedMapBytes(image.size(), sizes, image.channels()));
     const Wrap wrap = result.plan.request.region ? Wrap{} : result.plan.request.wrap;
     context.stage(1, TR("Estimating the map"));
     pictures.map = std::make_shared<const PositionMap>(estimatedMap(image, sources, wrap, context));

@@ -69,9 +69,8 @@ ResultView::ResultView(QWidget* parent)
     m_viewers[PositionTab] = addViewer(position, position, tr("Position map"));
     m_copies = addMap(QStringLiteral("copiesViewer"), tr("Copied pieces"));
     m_viewers[CopiesTab] = m_copies->viewer();
-    m_tabs->setTabToolTip(SynthesisTab,
-                          tr("Every pixel in the colour that the position map gives its source: even "
-                             "areas are copied as they are."));
+    m_tabs->setTabToolTip(SynthesisTab, tr("Every pixel in the colour that the position map gives its "
+                                           "source: even areas are copied as they are."));
     m_tabs->setTabToolTip(PositionTab,
                           tr("The legend of the synthesis map: a colour for every pixel of the exemplar."));
     m_tabs->setTabToolTip(CopiesTab,

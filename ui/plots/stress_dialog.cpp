@@ -42,10 +42,9 @@ StressDialog::StressDialog(RunInput input, QWidget* parent)
     m_scroll->setAccessibleName(tr("Rounds"));
     m_scroll->setFixedHeight(fontMetrics().height() * kPictureLines);
     m_message->setWordWrap(true);
-    m_message->setText(
-        tr("Makes %1 again and again, each time from the texture made before. What a method loses "
-           "or repeats adds up from round to round.")
-            .arg(QString::fromStdString(m_first.exemplars.front().image.name())));
+    m_message->setText(tr("Makes %1 again and again, each time from the texture made before. What a method "
+                          "loses or repeats adds up from round to round.")
+                           .arg(QString::fromStdString(m_first.exemplars.front().image.name())));
 
     auto* form = new QFormLayout;
     form->addRow(tr("&Rounds"), m_count);

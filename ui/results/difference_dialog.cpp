@@ -18,7 +18,7 @@ namespace {
 constexpr int kLines = 20;
 constexpr int kWidth = 104;
 
-QString shown(const std::string& text) {
+QString shown(const Message& text) {
     return text.empty() ? QStringLiteral("–") : translated(text);
 }
 

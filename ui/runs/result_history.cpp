@@ -49,7 +49,7 @@ void ResultHistory::scan() {
             m_store.addEarlier(found.entries);
             endResetModel();
             readThumbnails(found.entries);
-            for (const std::string& problem : found.problems)
+            for (const Message& problem : found.problems)
                 Q_EMIT remarked(translated(problem));
             m_ready = true;
             Q_EMIT scanned();

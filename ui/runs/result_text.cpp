@@ -81,7 +81,7 @@ QString detailsText(const ResultEntry& entry) {
     for (const Figure& figure : entry.figures)
         html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
     html += QStringLiteral("</table>");
-    for (const std::string& note : entry.notes)
+    for (const Message& note : entry.notes)
         html += QStringLiteral("<p>%1</p>").arg(translated(note).toHtmlEscaped());
     return html;
 }
@@ -89,7 +89,7 @@ QString detailsText(const ResultEntry& entry) {
 QString searchText(const ResultEntry& entry) {
     QStringList parts = {titleText(entry), methodsText(entry), QString::fromStdString(entry.methodIds()),
                          exemplarsText(entry), chipsOf(entry).join(QLatin1Char(' '))};
-    for (const std::string& note : entry.notes)
+    for (const Message& note : entry.notes)
         parts += translated(note);
     return parts.join(QLatin1Char('\n'));
 }

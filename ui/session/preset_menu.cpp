@@ -68,8 +68,8 @@ void PresetMenu::fill() {
     for (const Preset& preset : presets())
         addPreset(this, preset, true);
     addSeparator();
-    const std::vector<Preset> own = presetsIn(
-        toPath(folder()), [this](const std::string& why) { Q_EMIT failed(QString::fromStdString(why)); });
+    const std::vector<Preset> own =
+        presetsIn(toPath(folder()), [this](const Message& why) { Q_EMIT failed(translated(why)); });
     for (const Preset& preset : own)
         addPreset(this, preset, false);
     addSeparator();

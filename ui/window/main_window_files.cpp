@@ -272,8 +272,7 @@ void MainWindow::showAbout() {
     box->setWindowTitle(tr("About Texloom"));
     box->setTextFormat(Qt::RichText);
     box->setText(tr("<h3>Texloom %1</h3><p>A workbench for exemplar-based texture synthesis.</p><p>Free "
-                    "software under "
-                    "the GNU General Public License, version 3 or later.</p>")
+                    "software under the GNU General Public License, version 3 or later.</p>")
                      .arg(QLatin1String(kVersion)));
     box->open();
 }

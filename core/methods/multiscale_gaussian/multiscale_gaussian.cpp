@@ -84,7 +84,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     double patches = 0;
     for (int scale = settings.scales - 1; scale >= 0; --scale) {
         context.stage((0.98 - kMapWeight) * weightOf(scale, settings.scales),
-                      fmt::format(TR("Sampling scale {} of {}"), settings.scales - scale, settings.scales));
+                      message("Sampling scale {} of {}", settings.scales - scale, settings.scales));
         const Size size = halved(request.size, scale);
         Image low;
         if (scale + 1 < settings.scales)

@@ -72,7 +72,7 @@ int patchFor(const Settings& settings, int block) {
 }
 
 /// Fits the lattice to an output that wraps, and says so where that changes it visibly.
-Lattice closing(const Lattice& lattice, const Request& request, std::vector<std::string>& notes) {
+Lattice closing(const Lattice& lattice, const Request& request, std::vector<Message>& notes) {
     if (!request.wrap.x && !request.wrap.y)
         return lattice;
     const WrappedLattice fitted = wrapped(lattice, request.size, request.wrap);
@@ -85,10 +85,9 @@ Lattice closing(const Lattice& lattice, const Request& request, std::vector<std:
             size.width, size.height, lattice.extent().x, lattice.extent().y);
     const Size whole = wrappingRectangle(lattice, std::max(4096, size.longerSide()));
     if (fitted.stretch > kWorthSaying && !whole.empty())
-        notes.push_back(fmt::format("To wrap at {} × {} px the lattice was changed by {:.1f} %; a multiple "
-                                    "of {} × {} px needs no change.",
-                                    size.width, size.height, 100 * fitted.stretch, whole.width,
-                                    whole.height));
+        notes.push_back(message("To wrap at {} × {} px the lattice was changed by {:.1f} %; a multiple of {} "
+                                "× {} px needs no change.",
+                                size.width, size.height, 100 * fitted.stretch, whole.width, whole.height));
     return fitted.lattice;
 }
 
@@ -188,27 +187,26 @@ int lightWidth(const Settings& settings, const Plan& plan) {
 
 /// Whether the light is to be evened out; says so where the exemplar decides.
 bool lightGoes(const std::string& exemplar, const Settings& settings, const Plan& plan,
-               std::vector<std::string>& notes, const std::function<void()>& check) {
+               std::vector<Message>& notes, const std::function<void()>& check) {
     if (settings.flatten != EvenLight::Automatic)
         return settings.flatten == EvenLight::Yes;
     if (plan.from.free() || unevenness(plan.exemplar, lightWidth(settings, plan), check) <= kTooUneven)
         return false;
-    notes.push_back(
-        fmt::format("The light of {} changes so much from place to place that patches would show, "
-                    "so it was evened out; flatten=no keeps it.",
-                    exemplar));
+    notes.push_back(message(
+        "The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.",
+        exemplar));
     return true;
 }
 
-Prepared prepared(const Request& request, const Settings& settings, Plan& plan,
-                  std::vector<std::string>& notes, JobContext& context) {
+Prepared prepared(const Request& request, const Settings& settings, Plan& plan, std::vector<Message>& notes,
+                  JobContext& context) {
     Prepared result;
     const auto check = [&] { context.check(); };
     if (settings.rectify && !plan.from.free()) {
         const Rectification change = rectification(plan.from, plan.exemplar.size());
         if (change.size.shorterSide() < kSmallestExemplar) {
-            notes.push_back(fmt::format("{} was not straightened: too little of it would be left.",
-                                        request.exemplars.front().name));
+            notes.push_back(message("{} was not straightened, since too little of it would be left.",
+                                    request.exemplars.front().name));
         } else {
             result.image = rectified(plan.exemplar, change, check);
             result.change = change;
@@ -243,28 +241,27 @@ void mapBack(PositionMap& map, const Rectification& change, Size exemplar, JobCo
 }
 
 /// A lattice longer than the blocks.
-std::string longTiles(const Settings& settings, const Plan& plan) {
+Message longTiles(const Settings& settings, const Plan& plan) {
     const Vec2 extent = plan.from.extent();
     const int whole = static_cast<int>(std::lround(std::max(extent.x, extent.y)));
-    const std::string works = whole <= largestBlock(settings, plan.exemplar.size())
-                                  ? fmt::format("blocks of {} px hold whole ones", whole)
-                                  : "“Regular tile” repeats whole ones";
-    const std::string tile =
-        plan.from.rowsOnly() ? fmt::format("The rows, {:.0f} px apart, are", plan.from.area())
-                             : fmt::format("The lattice's tile of {:.0f} × {:.0f} px is", extent.x, extent.y);
-    return fmt::format(
-        "{} larger than the blocks of {} px, so that new ones are pieced together from parts of "
-        "several; {}.",
-        tile, plan.block, works);
+    const Message remedy = whole <= largestBlock(settings, plan.exemplar.size())
+                               ? message("Blocks of {} px hold whole ones.", whole)
+                               : Message(TR("“Regular tile” repeats whole ones."));
+    if (plan.from.rowsOnly())
+        return message("The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are "
+                       "pieced together from parts of several. {}",
+                       plan.from.area(), plan.block, remedy);
+    return message("The lattice's tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones "
+                   "are pieced together from parts of several. {}",
+                   extent.x, extent.y, plan.block, remedy);
 }
 
 /// Rows of which the exemplar shows only the direction.
-std::string orderedRows(const std::string& exemplar, const Plan& plan) {
-    return fmt::format(
-        "Nothing in {} repeats itself, but rows run through all of it: they keep the order "
-        "that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the "
-        "window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.",
-        exemplar, plan.from.area());
+Message orderedRows(const std::string& exemplar, const Plan& plan) {
+    return message("Nothing in {} repeats, but rows run through all of it: they keep the order that they "
+                   "have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window "
+                   "(Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.",
+                   exemplar, plan.from.area());
 }
 
 void describe(const std::string& exemplar, const Settings& settings, const Plan& plan, Synthesis& result) {

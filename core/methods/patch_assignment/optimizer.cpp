@@ -118,7 +118,7 @@ Synthesis Optimizer::run() {
         whole += iterations(level) * std::pow(0.25, level);
     for (int level = m_pyramid.levels() - 1; level >= 0; --level) {
         m_context.stage(0.98 * iterations(level) * std::pow(0.25, level) / whole,
-                        fmt::format("Scale 1/{}", 1 << level));
+                        message("Scale 1/{}", 1 << level));
         start(level);
         optimize(level);
     }
@@ -167,9 +167,8 @@ void Optimizer::optimize(int level) {
     Pass pass(m_pyramid.level(level), m_settings, random, m_size, m_context);
     plan(pass, level);
     if (pass.narrowed && level == 0)
-        m_result.notes.emplace_back(
-            TR("At this size every patch chose among a few that suit it, so that some are "
-               "used a little more often than others."));
+        m_result.notes.emplace_back(TR("At this size every patch chose among a few that suit it, so some are "
+                                       "used a little more often than others."));
     const int count = iterations(level);
     for (int iteration = 0; iteration < count; ++iteration) {
         pass.epsilon = toleranceAt(level, iteration);

@@ -82,15 +82,14 @@ const Method self = method<Settings>(
      scalesField(&Settings::scales),
      field(&Settings::coarseIterations, "coarse-iterations", TR("Coarse iterations"))
          .range(1, 500)
-         .help(TR("At most so many on each scale but the finest: more join better, but take longer.")),
+         .help(TR("Most rounds on each scale but the finest: more join better, but take longer.")),
      field(&Settings::fineIterations, "fine-iterations", TR("Fine iterations"))
          .range(1, 500)
-         .help(TR("At most so many on the finest scale, where most of the time is spent.")),
+         .help(TR("Most rounds on the finest scale, where most of the time is spent.")),
      field(&Settings::grid, "grid", TR("Grid"))
          .choices({{"regular", TR("Regular")}, {"random", TR("Random")}, {"hybrid", TR("Hybrid")}})
          .help(TR("Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a "
-                  "random one "
-                  "varies more and blurs, the hybrid is random but on the finest scale.")),
+                  "random one varies more and blurs, the hybrid is random but on the finest scale.")),
      field(&Settings::epsilon, "epsilon", TR("Tolerance"))
          .range(0, 100)
          .symbol("ε")

@@ -61,7 +61,7 @@ Synthesis Synthesizer::run() {
     for (int level = 0; level < m_pyramid.levels(); ++level)
         whole += std::pow(0.4, level);
     for (int level = m_pyramid.levels() - 1; level >= 0; --level) {
-        m_context.stage(0.98 * std::pow(0.4, level) / whole, fmt::format("Scale 1/{}", 1 << level));
+        m_context.stage(0.98 * std::pow(0.4, level) / whole, message("Scale 1/{}", 1 << level));
         const PatchLattice lattice{canvas(level), m_settings.patch, kStride};
         GridMatcher matcher(m_pyramid.level(level), lattice, m_context);
         PatchField field(lattice.count());

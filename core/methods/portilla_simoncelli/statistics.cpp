@@ -93,7 +93,7 @@ private:
 
 } // namespace
 
-std::string titleOf(Group group) {
+Message titleOf(Group group) {
     switch (group) {
     case Group::Marginals:
         return TR("Marginals");

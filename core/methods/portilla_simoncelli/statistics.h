@@ -21,7 +21,7 @@ enum class Group {
     Phases,                   ///< real parts with the phase-doubled bands one scale coarser
 };
 inline constexpr std::size_t kGroups = 7;
-std::string titleOf(Group group);
+Message titleOf(Group group);
 
 /// Statistics of a low-pass image, or of a whole component.
 struct ImageStatistics {

@@ -312,7 +312,8 @@ void Synthesizer::addFigures(const Statistics& result, Synthesis& synthesis) con
     synthesis.figures.push_back({TR("Scales used"), static_cast<double>(scalesFor(m_request, m_settings))});
     const Deviations left = deviations(result, m_wanted);
     for (std::size_t group = 0; group < kGroups; ++group)
-        synthesis.figures.push_back({TR("Deviation, ") + titleOf(static_cast<Group>(group)), left[group]});
+        synthesis.figures.push_back(
+            {message("Deviation, {}", titleOf(static_cast<Group>(group))), left[group]});
 }
 
 } // namespace texloom::portilla_simoncelli

@@ -50,8 +50,7 @@ const Method self = method<Settings>(
                   "sooner.")),
      toleranceField(&Settings::tolerance)
          .help(TR("How much worse than the best a patch may fit and still be drawn: larger varies more, "
-                  "smaller copies "
-                  "longer stretches.")),
+                  "smaller copies longer stretches.")),
      field(&Settings::stitch, "stitch", TR("Stitch"))
          .choices({{"cut", TR("Minimum-error cut")}, {"smooth-cut", TR("Smoothed cut")}})
          .group(TR("Advanced"))

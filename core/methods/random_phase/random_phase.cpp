@@ -148,10 +148,9 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Random phase"),
-     .summary = TR(
-         "Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, "
-         "and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses "
-         "edges and objects."),
+     .summary = TR("Keeps the strength of each frequency of the exemplar and draws its phase at random. "
+                   "Instant, and without any repetition; suits fine-grained textures such as sand, plaster "
+                   "or cloth, and loses edges and objects."),
      .citation = "Galerne, Gousseau & Morel, IEEE TIP 2011; Moisan, J. Math. Imaging Vis. 2011",
      .category = Category::Statistics,
      .takes = {ports::exemplar()},

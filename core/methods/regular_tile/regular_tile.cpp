@@ -90,10 +90,10 @@ private:
                       size.width, size.height, m_lattice.extent().x, m_lattice.extent().y);
         if (closing.stretch > kWorthSaying) {
             const Size whole = wrappingRectangle(m_lattice, std::max(4096, size.longerSide()));
-            m_result.notes.push_back(fmt::format("To wrap at {} × {} px the tile was changed by {:.1f} %; a "
-                                                 "multiple of {} × {} px needs no change.",
-                                                 size.width, size.height, 100 * closing.stretch, whole.width,
-                                                 whole.height));
+            m_result.notes.push_back(message("To wrap at {} × {} px the tile was changed by {:.1f} %; a "
+                                             "multiple of {} × {} px needs no change.",
+                                             size.width, size.height, 100 * closing.stretch, whole.width,
+                                             whole.height));
         }
         m_lattice = closing.lattice;
     }
@@ -232,14 +232,13 @@ std::vector<Param> params() {
             .group(TR("Advanced"))
             .help(TR("Width of the borders in which opposite sides of a tile are compared: wider looks for "
                      "tiles that join in larger structures.")));
-    all.push_back(
-        field(&Settings::tolerance, "tolerance", TR("Tolerance"))
-            .range(0, 10)
-            .symbol("ε")
-            .when("tile", std::string("best"))
-            .group(TR("Advanced"))
-            .help(TR("How much worse than the best a tile may join itself and still be drawn: larger gives "
-                     "more different tiles for different seeds.")));
+    all.push_back(field(&Settings::tolerance, "tolerance", TR("Tolerance"))
+                      .range(0, 10)
+                      .symbol("ε")
+                      .when("tile", std::string("best"))
+                      .group(TR("Advanced"))
+                      .help(TR("How much worse than the best a tile may join itself and still be drawn: "
+                               "larger gives more variety between seeds.")));
     return all;
 }
 

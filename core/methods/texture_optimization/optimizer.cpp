@@ -132,7 +132,7 @@ Synthesis Optimizer::run() {
         coarse.reset();
         for (const int width : widths(level)) {
             m_context.stage(0.98 * std::pow(0.4, level) / whole,
-                            fmt::format("Scale 1/{}, patches of {} px", 1 << level, width));
+                            message("Scale 1/{}, patches of {} px", 1 << level, width));
             optimize(level, width);
         }
     }

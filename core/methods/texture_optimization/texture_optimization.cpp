@@ -61,7 +61,7 @@ const Method self = method<Settings>(
     {scalesField(&Settings::scales),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 100)
-         .help(TR("At most so many for each patch size on each scale: more join better, but take longer.")),
+         .help(TR("Most rounds for each patch size on each scale: more join better, but take longer.")),
      field(&Settings::largestPatch, "largest-patch", TR("Largest patch"))
          .range(8, 32)
          .unit("px")

@@ -33,7 +33,7 @@ struct Axis {
 /// One entry of "runs" as it stands in the file.
 struct Run {
     Recipe recipe;
-    std::string problem;
+    Message problem;
     std::vector<Axis> axes;
     bool variedSeeds = false;
     std::string output, report, depth, space;
@@ -55,7 +55,7 @@ std::string textOr(const JsonField& field, const std::string& key, const std::st
 std::string choiceOr(const JsonField& field, const std::string& key, const std::vector<std::string>& known) {
     std::string text = textOr(field, key, known.front());
     if (std::find(known.begin(), known.end(), text) == known.end())
-        field.at(key).wrong(fmt::format("one of {}", listText({known.begin(), known.end()})));
+        field.at(key).wrong(message("one of {}", listOf({known.begin(), known.end()})));
     return text;
 }
 
@@ -64,7 +64,7 @@ void readRecipe(Run& run, const JsonField& field, const fs::path& folder) {
         run.recipe = field.json().is_string() ? readRun((folder / field.text()).lexically_normal())
                                               : Recipe::fromJson(field.json().dump(), folder);
     } catch (const Error& error) {
-        run.problem = error.what();
+        run.problem = error.message();
     }
 }
 
@@ -93,14 +93,14 @@ Run runFrom(const JsonField& field, const fs::path& folder) {
     readRecipe(run, field.at("recipe"), folder);
     run.output = field.at("output").text();
     if (run.output.empty())
-        field.at("output").wrong("the name of a file");
+        field.at("output").wrong(TR("the name of a file"));
     run.report = textOr(field, "report", "");
     run.depth = choiceOr(field, "depth", {"", "8", "16", "half", "float"});
     run.space = textOr(field, "space", "");
     run.variedSeeds = choiceOr(field, "seeds", {"held", "varied"}) == "varied";
     if (field.has("sidecar")) {
         if (!field.at("sidecar").json().is_boolean())
-            field.at("sidecar").wrong("true or false");
+            field.at("sidecar").wrong(TR("true or false"));
         run.sidecar = field.at("sidecar").json().get<bool>();
     }
     if (field.has("maps")) {
@@ -127,7 +127,7 @@ void set(Recipe& recipe, const std::string& name, const Json& value) {
     const JsonField field = JsonField("sweep", named).at(name);
     if (name == "seed") {
         if (!value.is_number_unsigned())
-            field.wrong("a whole number from 0 to 18446744073709551615");
+            field.wrong(TR("a whole number from 0 to 18446744073709551615"));
         recipe.seed = value.get<std::uint64_t>();
         return;
     }
@@ -173,7 +173,7 @@ BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std
             if (item.problem.empty())
                 set(item.recipe, name, value);
         } catch (const Error& error) {
-            item.problem = error.what();
+            item.problem = error.message();
         }
     }
     if (run.variedSeeds)
@@ -218,12 +218,12 @@ std::string BatchItem::label(std::size_t number) const {
 }
 
 Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
-    const Json json = parseJson("batch", text);
-    const JsonField root("batch", json);
+    const Json json = parseJson(TR("batch"), text);
+    const JsonField root(TR("batch"), json);
     if (!json.is_object())
         failUsage("A batch is a JSON object; this is not one.");
     if (const JsonField format = root.at("batch"); format.whole() < 1)
-        format.wrong(fmt::format("1 to {}", kFormat));
+        format.wrong(message("1 to {}", kFormat));
     else if (format.whole() > kFormat)
         failUsage("The batch is of format {}, made for a newer Texloom; this one reads up to {}.",
                   format.whole(), kFormat);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/io/recipe.h"
 
 #include <filesystem>
@@ -12,8 +13,8 @@ namespace texloom {
 /// One run of a batch: a recipe and the files to write.
 struct BatchItem {
     Recipe recipe;
-    std::string problem; ///< why there is no recipe, in one sentence; empty if there is one
-    std::string cell;    ///< "patch=32, seed=7": the place in its sweep, or empty
+    Message problem;  ///< why there is no recipe, in one sentence; empty if there is one
+    std::string cell; ///< "patch=32, seed=7": the place in its sweep, or empty
     std::filesystem::path output;
     std::vector<std::filesystem::path> maps;
     std::filesystem::path report; ///< or empty

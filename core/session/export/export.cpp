@@ -256,8 +256,8 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
         {{options.image, TR("result"), false, "", options.depth}, [&] { writeResult(result, options); }});
     for (const fs::path& map : options.maps) {
         if (!hasMap(result))
-            failUsage("{} copies no pixels, so that it has no position map.",
-                      result.plan.lastMethod().info().title);
+            failUsage("{} copies no pixels, so it has no position map.",
+                      Message(result.plan.lastMethod().info().title));
         steps.push_back(
             {{map, map.extension() == ".exr" ? TR("position map (STMap)") : TR("position map (16-bit)"),
               false},
@@ -296,7 +296,7 @@ void checkKept(const std::vector<fs::path>& sources, const fs::path& written) {
     const fs::path target = fs::weakly_canonical(written, error);
     for (const fs::path& source : sources)
         if (fs::weakly_canonical(source, error) == target)
-            failUsage("{} is what the result is made from and would be lost; name another file.",
+            failUsage("{} is what the result is made from and would be overwritten; name another file.",
                       written.string());
 }
 
@@ -347,7 +347,7 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
     try {
         for (Step& step : stepsFor(result, options)) {
             if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
-                fail("{} has come to be there in the meantime; export again to see what would be replaced.",
+                fail("{} has appeared meanwhile; export again to see what would be replaced.",
                      step.entry.path.string());
             step.write();
             written.push_back(std::move(step.entry));
@@ -366,9 +366,8 @@ Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                     const std::function<Result(RunPlan)>& make) {
     const bool companions = options.companions && !plan.companions.front().empty();
     if (!options.maps.empty() || companions)
-        failUsage("An output of {} × {} px is made in strips of {} rows, for which no position or companion "
-                  "maps are "
-                  "written; choose a region or a smaller size for those.",
+        failUsage("An output of {} × {} px is made in strips of {} rows, without position or companion maps; "
+                  "choose a region or a smaller size to get those.",
                   plan.request.part().size.width, plan.request.part().size.height, plan.stripRows);
     Result whole;
     whole.plan = plan;
@@ -404,16 +403,16 @@ std::string reportJson(const Result& result, const fs::path& folder) {
     if (result.stoppedAt)
         json["stoppedAt"] = *result.stoppedAt;
     for (const StageTime& stage : result.stages)
-        json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+        json["stages"].push_back({{"name", stage.name.text()}, {"seconds", stage.seconds}});
     json["peakMemoryBytes"] = peakMemory();
     json["memoryBeforeBytes"] = result.plan.memoryBefore;
     json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
-    for (const std::string& note : result.synthesis.notes)
-        json["notes"].push_back(note);
+    for (const Message& note : result.synthesis.notes)
+        json["notes"].push_back(note.text());
     for (const Figure& figure : result.figures)
-        json["figures"][figure.name] = figure.value;
+        json["figures"][figure.name.text()] = figure.value;
     for (const Curve& curve : result.synthesis.curves)
-        json["curves"][curve.name] = curve.values;
+        json["curves"][curve.name.text()] = curve.values;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

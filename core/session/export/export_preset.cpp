@@ -76,7 +76,7 @@ const ExportPreset& findExportPreset(std::string_view id) {
             return preset;
         known.push_back(preset.id);
     }
-    failUsage("There is no export preset {}; there is {}.", id, listText(known));
+    failUsage("There is no export preset {}; choose one of {}.", id, listOf(known));
 }
 
 } // namespace texloom

@@ -21,7 +21,7 @@ const std::string& valueOf(std::string_view word, std::string_view pattern, cons
     std::vector<std::string> known;
     for (const auto& [name, value] : words)
         known.push_back("$" + name);
-    failUsage("The name {} holds ${}, which is not known here; there is {}.", pattern, word, listText(known));
+    failUsage("The name {} holds ${}, which stands for nothing here; use {}.", pattern, word, listOf(known));
 }
 
 /// Takes the word that starts at `at` off the pattern, with or without braces.

@@ -25,27 +25,29 @@ const Param* knownParam(const Method* method, const std::string& name) {
     return found == all.end() ? nullptr : &*found;
 }
 
-std::string valueText(const Values& values, const std::string& name, const Param* param) {
+Message valueText(const Values& values, const std::string& name, const Param* param) {
     const auto found = values.find(name);
     if (found == values.end())
         return {};
-    std::string text = toText(found->second);
+    const std::string text = toText(found->second);
+    if (std::holds_alternative<bool>(found->second))
+        return Message(text);
     if (param == nullptr)
-        return text;
+        return Message::verbatim(text);
     for (const Choice& choice : param->choices())
         if (choice.id == text)
-            return choice.title;
-    return param->unit().empty() ? text : text + " " + param->unit();
+            return Message(choice.title);
+    return param->unit().empty() ? Message::verbatim(text) : message("{} {}", text, Message(param->unit()));
 }
 
-std::string methodText(const RecipeStep& step) {
+Message methodText(const RecipeStep& step) {
     const Method* const method = knownMethod(step.method);
-    return method != nullptr ? method->info().title : step.method;
+    return method != nullptr ? Message(method->info().title) : Message::verbatim(step.method);
 }
 
 class Table {
 public:
-    void add(const std::string& what, const std::string& first, const std::string& second) {
+    void add(const Message& what, const Message& first, const Message& second) {
         if (first != second)
             m_rows.push_back({what, first, second});
     }
@@ -78,26 +80,26 @@ void compareSteps(Table& table, const RecipeStep& first, const RecipeStep& secon
         const Param* const a = knownParam(knownMethod(first.method), name);
         const Param* const b = knownParam(knownMethod(second.method), name);
         const Param* const titled = a != nullptr ? a : b;
-        table.add(titled != nullptr ? titled->title() : name, valueText(first.parameters, name, a),
-                  valueText(second.parameters, name, b));
+        table.add(titled != nullptr ? Message(titled->title()) : Message::verbatim(name),
+                  valueText(first.parameters, name, a), valueText(second.parameters, name, b));
     }
 }
 
 /// The title of a port of one of the recipe's methods, or its id.
-std::string portTitle(const Recipe& recipe, const std::string& id) {
+Message portTitle(const Recipe& recipe, const std::string& id) {
     for (const RecipeStep& step : recipe.steps)
         if (const Method* method = knownMethod(step.method))
             if (const Port* port = method->info().input(id))
-                return port->title;
-    return id;
+                return Message(port->title);
+    return Message::verbatim(id);
 }
 
-std::string inputText(const Recipe& recipe, const std::string& port) {
+Message inputText(const Recipe& recipe, const std::string& port) {
     std::vector<std::string> names;
     if (const auto found = recipe.inputs.find(port); found != recipe.inputs.end())
         for (const RecipeFile& file : found->second)
             names.push_back(file.path.filename().string());
-    return listText(names);
+    return listOf(names);
 }
 
 void compareInputs(Table& table, const Recipe& first, const Recipe& second) {
@@ -112,38 +114,38 @@ void compareInputs(Table& table, const Recipe& first, const Recipe& second) {
 
 /// Names of the exemplars' files; with the beginning of their hashes where names alone do not tell them
 /// apart.
-std::string filesText(const Recipe& recipe, bool hashes) {
+Message filesText(const Recipe& recipe, bool hashes) {
     constexpr std::size_t kTold = 7;
     std::vector<std::string> names;
     for (const RecipeExemplar& exemplar : recipe.exemplars) {
         const std::string name = exemplar.image.path.filename().string();
         names.push_back(hashes ? fmt::format("{} ({})", name, exemplar.image.hash.substr(0, kTold)) : name);
     }
-    return listText(names);
+    return listOf(names);
 }
 
-std::string sizeText(Size size) {
-    return fmt::format("{} × {} px", size.width, size.height);
+Message sizeText(Size size) {
+    return message("{} × {} px", size.width, size.height);
 }
 
-std::string wrapText(Wrap wrap) {
-    return wrap.x && wrap.y ? "X, Y" : wrap.x ? "X" : wrap.y ? "Y" : "–";
+Message wrapText(Wrap wrap) {
+    return Message::verbatim(wrap.x && wrap.y ? "X, Y" : wrap.x ? "X" : wrap.y ? "Y" : "–");
 }
 
 /// How many edits each exemplar has had.
-std::string editsText(const Recipe& recipe) {
+Message editsText(const Recipe& recipe) {
     std::vector<std::string> counts;
     for (const RecipeExemplar& exemplar : recipe.exemplars)
         counts.push_back(std::to_string(exemplar.edits.size()));
-    return listText(counts);
+    return listOf(counts);
 }
 
 /// How much each exemplar counts.
-std::string weightsText(const Recipe& recipe) {
+Message weightsText(const Recipe& recipe) {
     std::vector<std::string> weights;
     for (const RecipeExemplar& exemplar : recipe.exemplars)
         weights.push_back(numberText(exemplar.weight));
-    return listText(weights);
+    return listOf(weights);
 }
 
 bool sameEdits(const Recipe& first, const Recipe& second) {
@@ -159,15 +161,16 @@ std::vector<RecipeDifference> differences(const Recipe& first, const Recipe& sec
     const bool sameNames = filesText(first, false) == filesText(second, false);
     table.add(TR("Exemplars"), filesText(first, sameNames), filesText(second, sameNames));
     if (!sameEdits(first, second)) {
-        const std::string before = editsText(first);
-        const std::string after = editsText(second);
-        table.add(TR("Edits of exemplars"), before, before == after ? after + " (other ones)" : after);
+        const Message before = editsText(first), after = editsText(second);
+        table.add(TR("Edits of exemplars"), before,
+                  before == after ? message("{} (other ones)", after) : after);
     }
     if (first.exemplars.size() > 1 && first.exemplars.size() == second.exemplars.size())
         table.add(TR("Weights of exemplars"), weightsText(first), weightsText(second));
     table.add(TR("Size"), sizeText(first.size), sizeText(second.size));
     table.add(TR("Wraps"), wrapText(first.wrap), wrapText(second.wrap));
-    table.add(TR("Seed"), std::to_string(first.seed), std::to_string(second.seed));
+    table.add(TR("Seed"), Message::verbatim(std::to_string(first.seed)),
+              Message::verbatim(std::to_string(second.seed)));
     compareInputs(table, first, second);
     const std::vector<RecipeStep>& a = first.steps;
     const std::vector<RecipeStep>& b = second.steps;
@@ -175,7 +178,8 @@ std::vector<RecipeDifference> differences(const Recipe& first, const Recipe& sec
         if (i < a.size() && i < b.size())
             compareSteps(table, a[i], b[i]);
         else
-            table.add(TR("Then"), i < a.size() ? methodText(a[i]) : "", i < b.size() ? methodText(b[i]) : "");
+            table.add(TR("Then"), i < a.size() ? methodText(a[i]) : Message(),
+                      i < b.size() ? methodText(b[i]) : Message());
     return table.take();
 }
 

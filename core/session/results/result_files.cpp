@@ -5,6 +5,7 @@
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
+#include "core/io/message_json.h"
 
 #include <unistd.h>
 
@@ -61,21 +62,21 @@ void writePixels(const fs::path& path, const ImageView& image) {
 Json figuresJson(const std::vector<Figure>& figures) {
     Json json = Json::array();
     for (const Figure& figure : figures)
-        json.push_back({{"name", figure.name}, {"value", figure.value}});
+        json.push_back({{"name", toJson(figure.name)}, {"value", figure.value}});
     return json;
 }
 
 Json curvesJson(const std::vector<Curve>& curves) {
     Json json = Json::array();
     for (const Curve& curve : curves)
-        json.push_back({{"name", curve.name}, {"values", curve.values}});
+        json.push_back({{"name", toJson(curve.name)}, {"values", curve.values}});
     return json;
 }
 
 Json stagesJson(const std::vector<StageTime>& stages) {
     Json json = Json::array();
     for (const StageTime& stage : stages)
-        json.push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+        json.push_back({{"name", toJson(stage.name)}, {"seconds", stage.seconds}});
     return json;
 }
 
@@ -93,9 +94,9 @@ std::string entryText(const ResultEntry& entry, const fs::path& folder) {
                  {"mapKind", kMapKinds.at(static_cast<std::size_t>(entry.mapKind))},
                  {"figures", figuresJson(entry.figures)},
                  {"curves", curvesJson(entry.curves)},
-                 {"notes", entry.notes},
+                 {"notes", toJson(entry.notes)},
                  {"stages", stagesJson(entry.stages)},
-                 {"pictures", entry.pictures},
+                 {"pictures", toJson(entry.pictures)},
                  {"companions", entry.companions}};
     if (entry.stoppedAt)
         json["stoppedAt"] = *entry.stoppedAt;
@@ -110,7 +111,7 @@ double numberIn(const Json& json) {
 std::vector<Figure> figuresIn(const Json& json) {
     std::vector<Figure> figures;
     for (const Json& figure : json)
-        figures.push_back({figure.at("name").get<std::string>(), numberIn(figure.at("value"))});
+        figures.push_back({messageFrom(figure.at("name")), numberIn(figure.at("value"))});
     return figures;
 }
 
@@ -118,7 +119,7 @@ std::vector<Curve> curvesIn(const Json& json) {
     std::vector<Curve> curves;
     for (const Json& curve : json) {
         Curve& read = curves.emplace_back();
-        read.name = curve.at("name").get<std::string>();
+        read.name = messageFrom(curve.at("name"));
         for (const Json& value : curve.at("values"))
             read.values.push_back(numberIn(value));
     }
@@ -151,17 +152,17 @@ ResultEntry entryIn(const Json& json, const fs::path& folder) {
     entry.mapKind = mapKindIn(json.at("mapKind"));
     entry.figures = figuresIn(json.at("figures"));
     entry.curves = curvesIn(json.at("curves"));
-    entry.notes = json.at("notes").get<std::vector<std::string>>();
+    entry.notes = messagesFrom(json.at("notes"));
     for (const Json& stage : json.at("stages"))
-        entry.stages.push_back({stage.at("name").get<std::string>(), stage.at("seconds").get<double>()});
-    entry.pictures = json.at("pictures").get<std::vector<std::string>>();
+        entry.stages.push_back({messageFrom(stage.at("name")), stage.at("seconds").get<double>()});
+    entry.pictures = messagesFrom(json.at("pictures"));
     entry.companions = json.at("companions").get<std::size_t>();
     return entry;
 }
 
 ResultEntry readEntry(const fs::path& folder) {
     try {
-        return entryIn(parseJson("entry", readText(folder / kEntry)), folder);
+        return entryIn(parseJson(TR("entry"), readText(folder / kEntry)), folder);
     } catch (const Json::exception&) {
         fail("its entry is damaged.");
     }
@@ -193,17 +194,17 @@ RunPlan planWithoutExemplars(const ResultEntry& entry, int channels) {
 }
 
 /// The plan that made it, with the exemplars read anew; `problem` says why not, or what changed.
-RunPlan planOf(const ResultEntry& entry, int channels, std::string& problem) {
+RunPlan planOf(const ResultEntry& entry, int channels, Message& problem) {
     try {
         std::vector<std::string> changed;
         RunInput input = loadRecipe(
             entry.recipe, [&](const fs::path& path) { changed.push_back(path.filename().string()); });
         input.threads = entry.threads;
         if (!changed.empty())
-            problem = fmt::format("{} changed since this result was made.", listText(changed));
+            problem = message("{} changed since this result was made.", listOf(changed));
         return planRun(input, std::numeric_limits<std::uint64_t>::max());
     } catch (const Error& error) {
-        problem = error.what();
+        problem = error.message();
         return planWithoutExemplars(entry, channels);
     }
 }
@@ -287,7 +288,7 @@ ResultFolder::Scan ResultFolder::scan() const {
             found.entries.push_back(readEntry(folder.path()));
         } catch (const Error& why) {
             found.problems.push_back(
-                fmt::format("The earlier result in {} is left out: {}", folder.path().string(), why.what()));
+                message("The earlier result in {} is left out: {}", folder.path().string(), why.message()));
         }
     }
     std::sort(found.entries.begin(), found.entries.end(),

@@ -28,10 +28,10 @@ struct ResultEntry {
     MapKind mapKind = MapKind::None;
     std::vector<Figure> figures;
     std::vector<Curve> curves;
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     std::vector<StageTime> stages;
-    std::vector<std::string> pictures; ///< names of the pictures beside the result
-    std::size_t companions = 0;        ///< number of companion maps made with it
+    std::vector<Message> pictures; ///< names of the pictures beside the result
+    std::size_t companions = 0;    ///< number of companion maps made with it
 
     /// The methods' ids with " + " between them.
     std::string methodIds() const;
@@ -48,7 +48,7 @@ struct StoredResult {
     std::shared_ptr<const Result> result;
     /// Why the exemplars are not those it was made with, as a sentence; empty if they are. The pixels, the
     /// map and the recipe are true in any case.
-    std::string problem;
+    Message problem;
 };
 
 /// A folder of results: NAME/entry.json with all that is known of one, and its pixels beside it as float
@@ -62,8 +62,8 @@ public:
     std::filesystem::path of(const ResultEntry& entry) const { return m_path / entry.key; }
 
     struct Scan {
-        std::vector<ResultEntry> entries;  ///< whole ones, oldest first
-        std::vector<std::string> problems; ///< a sentence for each that was left out
+        std::vector<ResultEntry> entries; ///< whole ones, oldest first
+        std::vector<Message> problems;    ///< a sentence for each that was left out
     };
     /// Looks through the folder. What broke off more than a day ago is removed.
     Scan scan() const;

@@ -79,9 +79,9 @@ std::optional<double> expectedSeconds(const RunPlan& plan, const std::vector<Res
 
 /// One thing in which two recipes differ.
 struct RecipeDifference {
-    std::string what; ///< a parameter's title, "Seed", …; marked with TR() where it is known here
-    std::string first;
-    std::string second; ///< either is empty where it does not apply
+    Message what; ///< a parameter's title, "Seed", …
+    Message first;
+    Message second; ///< either is empty where it does not apply
 };
 
 /// All things in which they differ, in the order in which the window shows settings.

@@ -44,10 +44,10 @@ void flattenColours(RunExemplar& exemplar, const FlattenEdit& edit, const Check&
 
 } // namespace
 
-void checkSizeLike(const ExemplarFile& exemplar, const ExemplarFile& belonging, const char* what) {
+void checkSizeLike(const ExemplarFile& exemplar, const ExemplarFile& belonging, const Message& what) {
     const Size size = exemplar.image->size(), other = belonging.image->size();
     if (size != other)
-        failUsage("The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.", what,
+        failUsage("The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.", what,
                   belonging.name(), other.width, other.height, exemplar.name(), size.width, size.height);
 }
 
@@ -57,9 +57,9 @@ RunExemplar edited(const RunExemplar& exemplar, const ExemplarEdits& edits, cons
         return source;
     RunExemplar result = source;
     if (source.mask)
-        checkSizeLike(source.image, *source.mask, "mask");
+        checkSizeLike(source.image, *source.mask, TR("mask"));
     for (const ExemplarFile& companion : source.companions)
-        checkSizeLike(source.image, companion, "companion");
+        checkSizeLike(source.image, companion, TR("companion"));
     Placement pending(source.image.image->size());
     bool moved = false;
     const auto placePending = [&] {

@@ -14,6 +14,6 @@ RunExemplar edited(
     const RunExemplar& exemplar, const ExemplarEdits& edits, const std::function<void()>& check = [] {});
 
 /// Checks that a file of this exemplar has its size, in one sentence that names both. @throws UsageError
-void checkSizeLike(const ExemplarFile& exemplar, const ExemplarFile& belonging, const char* what);
+void checkSizeLike(const ExemplarFile& exemplar, const ExemplarFile& belonging, const Message& what);
 
 } // namespace texloom

@@ -21,8 +21,8 @@ void append(std::vector<Figure>& figures, const std::vector<Figure>& more) {
 
 void addOccurrences(const std::vector<Image>& occurrences, std::vector<Picture>& pictures) {
     for (std::size_t e = 0; e < occurrences.size(); ++e) {
-        const std::string number = occurrences.size() > 1 ? fmt::format(" {}", e + 1) : "";
-        pictures.push_back({TR("Occurrence") + number, occurrencePicture(occurrences[e])});
+        const Message name = occurrences.size() > 1 ? message("Occurrence {}", e + 1) : TR("Occurrence");
+        pictures.push_back({name, occurrencePicture(occurrences[e])});
     }
 }
 
@@ -157,7 +157,7 @@ void runSteps(const RunPlan& plan, JobContext& context, Result& result) {
         result.synthesis = step.method->run(request, step.settings, context);
         if (weighed(plan.request) && !info.heedsWeights())
             result.synthesis.notes.emplace_back(
-                TR("The method takes all exemplars alike, so that their weights had no effect."));
+                TR("The method treats all exemplars alike, so their weights had no effect."));
     }
 }
 

@@ -91,11 +91,12 @@ void checkCompanions(const RunInput& input) {
     const std::size_t count = input.exemplars.front().companions.size();
     for (const RunExemplar& exemplar : input.exemplars) {
         if (exemplar.companions.size() != count)
-            failUsage("{} has {} companion maps and {} has {}; every exemplar needs the same ones.",
-                      input.exemplars.front().image.name(), count, exemplar.image.name(),
+            failUsage("{} and {} have different numbers of companion maps, {} and {}; every exemplar needs "
+                      "the same ones.",
+                      input.exemplars.front().image.name(), exemplar.image.name(), count,
                       exemplar.companions.size());
         for (const ExemplarFile& companion : exemplar.companions)
-            checkSizeLike(exemplar.image, companion, "companion");
+            checkSizeLike(exemplar.image, companion, TR("companion"));
     }
 }
 
@@ -142,8 +143,8 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
         RunStep planned{&findMethod(step.method), {}, {}};
         const MethodInfo& info = planned.method->info();
         if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
-            failUsage("{} takes up nothing that {} makes, so that it cannot follow it.", info.title,
-                      plan.lastMethod().info().title);
+            failUsage("{} takes up nothing that {} makes, so that it cannot follow it.", Message(info.title),
+                      Message(plan.lastMethod().info().title));
         const Request request = plan.requestFor(plan.steps.size(), info);
         planned.settings = planned.method->resolved(step.parameters, exemplar);
         planned.method->check(request, planned.settings);
@@ -193,11 +194,11 @@ const Port& portOf(const std::vector<RecipeStep>& steps, std::string_view id) {
     if (const Port* port = first.input(id))
         return *port;
     if (id == kInitialPort) // methods that follow start from what the one before them made
-        failUsage("{} cannot start from an image.", first.title);
+        failUsage("{} cannot start from an image.", Message(first.title));
     for (const RecipeStep& step : steps)
         if (const Port* port = findMethod(step.method).info().input(id))
             return *port;
-    failUsage("{} has no input {}.", first.title, id);
+    failUsage("{} has no input {}.", Message(first.title), id);
 }
 
 void checkMemory(const RunPlan& plan) {

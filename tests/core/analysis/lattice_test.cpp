@@ -265,7 +265,7 @@ TEST(LatticeSettings, anExemplarIsLookedAtOnce) {
     const auto bricks =
         std::make_shared<const Image>(regularTexture({120, 110}, 1, {{20, 0}, {10, 12}}, {}, 3));
     int looks = 0;
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
     const auto lattice = [&](const std::shared_ptr<const Image>& exemplar) {
         return latticeFor({}, "bricks", exemplar, notes, [&looks] { ++looks; });
     };

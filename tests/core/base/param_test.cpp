@@ -163,9 +163,9 @@ TEST(Param, AssignsNumbersAndToggles) {
 }
 
 TEST(Param, SaysItsLimits) {
-    EXPECT_EQ(mirror().limitsText(), "on or off");
-    EXPECT_EQ(patch().limitsText(), "4 to 512 px");
-    EXPECT_EQ(join().limitsText(), "hard, soft, no-join");
+    EXPECT_EQ(mirror().limits().text(), "on or off");
+    EXPECT_EQ(patch().limits().text(), "4 to 512 px");
+    EXPECT_EQ(join().limits().text(), "hard, soft, no-join");
 }
 
 TEST(Value, ReadsBackFromItsText) {

@@ -80,13 +80,6 @@ TEST(DurationText, FitsTheLength) {
     EXPECT_EQ(durationText(3660), "1 h 1 min");
 }
 
-TEST(ListText, JoinsTheLastWithAnd) {
-    EXPECT_EQ(listText({}), "");
-    EXPECT_EQ(listText({"a"}), "a");
-    EXPECT_EQ(listText({"a", "b"}), "a and b");
-    EXPECT_EQ(listText({"a", "b", "c"}), "a, b and c");
-}
-
 TEST(Nearest, FindsASlipOfTheFinger) {
     const std::vector<std::string> known = {"overlap", "patch", "tolerance"};
     EXPECT_EQ(nearest("pach", known), "patch");

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/job/job.h"
+#include "tests/support/says.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -101,7 +102,7 @@ TEST(JobContext, ProgressAddsTheStages) {
 
 TEST(JobContext, NamesTheStage) {
     Bench bench(1);
-    EXPECT_EQ(bench.monitor.stage(), "");
+    EXPECT_EQ(bench.monitor.stage(), Message());
     bench.context.stage(0.5, "first");
     bench.context.stage(0.5, "second");
     EXPECT_EQ(bench.monitor.stage(), "second");
@@ -200,8 +201,8 @@ TEST(Job, AUsageErrorBecomesAFailureOfUsage) {
 
 TEST(Job, MissingMemoryBecomesAFailureThatAdvises) {
     const Failure failure = failureOf([](JobContext&) -> int { throw std::bad_alloc(); });
-    EXPECT_THAT(failure.message, ::testing::HasSubstr("not enough memory"));
-    EXPECT_THAT(failure.message, ::testing::HasSubstr("smaller"));
+    EXPECT_THAT(failure.message, says("not enough memory"));
+    EXPECT_THAT(failure.message, says("smaller"));
 }
 
 TEST(Job, AnythingElseThrownBecomesAFailure) {

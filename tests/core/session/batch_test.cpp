@@ -2,6 +2,7 @@
 #include "core/session/batch/batch.h"
 #include "core/session/export/name_template.h"
 #include "tests/core/refusal.h"
+#include "tests/support/says.h"
 
 #include <gmock/gmock.h>
 
@@ -10,8 +11,6 @@
 namespace texloom::test {
 
 namespace {
-
-using ::testing::HasSubstr;
 
 const std::string kRecipe =
     R"({"texloom": 1, "method": "quilting", "parameters": {"patch": 12}, "exemplars": [{"file": "bark.png"}],
@@ -44,7 +43,7 @@ TEST(Batch, ReadsARecipeWithItsOutputs) {
                                     "report": "$index.json", "depth": "16", "sidecar": false})");
     ASSERT_EQ(batch.items.size(), 1U);
     const BatchItem& item = batch.items.front();
-    EXPECT_EQ(item.problem, "");
+    EXPECT_EQ(item.problem, Message());
     EXPECT_EQ(item.output, "/data/out/bark_quilting_s5_64x60.tif");
     EXPECT_EQ(item.maps.front(), "/data/bark.exr");
     EXPECT_EQ(item.report, "/data/1.json");
@@ -58,7 +57,7 @@ TEST(Batch, SweepsThroughEveryCombination) {
     ASSERT_EQ(batch.items.size(), 4U);
     std::set<std::string> cells;
     for (const BatchItem& item : batch.items) {
-        EXPECT_EQ(item.problem, "");
+        EXPECT_EQ(item.problem, Message());
         EXPECT_EQ(item.recipe.seed, 5U);
         EXPECT_EQ(item.recipe.size, (Size{32, 32}));
         cells.insert(item.cell);
@@ -79,10 +78,10 @@ TEST(Batch, ABrokenRunIsItsOwnProblem) {
                                    {"recipe": )" +
                                 kRecipe + R"(, "output": "b.png"})");
     ASSERT_EQ(batch.items.size(), 3U);
-    EXPECT_THAT(batch.items[1].problem, HasSubstr("missing.json"));
-    EXPECT_EQ(batch.items[2].problem, "");
-    EXPECT_THAT(sweep(R"({"patch": [8, 9999]})").items[1].problem, HasSubstr("9999"));
-    EXPECT_THAT(sweep(R"({"pitch": [8]})").items[0].problem, HasSubstr("patch"));
+    EXPECT_THAT(batch.items[1].problem, says("missing.json"));
+    EXPECT_EQ(batch.items[2].problem, Message());
+    EXPECT_THAT(sweep(R"({"patch": [8, 9999]})").items[1].problem, says("9999"));
+    EXPECT_THAT(sweep(R"({"pitch": [8]})").items[0].problem, says("patch"));
 }
 
 TEST(Batch, RefusesWhatCannotBeMeant) {

@@ -2,6 +2,7 @@
 #include "core/io/image_file.h"
 #include "core/session/results/result_store.h"
 #include "tests/core/session/sample_run.h"
+#include "tests/support/says.h"
 
 #include <gmock/gmock.h>
 
@@ -11,14 +12,14 @@ namespace texloom {
 namespace {
 
 using test::SampleRun;
+using test::says;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// A run with everything that a result can have.
 std::shared_ptr<const Result> fullResult(SampleRun& sample) {
     auto result = std::make_shared<Result>(sample.run());
     result->synthesis.curves = {{"Energy", {3, 2.5, 1.0 / 3}}};
-    result->synthesis.notes = {"The patch was made smaller."};
+    result->synthesis.notes = {TR("The patch was made smaller."), message("{} px.", 1.5)};
     Image picture({5, 4}, 2);
     picture(1, 2, 1) = -7.25F;
     result->synthesis.pictures = {{"Lattice", std::move(picture)}};
@@ -65,7 +66,7 @@ TEST(ResultFolder, GivesEverythingBackBitForBit) {
     EXPECT_EQ(again.seconds, entry.seconds);
 
     const StoredResult stored = folder.read(again);
-    EXPECT_EQ(stored.problem, "");
+    EXPECT_EQ(stored.problem, Message());
     EXPECT_TRUE(samePixels(stored.result->synthesis.image, result->synthesis.image));
     EXPECT_TRUE(stored.result->synthesis.map == result->synthesis.map);
     EXPECT_EQ(stored.result->synthesis.mapKind, MapKind::Exact);
@@ -110,7 +111,7 @@ TEST(ResultFolder, LeavesOutWhatIsDamagedWithASentence) {
     const ResultFolder::Scan found = folder.scan();
     EXPECT_THAT(keysOf(found.entries), ElementsAre(entries[0].key, entries[2].key));
     ASSERT_EQ(found.problems.size(), 1U);
-    EXPECT_THAT(found.problems.front(), HasSubstr(entries[1].key));
+    EXPECT_THAT(found.problems.front(), says(entries[1].key));
 
     std::filesystem::resize_file(folder.of(entries[2]) / "image.tif", 900);
     EXPECT_THROW(folder.read(entries[2]), Error);
@@ -125,10 +126,10 @@ TEST(ResultFolder, ShowsPixelsWhoseExemplarIsGoneAndSaysSo) {
     const ResultFolder folder(sample.folder / "results");
     folder.write(entry, *result);
     sample.write("bark", {48, 44}, 3, 5);
-    EXPECT_THAT(folder.read(entry).problem, HasSubstr("bark.png changed"));
+    EXPECT_THAT(folder.read(entry).problem, says("bark.png changed"));
     std::filesystem::remove(sample.folder / "bark.png");
     const StoredResult stored = folder.read(entry);
-    EXPECT_THAT(stored.problem, HasSubstr("bark.png"));
+    EXPECT_THAT(stored.problem, says("bark.png"));
     EXPECT_TRUE(samePixels(stored.result->synthesis.image, result->synthesis.image));
     EXPECT_EQ(stored.result->fileName(), result->fileName());
 }
@@ -219,16 +220,16 @@ TEST(RecipeDifferences, NameWhatDiffersAndNothingElse) {
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].what, "Wraps");
     EXPECT_EQ(rows[1].what, "Seed");
-    EXPECT_EQ(rows[1].second, "4");
+    EXPECT_EQ(rows[1].second.text(), "4");
     EXPECT_EQ(rows[2].what, "Patch size");
-    EXPECT_EQ(rows[2].first, "12 px");
-    EXPECT_EQ(rows[2].second, "20 px");
+    EXPECT_EQ(rows[2].first.text(), "12 px");
+    EXPECT_EQ(rows[2].second.text(), "20 px");
 
     Recipe other = first;
     other.exemplars.front().image.hash = "0123456789abcdef";
     const auto files = differences(first, other);
     ASSERT_EQ(files.size(), 1U);
-    EXPECT_EQ(files.front().second, "bark.png (0123456)");
+    EXPECT_EQ(files.front().second.text(), "bark.png (0123456)");
     other = first;
     other.steps.front().method = "random-phase";
     other.steps.front().parameters.clear();

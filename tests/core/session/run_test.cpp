@@ -2,6 +2,7 @@
 #include "tests/core/io/write_as.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
+#include "tests/support/says.h"
 
 #include <gmock/gmock.h>
 
@@ -102,7 +103,7 @@ TEST(StartRun, GivesTheMethodsResultAndTheQualityFigures) {
     EXPECT_EQ(result.synthesis.image.size(), sample.input.size);
     std::vector<std::string> names;
     for (const Figure& figure : result.figures)
-        names.push_back(figure.name);
+        names.push_back(figure.name.text());
     EXPECT_THAT(names, ::testing::IsSupersetOf({"Innovation", "Seam, left to right", "Seam, top to bottom"}));
     EXPECT_FALSE(result.stages.empty());
 }
@@ -125,7 +126,7 @@ TEST(StartRun, NotesWhereWeightsHaveNoEffect) {
     sample.input.steps.front().method = "patchmatch";
     sample.input.steps.front().parameters = {};
     const Result weighed = sample.run();
-    EXPECT_THAT(weighed.synthesis.notes, ::testing::Contains(::testing::HasSubstr("weights")));
+    EXPECT_THAT(weighed.synthesis.notes, ::testing::Contains(says("weights")));
     EXPECT_EQ(weighed.plan.recipe.exemplars.back().weight, 4);
     sample.input.exemplars.back().weight = 0;
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("0", "0.01"));

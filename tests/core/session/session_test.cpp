@@ -168,9 +168,9 @@ TEST(Preset, ComesBackAndRefusesANewerOne) {
     const TemporaryFolder folder;
     writeText(folder / "mine.json", preset.toJson());
     writeText(folder / "broken.json", "{");
-    std::vector<std::string> refused;
+    std::vector<Message> refused;
     const std::vector<Preset> found =
-        presetsIn(folder.path(), [&](const std::string& sentence) { refused.push_back(sentence); });
+        presetsIn(folder.path(), [&](const Message& sentence) { refused.push_back(sentence); });
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found.front().title, "Mine");
     EXPECT_EQ(refused.size(), 1U);

@@ -92,7 +92,7 @@ std::string made(const Method& method, const Request& request) {
                        [&](JobContext& context) { return method.run(request, settings, context); });
     Outcome<Synthesis> outcome = job.take();
     if (const auto* failure = std::get_if<Failure>(&outcome))
-        return "failed: " + failure->message;
+        return "failed: " + failure->message.text();
     return fmt::format("{:016x}", hashOf(std::get<Synthesis>(outcome)));
 }
 

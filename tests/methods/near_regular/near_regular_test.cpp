@@ -7,6 +7,7 @@
 #include "core/methods/near_regular/preparation.h"
 #include "core/methods/near_regular/sampler.h"
 #include "tests/support/lattices.h"
+#include "tests/support/says.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -24,6 +25,7 @@ using test::coursesTexture;
 using test::noise;
 using test::planksTexture;
 using test::regularTexture;
+using test::says;
 
 TEST(Layout, dividesAWrappingAxisIntoAnEvenNumberOfBlocks) {
     for (const int length : {16, 64, 151, 1000})
@@ -264,7 +266,7 @@ TEST(NearRegular, keepsTheOrderOfRowsThatDoNotRepeat) {
     const Image exemplar = planksTexture({180, 170}, 1, {0, 1}, 50, 4);
     const Synthesis result = run(exemplar, {500, 260}, {});
     ASSERT_EQ(result.notes.size(), 1U);
-    EXPECT_THAT(result.notes.front(), testing::HasSubstr("they keep the order"));
+    EXPECT_THAT(result.notes.front(), says("they keep the order"));
     const auto found = std::find_if(result.figures.begin(), result.figures.end(), [](const Figure& figure) {
         return figure.name == "Lattice, first vector right";
     });
@@ -317,13 +319,11 @@ TEST(NearRegular, closesOnItselfWithWholePeriods) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
             ASSERT_NEAR(result.image(x, y, 0), whole(x, y, 0), 1e-4);
-    EXPECT_THAT(run(exemplar, {168, 150}, {}, {true, true}).notes,
-                testing::Contains(testing::HasSubstr("16 × 26 px")));
+    EXPECT_THAT(run(exemplar, {168, 150}, {}, {true, true}).notes, testing::Contains(says("16 × 26 px")));
 }
 
 TEST(NearRegular, saysWhatItDoesWithoutALattice) {
-    EXPECT_THAT(run(blobs({64, 64}, 3), {90, 90}, {}).notes,
-                testing::Contains(testing::HasSubstr("No lattice")));
+    EXPECT_THAT(run(blobs({64, 64}, 3), {90, 90}, {}).notes, testing::Contains(says("No lattice")));
     EXPECT_TRUE(run(blobs({64, 64}, 3), {90, 90}, {{"lattice", "none"}}).notes.empty());
 }
 
@@ -335,7 +335,7 @@ TEST(NearRegular, evensOutTheLightWherePatchesWouldShow) {
     EXPECT_LT(unevenness(even, 16, [] {}), 0.2);
     EXPECT_EQ(unevenness(texloom::test::constant({64, 64}, 2, 0.3F), 16, [] {}), 0);
     const Synthesis evened = run(lit, {100, 90}, {});
-    EXPECT_THAT(evened.notes, testing::Contains(testing::HasSubstr("evened out")));
+    EXPECT_THAT(evened.notes, testing::Contains(says("evened out")));
     EXPECT_EQ(evened.mapKind, MapKind::Dominant);
     EXPECT_TRUE(samePixels(evened.image, run(lit, {100, 90}, {{"flatten", "yes"}}).image));
     const Synthesis kept = run(lit, {100, 90}, {{"flatten", "no"}});
@@ -347,11 +347,11 @@ TEST(NearRegular, evensOutTheLightWherePatchesWouldShow) {
 
 TEST(NearRegular, saysWhereTheTileIsLargerThanTheBlock) {
     const Image exemplar = regularTexture({128, 128}, 1, {{40, 0}, {0, 36}}, {}, 5);
-    EXPECT_THAT(run(exemplar, {200, 200}, {{"block", 20}}).notes,
-                testing::Contains(testing::AllOf(testing::HasSubstr("blocks of 20 px"),
-                                                 testing::HasSubstr("blocks of 40 px hold whole ones"))));
+    EXPECT_THAT(
+        run(exemplar, {200, 200}, {{"block", 20}}).notes,
+        testing::Contains(testing::AllOf(says("blocks of 20 px"), says("Blocks of 40 px hold whole ones"))));
     EXPECT_THAT(run(exemplar, {200, 200}, {{"lattice", "given"}, {"v1-x", 110.0}, {"v2-y", 108.0}}).notes,
-                testing::Contains(testing::HasSubstr("“Regular tile” repeats whole ones")));
+                testing::Contains(says("“Regular tile” repeats whole ones")));
 }
 
 TEST(NearRegular, movesThePatternByTheOrigin) {

@@ -42,14 +42,14 @@ Settings brief(int iterations) {
 
 double figure(const Synthesis& synthesis, const std::string& name) {
     for (const Figure& figure : synthesis.figures)
-        if (figure.name == name)
+        if (figure.name.text() == name)
             return figure.value;
     ADD_FAILURE() << "no figure " << name;
     return 0;
 }
 
 double deviation(const Synthesis& synthesis, Group group) {
-    return figure(synthesis, "Deviation, " + titleOf(group));
+    return figure(synthesis, "Deviation, " + titleOf(group).text());
 }
 
 /// Overlapping discs of random size and colour, which wrap: many small edges, as in gravel.
@@ -218,7 +218,7 @@ TEST(PortillaSimoncelli, aGroupLeftOutStaysFartherOff) {
         Settings settings = brief(15);
         settings.*toggle = false;
         const Synthesis without = run(requestFor(exemplar, {96, 96}), settings);
-        EXPECT_GT(deviation(without, group), 1.5 * deviation(all, group)) << titleOf(group);
+        EXPECT_GT(deviation(without, group), 1.5 * deviation(all, group)) << titleOf(group).text();
     };
     expectFarther(&Settings::marginals, Group::Marginals);
     expectFarther(&Settings::magnitudeAutocorrelation, Group::MagnitudeAutocorrelation);
@@ -231,8 +231,8 @@ TEST(PortillaSimoncelli, everyGroupHasACurveOfAllIterationsThatFalls) {
     const Synthesis result = run(requestFor(gravel({64, 64}, 1, 2), {64, 64}), brief(12));
     ASSERT_EQ(result.curves.size(), kGroups);
     for (const Curve& curve : result.curves) {
-        ASSERT_EQ(curve.values.size(), 12U) << curve.name;
-        EXPECT_LT(curve.values.back(), 0.5 * curve.values.front()) << curve.name;
+        ASSERT_EQ(curve.values.size(), 12U) << curve.name.text();
+        EXPECT_LT(curve.values.back(), 0.5 * curve.values.front()) << curve.name.text();
     }
 }
 
@@ -288,7 +288,7 @@ TEST(PortillaSimoncelli, oddSizesHaveTheStatisticsOfEvenOnes) {
     const Synthesis result = run(requestFor(exemplar, {101, 119}, {true, true}), brief(25));
     EXPECT_EQ(result.image.size(), (Size{101, 119}));
     for (const Group group : {Group::Autocorrelation, Group::MagnitudeAutocorrelation, Group::Marginals})
-        EXPECT_LT(deviation(result, group), 0.05) << titleOf(group);
+        EXPECT_LT(deviation(result, group), 0.05) << titleOf(group).text();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "core/methods/method.h"
 #include "core/methods/regular_tile/tile_search.h"
 #include "tests/support/lattices.h"
+#include "tests/support/says.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -15,6 +16,7 @@ namespace {
 
 using test::blobs;
 using test::regularTexture;
+using test::says;
 
 /// The border along `side` by its definition, pixel by pixel (fig. 4.3).
 double costByHand(const ImageView& f, Vec2 side, Vec2 step, int border, int x, int y) {
@@ -140,7 +142,7 @@ TEST(RegularTile, repeatsExactlyAtTheOutputsSizeWhenItWraps) {
 TEST(RegularTile, saysWhatItDidWithoutALattice) {
     const Synthesis result = run(blobs({64, 64}, 3), sized({90, 90}), {});
     ASSERT_EQ(result.notes.size(), 1U);
-    EXPECT_THAT(result.notes.front(), testing::HasSubstr("No lattice was found in tiles"));
+    EXPECT_THAT(result.notes.front(), says("No lattice was found in tiles"));
 }
 
 TEST(RegularTile, refusesVectorsThatSpanNoTile) {
