@@ -6,9 +6,11 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-# Neither library's own CMake files are found where Debian puts them.
+# These libraries' own CMake files are not found where Debian puts them, or name targets of no namespace.
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3f)
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO)
+pkg_check_modules(TinyObj REQUIRED IMPORTED_TARGET tinyobjloader)
+pkg_check_modules(TinyGltf REQUIRED IMPORTED_TARGET tinygltf)
 
 # Debian's OpenImageIO names include folders that are not there; CMake refuses those.
 get_target_property(_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

@@ -6,12 +6,15 @@
 #include "core/color/color_pipeline.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
+#include "core/methods/registry.h"
 #include "core/session/export/export.h"
 #include "core/session/preset.h"
+#include "core/session/run/checkpoint_file.h"
 #include "core/session/run/run.h"
 #include "core/session/session.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 
 namespace texloom::cli {
@@ -54,20 +57,36 @@ Json toJson(const Param& param) {
     return json;
 }
 
+Json toJson(const Port& port) {
+    static const std::array<const char*, 6> kinds = {"image", "mask", "map", "model", "volume", "mesh"};
+    static const std::array<const char*, 3> extents = {"exemplar", "output", "any"};
+    return {{"id", port.id},
+            {"title", port.title},
+            {"kind", kinds.at(static_cast<std::size_t>(port.kind))},
+            {"least", port.least},
+            {"most", port.most},
+            {"extent", extents.at(static_cast<std::size_t>(port.extent))},
+            {"weighed", port.weighed},
+            {"wraps", port.wraps},
+            {"help", port.help}};
+}
+
 Json toJson(const Method& method) {
     const MethodInfo& info = method.info();
     Json json = {{"id", method.id()},
                  {"title", info.title},
                  {"summary", info.summary},
                  {"citation", info.citation},
-                 {"wraps", info.wraps},
-                 {"startsFromImage", info.startsFromImage},
-                 {"usesMask", info.usesMask},
-                 {"severalExemplars", info.severalExemplars},
-                 {"weighsExemplars", info.weighsExemplars},
-                 {"copiesPixels", info.copiesPixels},
-                 {"makesRegions", info.makesRegions},
+                 {"category", categoryId(info.category)},
+                 {"takes", Json::array()},
+                 {"gives", Json::array()},
+                 {"repeats", info.repeats == Repeats::Bits ? "bits" : "nearly"},
+                 {"usesSeed", info.usesSeed},
                  {"parameters", Json::array()}};
+    for (const Port& port : info.takes)
+        json["takes"].push_back(toJson(port));
+    for (const Port& port : info.gives)
+        json["gives"].push_back(toJson(port));
     for (const Param& param : method.params())
         json["parameters"].push_back(toJson(param));
     return json;
@@ -83,6 +102,9 @@ std::string defaultText(const Param& param) {
 void printMethod(const Method& method) {
     const MethodInfo& info = method.info();
     fmt::print("{}: {}\n  {}\n  {}\n", method.id(), info.title, info.summary, info.citation);
+    for (const Port& port : info.takes)
+        if (port.id != kExemplarPort && port.id != kCompanionPort)
+            fmt::print("  --input {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
     for (const Param& param : method.params()) {
         fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limits(),
                    defaultText(param), param.help());
@@ -92,10 +114,8 @@ void printMethod(const Method& method) {
 }
 
 void printPreset(const Preset& preset) {
-    std::string methods = preset.steps.front().method;
-    for (std::size_t i = 1; i < preset.steps.size(); ++i)
-        methods += ", then " + preset.steps[i].method;
-    fmt::print("{}: {}\n  {}\n  Runs {}.\n", preset.id, preset.title, preset.summary, methods);
+    fmt::print("{}: {}\n  {}\n  Runs {}.\n", preset.id, preset.title, preset.summary,
+               methodIds(preset.steps, ", then "));
 }
 
 Size parseSize(const std::string& text) {
@@ -178,11 +198,6 @@ std::vector<RecipeStep> stepsOf(const SynthOptions& options) {
 /// Shares files that belong to the exemplars out to them, in order.
 void attach(RunInput& input, const SynthOptions& options) {
     const std::size_t count = input.exemplars.size();
-    if (options.masks.size() > count)
-        failUsage("There is at most one mask for each exemplar, but {} were given for {}.",
-                  options.masks.size(), count);
-    for (std::size_t i = 0; i < options.masks.size(); ++i)
-        input.exemplars[i].mask = loadMask(options.masks[i]);
     if (!options.weights.empty() && options.weights.size() != count)
         failUsage("{} weights were given for {} exemplars; every one needs its own, or none has any.",
                   options.weights.size(), count);
@@ -194,6 +209,54 @@ void attach(RunInput& input, const SynthOptions& options) {
     const std::size_t each = options.companions.size() / count;
     for (std::size_t i = 0; i < options.companions.size(); ++i)
         input.exemplars[i / each].companions.push_back(loadData(options.companions[i]));
+}
+
+/// Loads one `--input NAME=FILE`: a port of the run's, or one of the exemplars' own, which are shared out in
+/// order.
+void addInput(RunInput& input, const std::string& name, const fs::path& file) {
+    const Port& port = portOf(input.steps, name);
+    if (port.id == kExemplarPort || port.id == kCompanionPort)
+        failUsage("--input {}: exemplars are named on their own, companion maps with --companion.", name);
+    std::vector<Size> sizes;
+    for (const RunExemplar& exemplar : input.exemplars)
+        sizes.push_back(exemplar.image.image->size());
+    InputFile loaded = loadInput(port, {file, "", ""}, sizes);
+    if (port.extent != Extent::Exemplar) {
+        input.inputs[port.id].push_back(std::move(loaded));
+        return;
+    }
+    for (RunExemplar& exemplar : input.exemplars) {
+        if (port.id == kMaskPort ? exemplar.mask.has_value() : exemplar.inputs.contains(port.id))
+            continue;
+        if (port.id == kMaskPort)
+            exemplar.mask = std::move(loaded.file);
+        else
+            exemplar.inputs[port.id].push_back(std::move(loaded));
+        return;
+    }
+    failUsage("--input {}={}: every exemplar has one already.", name, file.string());
+}
+
+/// --input and its short names.
+void addInputs(RunInput& input, const SynthOptions& options) {
+    for (const fs::path& mask : options.masks)
+        addInput(input, std::string(kMaskPort), mask);
+    if (options.initial)
+        addInput(input, std::string(kInitialPort), *options.initial);
+    for (const std::string& given : options.inputs) {
+        const std::size_t equals = given.find('=');
+        if (equals == std::string::npos || equals + 1 == given.size())
+            failUsage("--input {}: write it as NAME=FILE.", given);
+        addInput(input, given.substr(0, equals), given.substr(equals + 1));
+    }
+}
+
+/// The size of the first picture that must have the output's, if there is one.
+std::optional<Size> sizeOfInputs(const RunInput& input) {
+    for (const auto& [id, files] : input.inputs)
+        if (portOf(input.steps, id).extent == Extent::Output && files.front().image())
+            return files.front().image()->size();
+    return std::nullopt;
 }
 
 Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs::path& path) {
@@ -235,6 +298,22 @@ void checkOutputs(const RunPlan& plan, const OutputOptions& out, Depth depth) {
     }
 }
 
+/// Runs a plan that leaves checkpoints beside the output, if its methods do, and goes on from the last one if
+/// that is wanted.
+Result runWithCheckpoints(RunPlan plan, const OutputOptions& out) {
+    const fs::path file = checkpointFor(out.output);
+    Checkpoints checkpoints;
+    if (fs::exists(file)) {
+        const CheckpointFile earlier = readCheckpoint(file); // also refuses to write over something else
+        if (out.resume)
+            checkpoints.resumed = resumable(earlier, plan);
+    }
+    checkpoints.keep = [file, recipe = plan.recipe](const Checkpoint& checkpoint) {
+        writeCheckpoint(file, recipe, checkpoint);
+    };
+    return followed(*startRun(std::move(plan), false, {}, std::move(checkpoints)), out.quiet);
+}
+
 /// Runs a planned synthesis to the end and writes what was asked for.
 void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& out) {
     ExportOptions options;
@@ -247,9 +326,11 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     options.check = checkInterrupt;
 
     const auto make = [&out](RunPlan run) { return runToEnd(std::move(run), out.quiet); };
-    const Result result = plan.stripRows > 0 ? exportStrips(plan, options, make) : make(std::move(plan));
+    const Result result =
+        plan.stripRows > 0 ? exportStrips(plan, options, make) : runWithCheckpoints(std::move(plan), out);
     if (result.plan.stripRows == 0)
         exportResult(result, options);
+    fs::remove(checkpointFor(out.output));
     for (const Message& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);
@@ -263,11 +344,8 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
 } // namespace
 
 RunInput inputFor(const SynthOptions& options) {
-    const std::vector<RecipeStep> steps = stepsOf(options);
     RunInput input;
-    input.method = steps.front().method;
-    input.settings = steps.front().parameters;
-    input.then.assign(steps.begin() + 1, steps.end());
+    input.steps = stepsOf(options);
     input.wrap = parseWrap(options.wrap);
     input.seed = parseSeed(options.seed);
     input.region = parseRegion(options.region);
@@ -276,12 +354,11 @@ RunInput inputFor(const SynthOptions& options) {
     for (const fs::path& path : options.exemplars)
         input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
     attach(input, options);
-    if (options.initial)
-        input.initial = loadExemplar(*options.initial);
+    addInputs(input, options);
     if (options.size.empty()) {
         const Size exemplar = input.exemplars.front().image.image->size();
-        input.size =
-            input.initial ? input.initial->image->size() : Size{2 * exemplar.width, 2 * exemplar.height};
+        const std::optional<Size> given = sizeOfInputs(input);
+        input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});
     }
     return input;
 }
@@ -294,18 +371,26 @@ void listMethods(const std::string& id, bool json) {
     Json all = Json::array();
     if (!id.empty() && !findPreset(id))
         findMethod(id);
-    for (const Method& method : methods()) {
-        if (!id.empty() && method.id() != id)
+    const Category* last = nullptr;
+    for (const Method* method : methodsByCategory()) {
+        if (!id.empty() && method->id() != id)
             continue;
+        const Category& category = method->info().category;
         if (json)
-            all.push_back(toJson(method));
-        else
-            printMethod(method);
+            all.push_back(toJson(*method));
+        else if (id.empty() && (last == nullptr || *last != category))
+            fmt::print("{}\n\n", categoryTitle(category));
+        if (!json)
+            printMethod(*method);
+        last = &category;
     }
     if (json) {
         fmt::print("{}\n", all.dump(2));
         return;
     }
+    for (const AbsentMethod& absent : absentMethods())
+        if (id.empty())
+            fmt::print("{}: not part of this build\n  {}\n", absent.id, absent.reason);
     for (const Preset& preset : presets())
         if (id.empty() || preset.id == id)
             printPreset(preset);

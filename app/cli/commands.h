@@ -19,6 +19,7 @@ struct OutputOptions {
     int threads = 0;
     int memory = 0; ///< most MiB that the run may take; 0 for what is free
     bool noSidecar = false;
+    bool resume = false; ///< go on from the checkpoint beside the output, if there is one
     bool quiet = false;
 };
 
@@ -34,8 +35,9 @@ struct SynthOptions {
     std::string region; ///< "x,y,width,height", or empty for all
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
-    std::vector<double> weights; ///< of the exemplars, in order; empty: all alike
-    std::optional<std::filesystem::path> initial;
+    std::vector<double> weights;                  ///< of the exemplars, in order; empty: all alike
+    std::optional<std::filesystem::path> initial; ///< the input `initial` by its short name
+    std::vector<std::string> inputs;              ///< "NAME=FILE" for further ports of the methods
     OutputOptions out;
 };
 

@@ -35,6 +35,8 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
         ->check(CLI::Range(1, 1 << 24));
     command.add_option("--report", out.report,
                        "JSON file for recipe, timings, peak memory, figures and curves");
+    command.add_flag("--resume", out.resume,
+                     "Go on from the checkpoint that a run which was broken off left beside the output");
     command.add_flag("--no-sidecar", out.noSidecar, "Do not write the recipe beside the output");
     command.add_flag("--quiet", out.quiet, "Print nothing but errors");
 }
@@ -73,7 +75,13 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                     "Map of the exemplar's size to lay out alike; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command.add_option("--init", options.initial, "Image of the output's size to start from");
+    command.add_option("--init", options.initial,
+                       "Image of the output's size to start from; short for --input initial=FILE");
+    command
+        .add_option("--input", options.inputs,
+                    "What goes into an input of the method, as NAME=FILE; see `methods`; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     command
         .add_option("--mask", options.masks,
                     "Image of the exemplar's size; where it is black nothing is copied")

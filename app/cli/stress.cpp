@@ -33,7 +33,7 @@ void printRound(int round, const TextureDistance& distance) {
 void stress(const StressOptions& options) {
     RunInput input = inputFor(options.synth);
     input.threads = options.synth.out.threads;
-    if (!input.exemplars.front().companions.empty() || input.initial)
+    if (!input.exemplars.front().companions.empty() || !input.inputs.empty())
         failUsage("stress: --companion and --init belong to a single run; leave them out.");
     const std::vector<RunExemplar> first = input.exemplars;
     Json rounds = Json::array();

@@ -85,6 +85,8 @@ std::string_view depthName(Depth depth);
 
 /// SHA-1 of a file's bytes in hexadecimal. @throws Error if it cannot be read.
 std::string fileHash(const std::filesystem::path& path);
+/// The same of bytes in memory.
+std::string bytesHash(std::string_view bytes);
 
 /// Writes text as writeImage() does: whole or not at all. @throws Error
 void writeText(const std::filesystem::path& path, std::string_view text);

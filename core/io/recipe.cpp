@@ -49,12 +49,45 @@ RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
     return file;
 }
 
+/// The field of its own that the image to start from has had since the first recipes.
+constexpr const char* kInitial = "initial";
+
+/// Writes each port's files as a list; that of the image to start from stands alone.
+void addInputs(Json& json, const RecipeInputs& inputs, const fs::path& folder) {
+    for (const auto& [port, files] : inputs) {
+        if (port == kInitial && files.size() == 1) {
+            json[kInitial] = fileJson(files.front(), folder);
+            continue;
+        }
+        for (const RecipeFile& file : files)
+            json["inputs"][port].push_back(fileJson(file, folder));
+    }
+}
+
+RecipeInputs inputsFrom(const JsonField& field, const fs::path& folder) {
+    RecipeInputs inputs;
+    if (field.has(kInitial))
+        inputs[kInitial].push_back(fileFrom(field.at(kInitial), folder));
+    if (!field.has("inputs"))
+        return inputs;
+    const JsonField ports = field.at("inputs");
+    ports.needObject();
+    for (const auto& [port, list] : ports.json().items()) {
+        const JsonField files = ports.at(port);
+        files.needArray(1, kMostFiles);
+        for (std::size_t i = 0; i < files.size(); ++i)
+            inputs[port].push_back(fileFrom(files.at(i), folder));
+    }
+    return inputs;
+}
+
 Json exemplarJson(const RecipeExemplar& exemplar, const fs::path& folder) {
     Json json = fileJson(exemplar.image, folder);
     if (exemplar.mask)
         json["mask"] = fileJson(*exemplar.mask, folder);
     for (const RecipeFile& companion : exemplar.companions)
         json["companions"].push_back(fileJson(companion, folder));
+    addInputs(json, exemplar.inputs, folder);
     if (!exemplar.edits.empty())
         json["edits"] = texloom::toJson(exemplar.edits);
     if (exemplar.weight != 1)
@@ -65,7 +98,7 @@ Json exemplarJson(const RecipeExemplar& exemplar, const fs::path& folder) {
 RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
     RecipeExemplar exemplar;
     exemplar.image = fileFrom(field, folder);
-    field.only({"file", "space", "sha1", "mask", "companions", "edits", "weight"});
+    field.only({"file", "space", "sha1", "mask", "companions", "inputs", "edits", "weight"});
     if (field.has("mask"))
         exemplar.mask = fileFrom(field.at("mask"), folder);
     if (field.has("companions")) {
@@ -74,6 +107,7 @@ RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
         for (std::size_t i = 0; i < companions.size(); ++i)
             exemplar.companions.push_back(fileFrom(companions.at(i), folder));
     }
+    exemplar.inputs = inputsFrom(field, folder);
     if (field.has("edits"))
         exemplar.edits = editsFrom(field.at("edits"));
     if (field.has("weight"))
@@ -81,11 +115,19 @@ RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
     return exemplar;
 }
 
-Json stepsJson(const std::vector<RecipeStep>& steps) {
-    Json json = Json::array();
-    for (const RecipeStep& step : steps)
-        json.push_back({{"method", step.method}, {"parameters", toJson(step.parameters)}});
-    return json;
+/// The first step stands beside the recipe's other fields, those that follow it in a list.
+void addSteps(Json& json, const std::vector<RecipeStep>& steps) {
+    json["method"] = steps.front().method;
+    json["parameters"] = toJson(steps.front().parameters);
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        json["then"].push_back({{"method", steps[i].method}, {"parameters", toJson(steps[i].parameters)}});
+}
+
+RecipeStep stepFrom(const JsonField& field) {
+    RecipeStep step{field.at("method").text(), {}};
+    if (field.has("parameters"))
+        step.parameters = field.at("parameters").values();
+    return step;
 }
 
 Size sizeFrom(const JsonField& field) {
@@ -125,27 +167,31 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder, bool needsExemp
     if (!root.json().is_object())
         failUsage("A recipe is a JSON object; this is not one.");
     checkFormat(root);
-    root.only({"texloom", "version", "method", "parameters", "then", "exemplars", "initial", "size", "wrap",
-               "seed", "region", "outputs"});
+    root.only({"texloom", "version", "method", "parameters", "then", "exemplars", "initial", "inputs", "size",
+               "wrap", "seed", "region", "outputs"});
     Recipe recipe;
     recipe.version = root.has("version") ? root.at("version").text() : "";
-    recipe.method = root.at("method").text();
-    if (root.has("parameters"))
-        recipe.parameters = root.at("parameters").values();
+    recipe.steps = {stepFrom(root)};
     if (root.has("then"))
-        recipe.then = stepsFrom(root.at("then"));
+        for (RecipeStep& step : stepsFrom(root.at("then")))
+            recipe.steps.push_back(std::move(step));
     const JsonField exemplars = root.at("exemplars");
     exemplars.needArray(needsExemplar ? 1 : 0, kMostFiles);
     for (std::size_t i = 0; i < exemplars.size(); ++i)
         recipe.exemplars.push_back(exemplarFrom(exemplars.at(i), folder));
-    if (root.has("initial"))
-        recipe.initial = fileFrom(root.at("initial"), folder);
+    recipe.inputs = inputsFrom(root, folder);
     recipe.size = sizeFrom(root.at("size"));
     recipe.wrap = root.has("wrap") ? wrapFrom(root.at("wrap")) : Wrap{};
     recipe.seed = root.has("seed") ? seedFrom(root.at("seed")) : 0;
     if (root.has("region"))
         recipe.region = regionFrom(root.at("region"));
     return recipe;
+}
+
+template <class File, class Inputs> void addFiles(std::vector<File*>& files, Inputs& inputs) {
+    for (auto& [port, ofPort] : inputs)
+        for (File& file : ofPort)
+            files.push_back(&file);
 }
 
 /// Of a recipe, const or not.
@@ -157,9 +203,9 @@ template <class File, class Recipe> std::vector<File*> filesOf(Recipe& recipe) {
             files.push_back(&*exemplar.mask);
         for (File& companion : exemplar.companions)
             files.push_back(&companion);
+        addFiles(files, exemplar.inputs);
     }
-    if (recipe.initial)
-        files.push_back(&*recipe.initial);
+    addFiles(files, recipe.inputs);
     return files;
 }
 
@@ -172,11 +218,16 @@ std::vector<RecipeStep> stepsFrom(const JsonField& field) {
         const JsonField step = field.at(i);
         step.needObject();
         step.only({"method", "parameters"});
-        steps.push_back({step.at("method").text(), {}});
-        if (step.has("parameters"))
-            steps.back().parameters = step.at("parameters").values();
+        steps.push_back(stepFrom(step));
     }
     return steps;
+}
+
+std::string methodIds(const std::vector<RecipeStep>& steps, const std::string& separator) {
+    std::string ids;
+    for (const RecipeStep& step : steps)
+        ids += (ids.empty() ? "" : separator) + step.method;
+    return ids;
 }
 
 std::vector<RecipeFile*> Recipe::files() {
@@ -188,17 +239,12 @@ std::vector<const RecipeFile*> Recipe::files() const {
 }
 
 std::string Recipe::toJson(const fs::path& folder) const {
-    Json json = {{"texloom", kFormat},
-                 {"version", version},
-                 {"method", method},
-                 {"parameters", texloom::toJson(parameters)}};
-    if (!then.empty())
-        json["then"] = stepsJson(then);
+    Json json = {{"texloom", kFormat}, {"version", version}};
+    addSteps(json, steps);
     json["exemplars"] = Json::array();
     for (const RecipeExemplar& exemplar : exemplars)
         json["exemplars"].push_back(exemplarJson(exemplar, folder));
-    if (initial)
-        json["initial"] = fileJson(*initial, folder);
+    addInputs(json, inputs, folder);
     json["size"] = {size.width, size.height};
     json["wrap"] = std::string(wrap.x ? "x" : "") + (wrap.y ? "y" : "");
     json["seed"] = seed;

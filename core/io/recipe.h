@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,16 +26,20 @@ struct RecipeFile {
     std::string role = {};
 };
 
+/// Files by the id of the port that they go into, in the order in which they were given.
+using RecipeInputs = std::map<std::string, std::vector<RecipeFile>, std::less<>>;
+
 /// The files that a run learns one exemplar from, and what is done to them first.
 struct RecipeExemplar {
     RecipeFile image;
     std::optional<RecipeFile> mask;
     std::vector<RecipeFile> companions;
-    ExemplarEdits edits = {}; ///< made in order, on mask and companions, too
+    RecipeInputs inputs = {}; ///< further pictures of the exemplar's size
+    ExemplarEdits edits = {}; ///< made in order, on everything that belongs to the exemplar
     double weight = 1;        ///< see Exemplar::weight
 };
 
-/// A method that takes up what the one before it made.
+/// One method of a run.
 struct RecipeStep {
     std::string method;
     Values parameters;
@@ -43,23 +48,26 @@ struct RecipeStep {
 /// Steps from a list in JSON. @throws UsageError that names the wrong field.
 std::vector<RecipeStep> stepsFrom(const JsonField& field);
 
+/// The methods' ids with `separator` between them.
+std::string methodIds(const std::vector<RecipeStep>& steps, const std::string& separator);
+
 /// All that a result depends on: what it takes to make the same bits again with the same build.
 struct Recipe {
     /// Version of the format that this build writes and the newest it reads.
     static constexpr int kFormat = 1;
 
     std::string version; ///< of the Texloom that wrote it
-    std::string method;
-    Values parameters; ///< complete when written by Texloom; missing ones get the method's defaults
-    std::vector<RecipeStep> then; ///< further methods, each starting from the image of the one before
+    /// The methods in order, at least one; each takes up what the one before it made. Parameters are complete
+    /// when written by Texloom; missing ones get the method's defaults.
+    std::vector<RecipeStep> steps = {{}};
     std::vector<RecipeExemplar> exemplars;
-    std::optional<RecipeFile> initial;
+    RecipeInputs inputs; ///< what else goes into the methods' ports, such as an image to start from
     Size size;
     Wrap wrap;
     std::uint64_t seed = 0;
     std::optional<Region> region; ///< the part that was made, if not all
 
-    /// Every file that it names: images, masks and companions of the exemplars, and the initial image.
+    /// Every file that it names: all that belongs to the exemplars, and the inputs.
     std::vector<RecipeFile*> files();
     std::vector<const RecipeFile*> files() const;
 

@@ -2,10 +2,12 @@
 
 #include "core/base/error.h"
 
+#include <OpenImageIO/hash.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -72,6 +74,17 @@ std::size_t TemporaryFile::read(void* data, std::size_t size, std::int64_t offse
 std::size_t TemporaryFile::size() const {
     struct stat status {};
     return ::fstat(m_handle, &status) == 0 ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
+std::string TemporaryFile::hash() const {
+    OIIO::SHA1 hash;
+    std::array<char, 1 << 16> block{};
+    std::int64_t offset = 0;
+    while (const std::size_t count = read(block.data(), block.size(), offset)) {
+        hash.append(block.data(), count);
+        offset += static_cast<std::int64_t>(count);
+    }
+    return hash.digest();
 }
 
 void TemporaryFile::commit() {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace texloom {
 
@@ -20,6 +21,8 @@ public:
     std::size_t write(const void* data, std::size_t size, std::int64_t offset);
     std::size_t read(void* data, std::size_t size, std::int64_t offset) const;
     std::size_t size() const;
+    /// SHA-1 of what was written, as fileHash() will give it.
+    std::string hash() const;
 
     /// Makes sure that all of it reached the disk and puts it in the target's place.
     /// @throws Error if that fails or any write before failed.

@@ -13,7 +13,8 @@ void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)
     m_thread = std::jthread([=, this](const std::stop_token& stop) {
         try {
             JobContext context(
-                options, [&stop] { return stop.stop_requested(); }, *m_monitor);
+                options, [&stop] { return stop.stop_requested(); }, *m_monitor,
+                [this] { return m_keepWanted.load(); });
             work(context);
             const std::lock_guard lock(m_monitor->m_mutex);
             m_monitor->m_progress = 1;
@@ -22,6 +23,8 @@ void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)
                     std::chrono::duration<double>(std::chrono::steady_clock::now() - m_monitor->m_stageStart)
                         .count();
         } catch (const Cancelled&) {
+            cancelled();
+        } catch (const StoppedEarly&) { // work that makes nothing of a part of itself
             cancelled();
         } catch (const std::exception& error) {
             failed({messageOf(error), dynamic_cast<const UsageError*>(&error) != nullptr});

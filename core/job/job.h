@@ -29,6 +29,9 @@ public:
 
     /// Asks the job to end; returns at once.
     void cancel() { m_thread.request_stop(); }
+    /// Asks the job to end with what it has as soon as that can be shown; returns at once. Work that knows no
+    /// partial results (see JobContext::preview()) goes on to its end.
+    void stopAndKeep() { m_keepWanted = true; }
     /// Whether the outcome is there.
     bool finished() const { return m_finished; }
     /// What the job lets others see of itself.
@@ -47,6 +50,7 @@ protected:
 private:
     std::unique_ptr<JobMonitor> m_monitor = std::make_unique<JobMonitor>();
     std::atomic<bool> m_finished = false;
+    std::atomic<bool> m_keepWanted = false;
     std::jthread m_thread;
 };
 

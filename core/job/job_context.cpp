@@ -68,6 +68,11 @@ std::vector<StageTime> JobMonitor::stageTimes() const {
     return stages;
 }
 
+std::vector<Curve> JobMonitor::curves() const {
+    const std::lock_guard lock(m_mutex);
+    return m_curves;
+}
+
 double JobMonitor::seconds() const {
     return secondsSince(m_start);
 }
@@ -86,9 +91,11 @@ private:
     tbb::task_arena m_arena;
 };
 
-JobContext::JobContext(const JobOptions& options, std::function<bool()> stopped, JobMonitor& monitor)
+JobContext::JobContext(const JobOptions& options, std::function<bool()> stopped, JobMonitor& monitor,
+                       std::function<bool()> kept)
     : m_seed(options.seed), m_random(options.seed), m_threads(threadCount(options.threads)),
-      m_previews(options.previews), m_stopped(std::move(stopped)), m_monitor(monitor),
+      m_previews(options.previews), m_stopped(std::move(stopped)), m_kept(std::move(kept)),
+      m_keep(options.keep), m_resumed(options.resumed), m_monitor(monitor),
       m_arena(std::make_unique<Arena>(m_threads)) {}
 
 JobContext::~JobContext() = default;
@@ -105,6 +112,9 @@ void JobContext::step(std::uint32_t number, double share) {
     m_stageBegin = m_stepBegin;
     m_stageWeight = 0;
     m_random = Random(m_seed, number);
+    m_step = number;
+    const std::lock_guard lock(m_monitor.m_mutex);
+    m_monitor.m_curves.clear();
 }
 
 void JobContext::stage(double weight, Message name) {
@@ -126,7 +136,34 @@ void JobContext::progress(double fraction) {
     m_monitor.m_progress = std::clamp(whole, m_monitor.m_progress, 1.0);
 }
 
+void JobContext::curve(const Message& name, double value) {
+    const std::lock_guard lock(m_monitor.m_mutex);
+    addTo(m_monitor.m_curves, name, value);
+}
+
+void JobContext::checkpoint(std::chrono::milliseconds every, const std::function<std::string()>& state) {
+    if (!m_keep || Clock::now() - m_lastCheckpoint < every)
+        return;
+    m_keep({m_step, m_monitor.progress(), state()});
+    m_lastCheckpoint = Clock::now();
+}
+
+const std::string* JobContext::resumed() const {
+    return m_resumed && m_resumed->step == m_step ? &m_resumed->state : nullptr;
+}
+
+void JobContext::stopWith(Image image, PositionMap map) {
+    m_partial = PartialWork{std::move(image), std::move(map), m_monitor.progress()};
+    throw StoppedEarly{};
+}
+
+PartialWork JobContext::takePartial() {
+    return std::move(m_partial).value();
+}
+
 void JobContext::preview(const ImageView& image, const PositionMap* map) {
+    if (stopsEarly())
+        stopWith(Image(image), map ? *map : PositionMap());
     makePreview(image.size(), [&](Size size, int step) {
         return Preview{sample(image, size, step), map ? sample(*map, size, step) : PositionMap(),
                        image.size(), step};
@@ -134,6 +171,8 @@ void JobContext::preview(const ImageView& image, const PositionMap* map) {
 }
 
 void JobContext::preview(Size full, const std::function<Image(Size size, int step)>& made) {
+    if (stopsEarly())
+        stopWith(made(full, 1), {});
     makePreview(full, [&](Size size, int step) { return Preview{made(size, step), {}, full, step}; });
 }
 

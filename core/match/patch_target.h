@@ -1,7 +1,8 @@
 #pragma once
 
+#include "core/image/position_map.h"
 #include "core/match/interleaved.h"
-#include "core/match/patch_match.h"
+#include "core/match/patch_source.h"
 #include "core/match/whole_patches.h"
 
 #include <cstdint>

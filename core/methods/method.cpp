@@ -2,6 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/methods/registry.h"
+
+#include <algorithm>
+#include <array>
 
 namespace texloom {
 
@@ -14,30 +18,97 @@ namespace {
     throw UsageError(near.empty() ? sentence : message("{} Did you mean {}?", sentence, near));
 }
 
+Message idsOf(const std::vector<Port>& ports) {
+    std::vector<std::string> ids;
+    for (const Port& port : ports)
+        ids.push_back(port.id);
+    return listOf(ids);
+}
+
+/// A picture of a port has the size that the port's extent wants.
+void checkExtent(const Port& port, const Image& image, Size size, const Message& like) {
+    if (image.size() != size)
+        failUsage("The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.",
+                  Message(port.title), image.width(), image.height(), like, size.width, size.height);
+}
+
+/// Kinds and numbers of what was given to one port.
+void checkPort(const MethodInfo& info, const Port& port, const std::vector<Asset>& given) {
+    const int count = static_cast<int>(given.size());
+    if (count < port.least)
+        failUsage("{} needs {} for its input {}, but {} were given.", Message(info.title), port.least,
+                  port.id, count);
+    if (count > port.most)
+        failUsage("{} takes {} for its input {}, but {} were given.", Message(info.title), port.most, port.id,
+                  count);
+    for (const Asset& asset : given)
+        if (!isOf(port.kind, asset))
+            failUsage("The input {} of {} takes {}.", port.id, Message(info.title), kindText(port.kind));
+}
+
+/// Everything that was given goes into a port that there is.
+void checkKnown(const MethodInfo& info, const Assets& inputs, bool ofExemplar) {
+    for (const auto& [id, given] : inputs.byPort()) {
+        const Port* const port = info.input(id);
+        if (!port || (port->extent == Extent::Exemplar) != ofExemplar)
+            failUsage("{} has no input {}; it takes {}.", Message(info.title), id, idsOf(info.takes));
+    }
+}
+
+void checkExemplar(const MethodInfo& info, const Request& request, const Exemplar& exemplar) {
+    const Size size = exemplar.image->size();
+    if (exemplar.image->channels() != request.channels())
+        failUsage("{} and {} have different numbers of channels, {} and {}; all exemplars need the same.",
+                  request.exemplars.front().name, exemplar.name, request.channels(),
+                  exemplar.image->channels());
+    if (size.longerSide() >= Source::kNone)
+        failUsage("{} is {} × {} px; an exemplar's sides go up to {} px.", exemplar.name, size.width,
+                  size.height, Source::kNone - 1);
+    if (!(exemplar.weight >= Exemplar::kLeastWeight && exemplar.weight <= Exemplar::kMostWeight))
+        failUsage("The weight of {} is {}; it goes from {} to {}.", exemplar.name, exemplar.weight,
+                  Exemplar::kLeastWeight, Exemplar::kMostWeight);
+    checkKnown(info, exemplar.inputs, true);
+    for (const Port& port : info.takes) {
+        if (port.extent != Extent::Exemplar || port.id == kCompanionPort)
+            continue;
+        checkPort(info, port, exemplar.inputs.at(port.id));
+        for (const Asset& asset : exemplar.inputs.at(port.id))
+            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
+                checkExtent(port, **image, size, Message::verbatim(exemplar.name));
+    }
+}
+
 void checkExemplars(const MethodInfo& info, const Request& request) {
+    const Port* const port = info.input(kExemplarPort);
+    if (request.exemplars.empty() && (!port || port->least == 0))
+        return;
     if (request.exemplars.empty())
         failUsage("There is no exemplar to learn from.");
-    if (request.exemplars.size() > 1 && !info.severalExemplars)
+    if (!port)
+        failUsage("{} takes no exemplar.", Message(info.title));
+    if (port->most == 1 && request.exemplars.size() > 1)
         failUsage("{} learns from one exemplar, but {} were given.", Message(info.title),
                   request.exemplars.size());
-    for (const Exemplar& exemplar : request.exemplars) {
-        if (exemplar.image->channels() != request.channels())
-            failUsage("{} and {} have different numbers of channels, {} and {}; all exemplars need the same.",
-                      request.exemplars.front().name, exemplar.name, request.channels(),
-                      exemplar.image->channels());
-        if (exemplar.image->size().longerSide() >= Source::kNone)
-            failUsage("{} is {} × {} px; an exemplar's sides go up to {} px.", exemplar.name,
-                      exemplar.image->width(), exemplar.image->height(), Source::kNone - 1);
-        if (!(exemplar.weight >= Exemplar::kLeastWeight && exemplar.weight <= Exemplar::kMostWeight))
-            failUsage("The weight of {} is {}; it goes from {} to {}.", exemplar.name, exemplar.weight,
-                      Exemplar::kLeastWeight, Exemplar::kMostWeight);
-        if (exemplar.mask && !info.usesMask)
-            failUsage("{} does not use an exemplar mask.", Message(info.title));
-        if (exemplar.mask && exemplar.mask->size() != exemplar.image->size())
-            failUsage("The mask is {} × {} px, but {} is {} × {} px; they must be the same size.",
-                      exemplar.mask->width(), exemplar.mask->height(), exemplar.name, exemplar.image->width(),
-                      exemplar.image->height());
+    for (const Exemplar& exemplar : request.exemplars)
+        checkExemplar(info, request, exemplar);
+}
+
+/// What goes into the ports that do not belong to an exemplar.
+void checkInputs(const MethodInfo& info, const Request& request) {
+    checkKnown(info, request.inputs, false);
+    for (const Port& port : info.takes) {
+        if (port.extent == Extent::Exemplar || port.id == kExemplarPort)
+            continue;
+        checkPort(info, port, request.inputs.at(port.id));
+        if (port.extent != Extent::Output)
+            continue;
+        for (const Asset& asset : request.inputs.at(port.id))
+            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
+                checkExtent(port, **image, request.size, TR("the output"));
     }
+    if (const Image* initial = request.initial(); initial && initial->channels() != request.channels())
+        failUsage("The image to start from has {} channels, the output {}; they need the same number.",
+                  initial->channels(), request.channels());
 }
 
 void checkOutput(const MethodInfo& info, const Request& request) {
@@ -45,22 +116,14 @@ void checkOutput(const MethodInfo& info, const Request& request) {
     if (size.empty() || size.longerSide() > kLargestSide)
         failUsage("The output cannot be {} × {} px: its sides go from 1 to {} px.", size.width, size.height,
                   grouped(kLargestSide));
-    if ((request.wrap.x || request.wrap.y) && !info.wraps)
+    if ((request.wrap.x || request.wrap.y) && !info.canWrap())
         failUsage("{} cannot make an output that wraps.", Message(info.title));
-    if (request.region && !info.makesRegions)
+    if (request.region && !info.makesParts())
         failUsage("{} cannot make a part of an output alone; make all of it.", Message(info.title));
     if (request.region && !request.region->within(size))
         failUsage("The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.",
                   request.region->size.width, request.region->size.height, request.region->x,
                   request.region->y, size.width, size.height);
-    if (!request.initial)
-        return;
-    if (!info.startsFromImage)
-        failUsage("{} cannot start from an image.", Message(info.title));
-    if (request.initial->size() != size || request.initial->channels() != request.channels())
-        failUsage("The initial image is {} × {} px with {} channels; the output is {} × {} px with {}.",
-                  request.initial->width(), request.initial->height(), request.initial->channels(),
-                  size.width, size.height, request.channels());
 }
 
 } // namespace
@@ -99,6 +162,7 @@ Values Method::resolved(const Values& settings, Size exemplar) const {
 void Method::check(const Request& request, const Values& settings) const {
     checkExemplars(m_info, request);
     checkOutput(m_info, request);
+    checkInputs(m_info, request);
     m_check(request, settings);
 }
 
@@ -107,12 +171,52 @@ Estimate Method::estimate(const Request& request, const Values& settings, int th
 }
 
 Synthesis Method::run(const Request& request, const Values& settings, JobContext& context) const {
-    return m_run(request, settings, context);
+    Synthesis made = m_run(request, settings, context);
+    made.curves = context.curves();
+    return made;
+}
+
+std::string categoryId(Category category) {
+    static const std::array<const char*, 9> ids = {"patches",      "statistics",   "pixels",
+                                                   "near-regular", "optimisation", "sparse",
+                                                   "networks",     "solids",       "tools"};
+    return ids.at(static_cast<std::size_t>(category));
+}
+
+std::string categoryTitle(Category category) {
+    static const std::array<const char*, 9> titles = {
+        TR("Patches"), TR("Statistics"), TR("Pixel by pixel"), TR("Near-regular"), TR("Optimisation"),
+        TR("Sparse"),  TR("Networks"),   TR("Solids"),         TR("Tools")};
+    return titles.at(static_cast<std::size_t>(category));
+}
+
+std::vector<PortLink> linksBetween(const MethodInfo& first, const MethodInfo& second) {
+    std::vector<PortLink> links;
+    for (const Port& output : first.gives)
+        for (const Port& input : second.takes) {
+            const bool picture = output.id == kImagePort && input.id == kInitialPort;
+            const bool own = output.id == input.id && input.extent != Extent::Exemplar;
+            if (output.kind == input.kind && (picture || own))
+                links.push_back({output.id, input.id});
+        }
+    return links;
 }
 
 Method named(std::string id, Method method) {
     method.m_id = std::move(id);
+    if (method.m_info.input(kExemplarPort) && !method.m_info.input(kCompanionPort))
+        method.m_info.takes.push_back(ports::companions());
     return method;
+}
+
+std::vector<const Method*> methodsByCategory() {
+    std::vector<const Method*> sorted;
+    for (const Method& method : methods())
+        sorted.push_back(&method);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Method* a, const Method* b) {
+        return a->info().category < b->info().category;
+    });
+    return sorted;
 }
 
 const Method& findMethod(std::string_view id) {
@@ -122,6 +226,9 @@ const Method& findMethod(std::string_view id) {
             return method;
         known.push_back(method.id());
     }
+    for (const AbsentMethod& absent : absentMethods())
+        if (absent.id == id)
+            failUsage("{} is not part of this build. {}", id, Message(absent.reason));
     refuseUnknown(message("There is no method {}; the methods are {}.", id, listOf(known)), id, known);
 }
 

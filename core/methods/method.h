@@ -4,6 +4,7 @@
 #include "core/job/job_context.h"
 #include "core/methods/synthesis.h"
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -12,21 +13,67 @@
 
 namespace texloom {
 
+/// Where a method stands among the others, in the order in which they are listed.
+enum class Category {
+    Patches,
+    Statistics,
+    Pixels,
+    NearRegular,
+    Optimisation,
+    Sparse,
+    Networks,
+    Solids,
+    Tools,
+};
+
+/// "patches", "near-regular" …: as the command line lists it.
+std::string categoryId(Category category);
+/// As the window shows it.
+std::string categoryTitle(Category category);
+
+/// Whether the same recipe gives the same result on any number of threads.
+enum class Repeats {
+    Bits,   ///< to the bit
+    Nearly, ///< but for rounding
+};
+
 /// What a method says of itself, apart from its parameters.
 struct MethodInfo {
-    std::string title;            ///< as the window shows it
-    std::string summary;          ///< one or two sentences: what it does and what it suits
-    std::string citation;         ///< the papers it follows
-    bool wraps = false;           ///< its output can close on itself, on either axis
-    bool startsFromImage = false; ///< uses Request::initial
-    bool usesMask = false;        ///< uses Exemplar::mask
-    bool severalExemplars = false;
-    bool weighsExemplars = false; ///< uses Exemplar::weight where there are several
-    /// Its pixels come from the exemplar, and its map says from where: companion maps are laid out by the
-    /// map. For other methods they are further channels of the exemplar, made together with the rest.
-    bool copiesPixels = false;
-    bool makesRegions = false; ///< uses Request::region: any part of an output can be made alone
+    std::string title;    ///< as the window shows it
+    std::string summary;  ///< one or two sentences: what it does and what it suits
+    std::string citation; ///< the papers it follows
+    Category category = Category::Patches;
+    std::vector<Port> takes; ///< at least one; Method adds companion maps where there are exemplars
+    std::vector<Port> gives; ///< at least an image
+    Repeats repeats = Repeats::Bits;
+    bool usesSeed = true;                         ///< whether another seed gives another result
+    std::chrono::milliseconds cancelsWithin{100}; ///< how soon it ends once it is told to
+
+    /// The port of this id, or null.
+    const Port* input(std::string_view id) const { return findPort(takes, id); }
+    const Port* output(std::string_view id) const { return findPort(gives, id); }
+
+    bool learnsFromSeveral() const { return input(kExemplarPort) && input(kExemplarPort)->most > 1; }
+    bool heedsWeights() const { return input(kExemplarPort) && input(kExemplarPort)->weighed; }
+    bool heedsMasks() const { return input(kMaskPort) != nullptr; }
+    bool startsFromImage() const { return input(kInitialPort) != nullptr; }
+    bool canWrap() const { return output(kImagePort) && output(kImagePort)->wraps; }
+    /// Any part of an output can be made alone: Request::region.
+    bool makesParts() const { return output(kImagePort) && output(kImagePort)->extent == Extent::Any; }
+    /// Companion maps are laid out by the position map; for other methods they are further channels of the
+    /// exemplar, made together with the rest.
+    bool copiesPixels() const { return output(kMapPort) != nullptr; }
 };
+
+/// One thing that a method hands to the one that follows it.
+struct PortLink {
+    std::string from; ///< the first method's output
+    std::string to;   ///< the second method's input
+};
+
+/// What `second` takes up where it follows `first`: the image as the one to start from, and whatever else has
+/// an input of its own name and kind. Empty: it cannot follow.
+std::vector<PortLink> linksBetween(const MethodInfo& first, const MethodInfo& second);
 
 /// What a run will need, told before it starts.
 struct Estimate {
@@ -113,6 +160,8 @@ Method named(std::string id, Method method);
 
 /// Every method there is, by id.
 const std::vector<Method>& methods();
+/// The same in the order in which they are listed: by category, then by id.
+std::vector<const Method*> methodsByCategory();
 
 /// @throws UsageError that lists the known ids, and the nearest one.
 const Method& findMethod(std::string_view id);

@@ -31,7 +31,8 @@ std::vector<PatchSource> patchSources(const Request& request) {
     std::vector<PatchSource> sources;
     for (const Exemplar& exemplar : request.exemplars)
         sources.push_back({exemplar.image->view(),
-                           exemplar.mask ? exemplar.mask->view().plane(0) : PlaneView{}, exemplar.weight});
+                           exemplar.mask() ? exemplar.mask()->view().plane(0) : PlaneView{},
+                           exemplar.weight});
     return sources;
 }
 
@@ -39,7 +40,7 @@ void checkPatchRequest(const Request& request, int patch) {
     bool anyPatch = false;
     for (const Exemplar& exemplar : request.exemplars) {
         checkExemplar(exemplar, patch);
-        anyPatch = anyPatch || !exemplar.mask || leavesWholePatch(exemplar.mask->view().plane(0), patch);
+        anyPatch = anyPatch || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), patch);
     }
     if (!anyPatch)
         failUsage("The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.",
@@ -92,15 +93,13 @@ Estimate growthEstimate(const Request& request, int patch, int overlap, int thre
     return need;
 }
 
-Synthesis grown(PatchCanvas& canvas, const Request& request, const Message& stage, double mapWeight,
-                const std::function<void(const PatchCell&)>& place, JobContext& context) {
+Synthesis grown(PatchGrower& grower, const Request& request, const Message& stage, double mapWeight,
+                JobContext& context) {
+    context.stage(0.02, TR("Preparing the exemplar"));
+    grower.prepare();
     context.stage(0.98 - mapWeight, stage);
-    canvas.grow(
-        context, [&](int index) { place(canvas.grid().cell(index)); },
-        [&] { context.preview(canvas.image()); });
-    const int patches = canvas.grid().count();
-    Synthesis result = withEstimatedMap(canvas.take(), request, mapWeight, context);
-    result.figures = {{TR("Patches"), static_cast<double>(patches)}};
+    Synthesis result = withEstimatedMap(grower.grow(), request, mapWeight, context);
+    result.figures = {{TR("Patches"), static_cast<double>(grower.patches())}};
     return result;
 }
 

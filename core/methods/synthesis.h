@@ -3,6 +3,8 @@
 #include "core/base/message.h"
 #include "core/image/image.h"
 #include "core/image/position_map.h"
+#include "core/job/curve.h"
+#include "core/methods/port.h"
 
 #include <cstdint>
 #include <memory>
@@ -16,38 +18,37 @@ namespace texloom {
 struct Exemplar {
     std::string name;                   ///< for messages and labels
     std::shared_ptr<const Image> image; ///< colours in the working space, or data
-    /// One channel of the exemplar's size, or none: pixels where it is 0 are never copied.
-    std::shared_ptr<const Image> mask;
+    /// What goes into the method's ports of the exemplar's extent, such as its mask.
+    Assets inputs = {};
     /// How much it counts beside the other exemplars, from kLeastWeight to kMostWeight: one of weight 2
-    /// counts as though it were given twice. Only methods that say so (MethodInfo::weighsExemplars) heed it.
+    /// counts as though it were given twice. Only methods that say so (Port::weighed) heed it.
     double weight = 1;
 
     static constexpr double kLeastWeight = 0.01, kMostWeight = 100;
+
+    /// One channel of the exemplar's size, or null: pixels where it is 0 are never copied.
+    const Image* mask() const { return inputs.image(kMaskPort); }
 };
 
 /// All that a method is given: an immutable copy of the input.
 struct Request {
-    std::vector<Exemplar> exemplars;      ///< at least one; all with the same number of channels
-    int companionChannels = 0;            ///< how many of these, the last ones, are of companion maps
-    std::shared_ptr<const Image> initial; ///< an image of the output's size to start from, or none
-    Size size;                            ///< of the output
+    std::vector<Exemplar> exemplars; ///< at least one; all with the same number of channels
+    int companionChannels = 0;       ///< how many of these, the last ones, are of companion maps
+    Assets inputs = {};              ///< what goes into the method's other ports
+    Size size;                       ///< of the output
     Wrap wrap;
     std::uint64_t seed = 0;
     /// The part of the output to make, which equals that part of the whole; all of it if not given.
     std::optional<Region> region;
 
+    /// An image of the output's size to start from, or null.
+    const Image* initial() const { return inputs.image(kInitialPort); }
     std::vector<Size> exemplarSizes() const;
     /// The part of the output that is made; image and map of the result have its size.
     Region part() const { return region.value_or(Region{0, 0, size}); }
     int channels() const { return exemplars.front().image->channels(); }
     /// Channels of the result without those of companion maps.
     int resultChannels() const { return channels() - companionChannels; }
-};
-
-/// A named series of numbers, such as the energy of each iteration.
-struct Curve {
-    Message name;
-    std::vector<double> values;
 };
 
 /// A named picture beside the result, such as a dictionary or a lattice.
@@ -75,7 +76,8 @@ struct Synthesis {
     Image image;
     PositionMap map;
     MapKind mapKind = MapKind::None;
-    std::vector<Curve> curves;
+    Assets outputs;            ///< what comes out of the method's further ports, such as a model or a volume
+    std::vector<Curve> curves; ///< those of JobContext::curve(); Method fills them in
     std::vector<Picture> pictures;
     std::vector<Figure> figures;
     std::vector<Message> notes; ///< sentences for the user about what the method decided by itself

@@ -4,7 +4,7 @@
 #include "core/base/version.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
-#include "core/methods/method.h"
+#include "core/session/run/exemplar_use.h"
 
 #include <fmt/format.h>
 
@@ -64,6 +64,12 @@ void copyTo(const fs::path& place, const fs::path& file) {
              error.message());
 }
 
+void leaveOut(RecipeInputs& inputs, const fs::path& file) {
+    for (auto& [port, files] : inputs)
+        std::erase_if(files, [&](const RecipeFile& one) { return one.path == file; });
+    std::erase_if(inputs, [](const auto& entry) { return entry.second.empty(); });
+}
+
 bool liesIn(const fs::path& file, const fs::path& folder) {
     const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
     return !relative.empty() && *relative.begin() != "..";
@@ -120,23 +126,8 @@ Session readSession(const fs::path& path) {
 
 Recipe runOf(const Session& session) {
     Recipe recipe = session.settings;
-    bool several = findMethod(recipe.method).info().severalExemplars;
-    bool masks = findMethod(recipe.method).info().usesMask;
-    bool weights = findMethod(recipe.method).info().weighsExemplars;
-    for (const RecipeStep& step : recipe.then) {
-        several = several && findMethod(step.method).info().severalExemplars;
-        masks = masks && findMethod(step.method).info().usesMask;
-        weights = weights && findMethod(step.method).info().weighsExemplars;
-    }
-    recipe.exemplars.clear();
-    for (std::size_t i = 0; i < session.settings.exemplars.size(); ++i)
-        if (several ? session.used[i] : static_cast<int>(i) == session.current) {
-            recipe.exemplars.push_back(session.settings.exemplars[i]);
-            if (!masks)
-                recipe.exemplars.back().mask.reset();
-            if (!weights)
-                recipe.exemplars.back().weight = 1;
-        }
+    recipe.exemplars = exemplarsFor(recipe.steps, session.settings.exemplars, session.used,
+                                    static_cast<std::size_t>(session.current));
     if (recipe.exemplars.empty())
         failUsage("The session has no exemplar in use.");
     return recipe;
@@ -228,11 +219,11 @@ void leaveOut(Session& session, const fs::path& file) {
             exemplar.mask.reset();
         std::erase_if(exemplar.companions,
                       [&](const RecipeFile& companion) { return companion.path == file; });
+        leaveOut(exemplar.inputs, file);
         if (exemplar.image.path == file)
             leaveOut(session, i);
     }
-    if (session.settings.initial && session.settings.initial->path == file)
-        session.settings.initial.reset();
+    leaveOut(session.settings.inputs, file);
 }
 
 } // namespace texloom

@@ -64,7 +64,7 @@ std::vector<std::filesystem::path> missingFiles(const Session& session);
 void relocate(Session& session, const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Goes on without a file: without the exemplar whose image it is, or without the mask, companion map or
-/// initial image.
+/// input.
 void leaveOut(Session& session, const std::filesystem::path& file);
 /// Goes on without one of its exemplars.
 void leaveOut(Session& session, std::size_t exemplar);

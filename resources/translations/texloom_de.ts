@@ -182,6 +182,10 @@
         <translation>Daten (nie umgerechnet)</translation>
     </message>
     <message>
+        <source>Deviation, </source>
+        <translation>Abweichung, </translation>
+    </message>
+    <message>
         <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
         <translation>Differenzen halten die Helligkeit zwischen Blöcken gleich; Korrelation passt Kanten besser an, wo die Helligkeit verschieden ist.</translation>
     </message>
@@ -322,7 +326,7 @@
         <translation>Wie viel schlechter als der beste ein Patch passen darf, um noch gezogen zu werden: größer variiert mehr.</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
         <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
     </message>
     <message>
@@ -370,7 +374,7 @@
         <translation>Anschluss</translation>
     </message>
     <message>
-        <source>Keeps the strength of each frequency of the exemplar and draws its phase at random. Instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
         <translation>Behält die Stärke jeder Frequenz der Vorlage und zieht ihre Phase zufällig. Im Nu und ohne jede Wiederholung; gut für feinkörnige Texturen wie Sand, Putz oder Stoff, verliert Kanten und Gegenstände.</translation>
     </message>
     <message>
@@ -562,7 +566,7 @@
         <translation>Oktaven, in die die Pyramide zerlegt: mehr erhalten größere Merkmale. Kleine Bilder nutzen weniger.</translation>
     </message>
     <message>
-        <source>One slope over the whole</source>
+        <source>One slope over all</source>
         <translation>Ein Verlauf über alles</translation>
     </message>
     <message>
@@ -1010,23 +1014,23 @@
         <translation>Zusammenfassung</translation>
     </message>
     <message>
-        <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
+        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
         <translation>Höchstens so viele je Patchgröße und Skala: mehr schließen besser an, dauern aber länger.</translation>
     </message>
     <message>
-        <source>Most rounds on each scale but the finest: more join better, but take longer.</source>
+        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
         <translation>Höchstens so viele auf jeder Skala außer der feinsten: mehr schließen besser an, dauern aber länger.</translation>
     </message>
     <message>
-        <source>Most rounds on the finest scale, where most of the time is spent.</source>
+        <source>At most so many on the finest scale, where most of the time is spent.</source>
         <translation>Höchstens so viele auf der feinsten Skala, auf der die meiste Zeit vergeht.</translation>
     </message>
     <message>
-        <source>Most scales, each half the size of the one before: more keep larger structures.</source>
+        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
         <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
     </message>
     <message>
-        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
+        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
         <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
     </message>
     <message>
@@ -1350,7 +1354,7 @@
         <translation>Eine Ausgabe von {} × {} px lässt sich mit einer Kachel von {} × {} px nicht kacheln; machen Sie sie mindestens so groß.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
+        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
         <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, für die keine Positions- oder Begleitkarten geschrieben werden; wählen Sie dafür einen Teil oder eine kleinere Größe.</translation>
     </message>
     <message>
@@ -1414,7 +1418,7 @@
         <translation>Der Ordner {} lässt sich nicht anlegen: {}.</translation>
     </message>
     <message>
-        <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
+        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
         <translation>Die vier Ecken der Entzerrung müssen von links oben im Uhrzeigersinn um eine Fläche ohne Delle gehen.</translation>
     </message>
     <message>
@@ -1434,7 +1438,11 @@
         <translation>Die Masche des Gitters von {} × {} px ist größer als {} mit {} × {} px; geben Sie kürzere Vektoren an, oder setzen Sie lattice=none.</translation>
     </message>
     <message>
-        <source>The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
+        <translation>Die Vektoren {} des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Geraden liegen.</translation>
+    </message>
+    <message>
+        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
         <translation>Das Licht von {} ändert sich so stark von Ort zu Ort, dass Flicken auffielen; darum wurde es ausgeglichen. flatten=no behält es.</translation>
     </message>
     <message>
@@ -1442,11 +1450,15 @@
         <translation>Die Karte braucht die Bilder, aus denen sie gemacht wurde, es wurde aber keines gegeben.</translation>
     </message>
     <message>
+        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
+        <translation>Die Karte wurde aus {} Vorlage(n) gemacht, gegeben wurden aber {} Bild(er).</translation>
+    </message>
+    <message>
         <source>The mask hides all of {}; mask less.</source>
         <translation>Die Maske verdeckt alles von {}; maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>The mask is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
+        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
         <translation>Die Maske ist {} × {} px groß, {} aber {} × {} px; sie müssen gleich sein.</translation>
     </message>
     <message>
@@ -1462,12 +1474,12 @@
         <translation>Die Maske lässt keine ganze Kachel von {} × {} px zum Kopieren; maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>The method treats all exemplars alike, so their weights had no effect.</source>
+        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
         <translation>Das Verfahren nimmt alle Vorlagen gleich, sodass ihre Gewichte nichts bewirkten.</translation>
     </message>
     <message>
-        <source>The name {} holds ${}, which stands for nothing here; use {}.</source>
-        <translation>Der Name {} enthält ${}, das hier für nichts steht; nehmen Sie {}.</translation>
+        <source>The name {} holds ${}, which is not known here; there is {}.</source>
+        <translation>Der Name {} enthält ${}, was hier nicht bekannt ist; es gibt {}.</translation>
     </message>
     <message>
         <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
@@ -1530,8 +1542,8 @@
         <translation>Das Gewicht von {} ist {}; es geht von {} bis {}.</translation>
     </message>
     <message>
-        <source>The {} has an unknown field {}; the known ones are {}.</source>
-        <translation>{}: das Feld {} ist hier nicht bekannt; bekannt sind {}.</translation>
+        <source>The {} has a field {} that is not known here; there is {}.</source>
+        <translation>{}: das Feld {} ist hier nicht bekannt; es gibt {}.</translation>
     </message>
     <message>
         <source>The {} has no {}.</source>
@@ -1550,7 +1562,7 @@
         <translation>{}: kein JSON; es bricht bei Byte {} ab oder ist dort falsch.</translation>
     </message>
     <message>
-        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
         <translation>{1} ({0}) ist {2} × {3} px groß, {4} aber {5} × {6} px; sie müssen gleich sein.</translation>
     </message>
     <message>
@@ -1562,24 +1574,24 @@
         <translation>Für {} gibt es keine Werte.</translation>
     </message>
     <message>
-        <source>There is no colour space {}; choose one of {}.</source>
-        <translation>Es gibt keinen Farbraum {}; wählen Sie einen von {}.</translation>
+        <source>There is no colour space {}; there is {}.</source>
+        <translation>Es gibt keinen Farbraum {}; es gibt {}.</translation>
     </message>
     <message>
         <source>There is no exemplar to learn from.</source>
         <translation>Es gibt keine Vorlage zum Lernen.</translation>
     </message>
     <message>
-        <source>There is no export preset {}; choose one of {}.</source>
-        <translation>Es gibt keine Exportvorgabe {}; wählen Sie eine von {}.</translation>
+        <source>There is no export preset {}; there is {}.</source>
+        <translation>Es gibt keine Exportvorgabe {}; es gibt {}.</translation>
     </message>
     <message>
         <source>There is no file {}.</source>
         <translation>Es gibt keine Datei {}.</translation>
     </message>
     <message>
-        <source>There is no kind of map {}; the kinds are {}.</source>
-        <translation>Es gibt keine Kartenart {}; die Arten sind {}.</translation>
+        <source>There is no kind of map {}; there is {}.</source>
+        <translation>Es gibt keine Kartenart {}; es gibt {}.</translation>
     </message>
     <message>
         <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
@@ -1650,6 +1662,10 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>{} = {}: it is {}.</source>
+        <translation>{} = {}: {} ist nötig.</translation>
+    </message>
+    <message>
         <source>{} cannot be read: this build has no reader for {}.</source>
         <translation>{} lässt sich nicht lesen: dieser Version fehlt ein Leser für {}.</translation>
     </message>
@@ -1698,7 +1714,7 @@
         <translation>{} kann keine kachelbare Ausgabe machen.</translation>
     </message>
     <message>
-        <source>{} cannot start from an image, so it cannot follow {}.</source>
+        <source>{} cannot start from an image, so that it cannot follow {}.</source>
         <translation>{} kann nicht mit einem Bild beginnen und darum nicht auf {} folgen.</translation>
     </message>
     <message>
@@ -1710,7 +1726,7 @@
         <translation>{} hat sich geändert, seit dieses Ergebnis gemacht wurde.</translation>
     </message>
     <message>
-        <source>{} copies no pixels, so it has no position map.</source>
+        <source>{} copies no pixels, so that it has no position map.</source>
         <translation>{} kopiert keine Pixel und hat darum keine Positionskarte.</translation>
     </message>
     <message>
@@ -1726,7 +1742,7 @@
         <translation>{} verwendet keine Maske der Vorlage.</translation>
     </message>
     <message>
-        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
+        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
         <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
     </message>
     <message>
@@ -1734,15 +1750,23 @@
         <translation>{} hat keine Pixel.</translation>
     </message>
     <message>
+        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
+        <translation>{} hat {} Kanäle und {} hat {}; alle Vorlagen brauchen gleich viele.</translation>
+    </message>
+    <message>
         <source>{} has {} channels; images with up to {} can be opened.</source>
         <translation>{} hat {} Kanäle; geöffnet werden Bilder mit bis zu {}.</translation>
+    </message>
+    <message>
+        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
+        <translation>{} hat {} Begleitkarten und {} hat {}; jede Vorlage braucht dieselben.</translation>
     </message>
     <message>
         <source>{} holds no recipe.</source>
         <translation>{} enthält kein Rezept.</translation>
     </message>
     <message>
-        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without them.</source>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
         <translation>{} enthält {} Werte, die keine endlichen Zahlen sind, den ersten bei Pixel ({}, {}); Texloom braucht endliche.</translation>
     </message>
     <message>
@@ -1754,15 +1778,15 @@
         <translation>{} ist leer (0 Byte).</translation>
     </message>
     <message>
-        <source>{} is longer than {}, too long for a file of this kind.</source>
-        <translation>{} ist länger als {}, zu lang für eine Datei dieser Art.</translation>
+        <source>{} is longer than {}, too long for what it should be.</source>
+        <translation>{} ist länger als {}, zu lang für das, was es sein soll.</translation>
     </message>
     <message>
-        <source>{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} of {}.</source>
+        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
         <translation>{} ist keine Positionskarte: eine STMap hat 2 bis 4 Kanäle mit 32-Bit-Gleitkomma, diese Datei {} mit {}.</translation>
     </message>
     <message>
-        <source>{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.</source>
+        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
         <translation>{} ist keine Positionskarte: als PNG hat sie 3 Kanäle mit 16 Bit, diese Datei {} mit {}.</translation>
     </message>
     <message>
@@ -1798,11 +1822,19 @@
         <translation>{} ist {} × {} px groß; die fast regelmäßige Synthese braucht Vorlagen von mindestens {} × {} px.</translation>
     </message>
     <message>
+        <source>{} is {}, not an image.</source>
+        <translation>{} ist {}, kein Bild.</translation>
+    </message>
+    <message>
+        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
+        <translation>{} größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden; {}.</translation>
+    </message>
+    <message>
         <source>{} learns from one exemplar, but {} were given.</source>
         <translation>{} lernt von einer Vorlage, gegeben wurden aber {}.</translation>
     </message>
     <message>
-        <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
         <translation>{} nennt eine Vorlage von {} × {} px; Seiten gehen von 1 bis {} px.</translation>
     </message>
     <message>
@@ -1814,7 +1846,7 @@
         <translation>{} braucht {}, wovon nur {} frei sind; machen Sie ein kleineres Ergebnis.</translation>
     </message>
     <message>
-        <source>{} was not straightened, since too little of it would be left.</source>
+        <source>{} was not straightened: too little of it would be left.</source>
         <translation>{} wurde nicht gerade gerichtet: es bliebe zu wenig übrig.</translation>
     </message>
     <message>
@@ -1830,300 +1862,304 @@
         <translation>„{}“ ist nicht von:bis:Anzahl wie 8:64:5 mit einer Anzahl von 2 bis {}.</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
         <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
         <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
+        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
         <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; wiederholt es sich doch, entzerren Sie es im Fenster (Strg+D), wo es schräg gesehen ist, oder geben Sie seine Vektoren mit lattice=given an.</translation>
     </message>
     <message>
-        <source>{} is what the result is made from and would be overwritten; name another file.</source>
+        <source>{} is what the result is made from and would be lost; name another file.</source>
         <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
     </message>
     <message>
-        <source>&quot;&quot;, &quot;x&quot;, &quot;y&quot; or &quot;xy&quot;</source>
-        <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; oder &quot;xy&quot;</translation>
+        <source>A box of {} voxels is empty; each side must be at least 1.</source>
+        <translation>Ein Quader von {} Voxeln ist leer; jede Seite muss mindestens 1 sein.</translation>
     </message>
     <message>
-        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
-        <translation>&quot;horizontal&quot; oder &quot;vertical&quot;</translation>
+        <source>A box of {} voxels takes {}, and {} of memory are free; ask for smaller ones.</source>
+        <translation>Ein Quader von {} Voxeln braucht {}, und {} Speicher sind frei; kleinere gehen.</translation>
     </message>
     <message>
-        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
-        <translation>&quot;smooth&quot; oder &quot;polynomial&quot;</translation>
+        <source>A slice goes {} voxels from pixel to pixel; it must be more than 0 and up to {}.</source>
+        <translation>Ein Schnitt geht von Pixel zu Pixel {} Voxel weit; es müssen mehr als 0 und höchstens {} sein.</translation>
     </message>
     <message>
-        <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
-        <translation>--shard {}: als I/N zu schreiben, mit I von 1 bis N, etwa 3/8.</translation>
+        <source>A slice of {} × {} px has no pixels.</source>
+        <translation>Ein Schnitt von {} × {} px hat keine Pixel.</translation>
     </message>
     <message>
-        <source>1 to {}</source>
-        <translation>1 bis {}</translation>
+        <source>A volume of {} voxels with {} channels has no voxels.</source>
+        <translation>Ein Volumen von {} Voxeln mit {} Kanälen hat keine Voxel.</translation>
     </message>
     <message>
-        <source>Blocks of {} px hold whole ones.</source>
-        <translation>Blöcke von {} px fassen ganze.</translation>
+        <source>The box from ({}, {}, {}) on lies too far out; coordinates go from −{} to {}.</source>
+        <translation>Der Quader ab ({}, {}, {}) liegt zu weit draußen; Koordinaten gehen von −{} bis {}.</translation>
     </message>
     <message>
-        <source>Deviation, {}</source>
-        <translation>Abweichung, {}</translation>
+        <source>The box {} is not all within the volume, which has {}.</source>
+        <translation>Der Quader {} liegt nicht ganz im Volumen; dieses hat {}.</translation>
     </message>
     <message>
-        <source>Occurrence {}</source>
-        <translation>Häufigkeit {}</translation>
+        <source>The model of kind {} has no array {}; it was made by another version.</source>
+        <translation>Das Modell der Art {} hat kein Feld {}; eine andere Version hat es gemacht.</translation>
     </message>
     <message>
-        <source>Scale 1/{}</source>
-        <translation>Skala 1/{}</translation>
+        <source>The model was made by {}; one made by {} is needed.</source>
+        <translation>Das Modell stammt von {}; nötig ist eines von {}.</translation>
     </message>
     <message>
-        <source>Scale 1/{}, patches of {} px</source>
-        <translation>Skala 1/{}, Patches von {} px</translation>
+        <source>The model&apos;s array {} has {} values and a shape of {}.</source>
+        <translation>Das Feld {} des Modells hat {} Werte und die Form {}.</translation>
     </message>
     <message>
-        <source>The angle in degrees</source>
-        <translation>Der Winkel in Grad</translation>
+        <source>The model&apos;s array {} holds {} {}; {} {} are needed.</source>
+        <translation>Das Feld {} des Modells enthält {} {}; nötig sind {} {}.</translation>
     </message>
     <message>
-        <source>The earlier result in {} is left out: {}</source>
-        <translation>Das frühere Ergebnis in {} bleibt weg: {}</translation>
+        <source>The slice lies beside the volume, which has {}.</source>
+        <translation>Der Schnitt liegt neben dem Volumen; dieses hat {}.</translation>
     </message>
     <message>
-        <source>The flattening&apos;s strength</source>
-        <translation>Die Stärke des Ausgleichs</translation>
+        <source>The slice lies too far out; coordinates go from −{} to {}.</source>
+        <translation>Der Schnitt liegt zu weit draußen; Koordinaten gehen von −{} bis {}.</translation>
     </message>
     <message>
-        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
-        <translation>Die Masche des Gitters von {} × {} px ist größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
+        <source>The slice {} is missing; there are others from {} to {}.</source>
+        <translation>Der Schnitt {} fehlt; andere sind da, von {} bis {}.</translation>
     </message>
     <message>
-        <source>The lattice&apos;s vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie on one line.</source>
-        <translation>Die Vektoren ({}, {}) und ({}, {}) px des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Linie liegen.</translation>
+        <source>There is not enough memory for a volume of {} voxels with {} channels ({}).</source>
+        <translation>Der Speicher reicht nicht für ein Volumen von {} Voxeln mit {} Kanälen ({}).</translation>
     </message>
     <message>
-        <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
-        <translation>Die Karte braucht ein Bild je Vorlage, aus der sie gemacht wurde: {}, nicht {}.</translation>
+        <source>{} and {} have the same number; slices of a volume are numbered one by one.</source>
+        <translation>{} und {} haben dieselbe Nummer; die Schnitte eines Volumens sind einzeln nummeriert.</translation>
     </message>
     <message>
-        <source>The polynomial&apos;s order</source>
-        <translation>Der Grad des Polynoms</translation>
+        <source>{} became shorter while it was read.</source>
+        <translation>{} wurde kürzer, während es gelesen wurde.</translation>
     </message>
     <message>
-        <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
-        <translation>Die Reihen im Abstand von {} px sind größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
+        <source>{} does not describe a volume.</source>
+        <translation>{} beschreibt kein Volumen.</translation>
     </message>
     <message>
-        <source>The window&apos;s width</source>
-        <translation>Die Breite des Fensters</translation>
+        <source>{} has a face of {} corners; faces can have up to {}.</source>
+        <translation>{} hat eine Fläche mit {} Ecken; Flächen haben höchstens {}.</translation>
     </message>
     <message>
-        <source>The work ended for an unknown reason; try again.</source>
-        <translation>Die Arbeit endete aus unbekanntem Grund; versuchen Sie es noch einmal.</translation>
+        <source>{} has faces without a list of vertices.</source>
+        <translation>{} hat Flächen ohne eine Liste von Ecken.</translation>
     </message>
     <message>
-        <source>There is no method {}; the methods are {}.</source>
-        <translation>Es gibt kein Verfahren {}; die Verfahren sind {}.</translation>
+        <source>{} has more than {} normals; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Normalen; mehr kann kein Netz haben.</translation>
     </message>
     <message>
-        <source>There is not enough memory for this; try a smaller output.</source>
-        <translation>Dafür reicht der Speicher nicht; versuchen Sie eine kleinere Ausgabe.</translation>
+        <source>{} has more than {} texture coordinates; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Texturkoordinaten; mehr kann kein Netz haben.</translation>
     </message>
     <message>
-        <source>a list of at least one method</source>
-        <translation>eine Liste mit mindestens einem Verfahren</translation>
+        <source>{} has more than {} triangles; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Dreiecke; mehr kann kein Netz haben.</translation>
     </message>
     <message>
-        <source>a list of {} to {}</source>
-        <translation>eine Liste mit {} bis {} Einträgen</translation>
+        <source>{} has more than {} vertices; no mesh can have more.</source>
+        <translation>{} hat mehr als {} Ecken; mehr kann kein Netz haben.</translation>
     </message>
     <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
+        <source>{} has no faces with an area ({} without one); there is nothing to see.</source>
+        <translation>{} hat keine Flächen mit einem Inhalt ({} ohne); es gibt nichts zu sehen.</translation>
     </message>
     <message>
-        <source>a number, text, true or false</source>
-        <translation>eine Zahl, ein Text, true oder false</translation>
+        <source>{} has vertices without x, y and z.</source>
+        <translation>{} hat Ecken ohne x, y und z.</translation>
     </message>
     <message>
-        <source>a whole number from 0 to 18446744073709551615</source>
-        <translation>eine ganze Zahl von 0 bis 18446744073709551615</translation>
+        <source>{} has {} bytes; {} voxels with {} channels, as {} says, take {}.</source>
+        <translation>{} hat {} Byte; {} Voxel mit {} Kanälen, wie {} sagt, brauchen {}.</translation>
     </message>
     <message>
-        <source>a whole number that is not too large</source>
-        <translation>eine ganze Zahl, die nicht zu groß ist</translation>
+        <source>{} holds arrays, but is no model of Texloom: its head names no kind of model.</source>
+        <translation>{} enthält Felder, ist aber kein Modell von Texloom: Der Kopf nennt keine Art von Modell.</translation>
     </message>
     <message>
-        <source>an object</source>
-        <translation>ein Objekt</translation>
+        <source>{} holds values at z = {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} enthält bei z = {} Werte, die keine endlichen Zahlen sind; Texloom braucht endliche.</translation>
     </message>
     <message>
-        <source>any number</source>
-        <translation>eine beliebige Zahl</translation>
+        <source>{} holds values in its array {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} enthält im Feld {} Werte, die keine endlichen Zahlen sind; Texloom braucht endliche.</translation>
     </message>
     <message>
-        <source>any whole number</source>
-        <translation>eine beliebige ganze Zahl</translation>
+        <source>{} holds {} arrays; a model has up to {}.</source>
+        <translation>{} enthält {} Felder; ein Modell hat höchstens {}.</translation>
     </message>
     <message>
-        <source>batch</source>
-        <translation>Stapel</translation>
+        <source>{} is a damaged OBJ file.</source>
+        <translation>{} ist eine beschädigte OBJ-Datei.</translation>
     </message>
     <message>
-        <source>companion</source>
-        <translation>Begleitkarte</translation>
+        <source>{} is a model in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} ist ein Modell im Format {}; dieses Texloom liest Formate bis {}. Ein neueres liest es.</translation>
     </message>
     <message>
-        <source>deep</source>
-        <translation>Deep</translation>
+        <source>{} is a volume in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} ist ein Volumen im Format {}; dieses Texloom liest Formate bis {}. Ein neueres liest es.</translation>
     </message>
     <message>
-        <source>entry</source>
-        <translation>Eintrag</translation>
+        <source>{} is a volume of {} channels; volumes with up to {} can be opened.</source>
+        <translation>{} ist ein Volumen mit {} Kanälen; öffnen lassen sich Volumen mit bis zu {}.</translation>
     </message>
     <message>
-        <source>it was made by another version.</source>
-        <translation>eine andere Version hat es gemacht.</translation>
+        <source>{} is a volume of {} voxels and takes {}; {} of memory are free.</source>
+        <translation>{} ist ein Volumen von {} Voxeln und braucht {}; {} Speicher sind frei.</translation>
     </message>
     <message>
-        <source>its entry is damaged.</source>
-        <translation>sein Eintrag ist beschädigt.</translation>
+        <source>{} is a volume of {} voxels; volumes up to {} voxels can be opened.</source>
+        <translation>{} ist ein Volumen von {} Voxeln; öffnen lassen sich Volumen bis {} Voxel.</translation>
     </message>
     <message>
-        <source>its kind of map is not known.</source>
-        <translation>die Art seiner Karte ist nicht bekannt.</translation>
+        <source>{} is damaged or no model: a name in its head is empty, longer than {} bytes or holds control characters.</source>
+        <translation>{} ist beschädigt oder kein Modell: Ein Name im Kopf ist leer, länger als {} Byte oder enthält Steuerzeichen.</translation>
     </message>
     <message>
-        <source>mask</source>
-        <translation>Maske</translation>
+        <source>{} is damaged or no model: its array {} does not say a type (F32, F64 or I64), a shape of up to {} axes and a place.</source>
+        <translation>{} ist beschädigt oder kein Modell: Das Feld {} nennt keinen Typ (F32, F64 oder I64), keine Form mit höchstens {} Achsen oder keinen Ort.</translation>
     </message>
     <message>
-        <source>on or off</source>
-        <translation>ein oder aus</translation>
+        <source>{} is damaged or no model: its head is said to have {} bytes; it can have up to {}.</source>
+        <translation>{} ist beschädigt oder kein Modell: Der Kopf soll {} Byte haben; höchstens {} sind möglich.</translation>
     </message>
     <message>
-        <source>one of crop, rotate, flip, rectify and flatten</source>
-        <translation>eines von crop, rotate, flip, rectify und flatten</translation>
+        <source>{} is damaged: a number in it is none.</source>
+        <translation>{} ist beschädigt: Wo eine Zahl stehen muss, steht keine.</translation>
     </message>
     <message>
-        <source>one of {}</source>
-        <translation>eines von {}</translation>
+        <source>{} is damaged: it breaks off before its last face.</source>
+        <translation>{} ist beschädigt: Es bricht vor der letzten Fläche ab.</translation>
     </message>
     <message>
-        <source>preset</source>
-        <translation>Vorgabe</translation>
+        <source>{} is damaged: it holds {} where a whole number must be.</source>
+        <translation>{} ist beschädigt: Es enthält {}, wo eine ganze Zahl stehen muss.</translation>
     </message>
     <message>
-        <source>session</source>
-        <translation>Sitzung</translation>
+        <source>{} is damaged: its array {} begins at byte {}, not at {} where the one before it ends.</source>
+        <translation>{} ist beschädigt: Das Feld {} beginnt bei Byte {}, nicht bei {}, wo das vorige endet.</translation>
     </message>
     <message>
-        <source>text</source>
-        <translation>Text</translation>
+        <source>{} is damaged: its array {} has a shape of {} and room from byte {} to {}.</source>
+        <translation>{} ist beschädigt: Das Feld {} hat die Form {} und Platz von Byte {} bis {}.</translation>
     </message>
     <message>
-        <source>the disk may be full</source>
-        <translation>vielleicht ist der Datenträger voll</translation>
+        <source>{} is damaged: its arrays take {} bytes, and it holds {}.</source>
+        <translation>{} ist beschädigt: Die Felder brauchen {} Byte, und es enthält {}.</translation>
     </message>
     <message>
-        <source>the name of a file</source>
-        <translation>der Name einer Datei</translation>
+        <source>{} is damaged: its head has the line “{}”.</source>
+        <translation>{} ist beschädigt: Im Kopf steht die Zeile „{}“.</translation>
     </message>
     <message>
-        <source>true or false</source>
-        <translation>true oder false</translation>
+        <source>{} is damaged: {} numbers of a surface do not lie within the {} bytes of their buffer.</source>
+        <translation>{} ist beschädigt: {} Zahlen einer Fläche liegen nicht in den {} Byte ihres Puffers.</translation>
     </message>
     <message>
-        <source>volume</source>
-        <translation>Volumen</translation>
+        <source>{} is no PLY file that can be read: its head does not end, or does not say its format.</source>
+        <translation>{} ist keine lesbare PLY-Datei: Der Kopf endet nicht oder nennt kein Format.</translation>
     </message>
     <message>
-        <source>{} (other ones)</source>
-        <translation>{} (andere)</translation>
+        <source>{} is no model of Texloom: its format is {}, not a number.</source>
+        <translation>{} ist kein Modell von Texloom: Das Format ist {}, keine Zahl.</translation>
     </message>
     <message>
-        <source>{} = {}: it goes from {} to {}.</source>
-        <translation>{} = {}: geht von {} bis {}.</translation>
+        <source>{} is no model: it has {} bytes.</source>
+        <translation>{} ist kein Modell: Es hat {} Byte.</translation>
     </message>
     <message>
-        <source>{} = {}: {} goes from {}.</source>
-        <translation>{} = {}: {} geht von {}.</translation>
+        <source>{} is no model: its head is not JSON.</source>
+        <translation>{} ist kein Modell: Der Kopf ist kein JSON.</translation>
     </message>
     <message>
-        <source>{} = {}: {} is one of {}.</source>
-        <translation>{} = {}: {} ist eines von {}.</translation>
+        <source>{} is no slice of a volume: its name does not end in a number of up to {} digits.</source>
+        <translation>{} ist kein Schnitt eines Volumens: Der Name endet nicht mit einer Zahl von höchstens {} Ziffern.</translation>
     </message>
     <message>
-        <source>{} = {}: {} is {}.</source>
-        <translation>{} = {}: {} ist {}.</translation>
+        <source>{} is not a mesh that Texloom reads (OBJ, PLY or glTF).</source>
+        <translation>{} ist kein Netz, das Texloom liest (OBJ, PLY oder glTF).</translation>
     </message>
     <message>
-        <source>{} Did you mean {}?</source>
-        <translation>{} Meinten Sie {}?</translation>
+        <source>{} is not the file that {} was written for: its SHA-1 is another.</source>
+        <translation>{} ist nicht die Datei, zu der {} geschrieben wurde: Ihr SHA-1 ist ein anderer.</translation>
     </message>
     <message>
-        <source>{} and {}</source>
-        <translation>{} und {}</translation>
+        <source>{} is there already and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
+        <translation>{} ist schon da und würde für einen Teil dieses Volumens von {} Schnitten gehalten; löschen Sie es oder wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>{} and {} have different numbers of channels, {} and {}; all exemplars need the same.</source>
-        <translation>{} und {} haben verschieden viele Kanäle, {} und {}; alle Vorlagen brauchen gleich viele.</translation>
+        <source>{} is {} long; a glTF file can have up to {}.</source>
+        <translation>{} ist {} lang; eine glTF-Datei hat höchstens {}.</translation>
     </message>
     <message>
-        <source>{} and {} have different numbers of companion maps, {} and {}; every exemplar needs the same ones.</source>
-        <translation>{} und {} haben verschieden viele Begleitkarten, {} und {}; jede Vorlage braucht dieselben.</translation>
+        <source>{} is {} long; models are read up to {}.</source>
+        <translation>{} ist {} lang; Modelle werden bis {} gelesen.</translation>
     </message>
     <message>
-        <source>{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
-        <translation>{} lässt sich nicht schreiben: der Name nennt am Ende kein Format; Texloom schreibt .png, .jpg, .tif, .exr und .hdr.</translation>
+        <source>{} is {} × {} px with {} channels; the volume&apos;s first slice {} is {} × {} px with {}.</source>
+        <translation>{} hat {} × {} px mit {} Kanälen; der erste Schnitt {} des Volumens hat {} × {} px mit {}.</translation>
     </message>
     <message>
-        <source>{} has no parameter {}; it has {}.</source>
-        <translation>{} hat keinen Parameter {}; es hat {}.</translation>
+        <source>{} needs the extension {}, which Texloom does not read; save it without compression.</source>
+        <translation>{} braucht die Erweiterung {}, die Texloom nicht liest; speichern Sie es ohne Kompression.</translation>
     </message>
     <message>
-        <source>{} is a folder, not an image.</source>
-        <translation>{} ist ein Ordner, kein Bild.</translation>
+        <source>{} says that it has {} elements of the kind {}; there is room for {}.</source>
+        <translation>{} soll {} Elemente der Art {} haben; Platz ist für {}.</translation>
     </message>
     <message>
-        <source>{} is a folder.</source>
-        <translation>{} ist ein Ordner.</translation>
+        <source>{}: a face uses normal {}; there are {}.</source>
+        <translation>{}: Eine Fläche benutzt Normale {}; es gibt {}.</translation>
     </message>
     <message>
-        <source>{} is not an ordinary file, so it is not an image.</source>
-        <translation>{} ist keine gewöhnliche Datei und kein Bild.</translation>
+        <source>{}: a face uses texture coordinate {}; there are {}.</source>
+        <translation>{}: Eine Fläche benutzt Texturkoordinate {}; es gibt {}.</translation>
     </message>
     <message>
-        <source>{} is not an ordinary file.</source>
-        <translation>{} ist keine gewöhnliche Datei.</translation>
+        <source>{}: a face uses vertex {}; there are {}.</source>
+        <translation>{}: Eine Fläche benutzt Ecke {}; es gibt {}.</translation>
     </message>
     <message>
-        <source>{} to {}</source>
-        <translation>{} bis {}</translation>
+        <source>{}: a surface has no positions of 32-bit floats, or other numbers of normals or texture coordinates.</source>
+        <translation>{}: Eine Fläche hat keine Positionen aus 32-Bit-Gleitkommazahlen oder eine andere Anzahl von Normalen oder Texturkoordinaten.</translation>
     </message>
     <message>
-        <source>{} to {} {}</source>
-        <translation>{} bis {} {}</translation>
+        <source>{}: its nodes are missing, nested more than {} deep or more than {}.</source>
+        <translation>{}: Seine Knoten fehlen, sind tiefer als {} verschachtelt oder mehr als {}.</translation>
     </message>
     <message>
-        <source>{} {}</source>
-        <translation>{} {}</translation>
+        <source>{}: normal {} is not a finite vector.</source>
+        <translation>{}: Normale {} ist kein endlicher Vektor.</translation>
     </message>
     <message>
-        <source>{} × {} px</source>
-        <translation>{} × {} px</translation>
+        <source>{}: texture coordinate {} is not a finite pair of numbers.</source>
+        <translation>{}: Texturkoordinate {} ist kein Paar endlicher Zahlen.</translation>
     </message>
     <message>
-        <source>{}: {}</source>
-        <translation>{}: {}</translation>
+        <source>{}: the numbers of a surface are missing, sparse or of another kind than they must be.</source>
+        <translation>{}: Die Zahlen einer Fläche fehlen, sind dünn besetzt oder von anderer Art, als sie sein müssen.</translation>
     </message>
     <message>
-        <source>“Regular tile” repeats whole ones.</source>
-        <translation>„Regelmäßige Kachel“ wiederholt ganze.</translation>
+        <source>{}: the numbers of a surface lie in no buffer, or are of no known type.</source>
+        <translation>{}: Die Zahlen einer Fläche liegen in keinem Puffer oder sind von keinem bekannten Typ.</translation>
+    </message>
+    <message>
+        <source>{}: vertex {} lies at ({}, {}, {}); coordinates must be numbers of up to {}.</source>
+        <translation>{}: Ecke {} liegt bei ({}, {}, {}); Koordinaten müssen Zahlen bis {} sein.</translation>
     </message>
 </context>
 <context>
@@ -2821,6 +2857,37 @@
     <message>
         <source>Choose results in the Results dock and press Compare, or Try all methods in the Synthesis menu.</source>
         <translation>Wählen Sie Ergebnisse im Bereich „Ergebnisse“ und drücken Sie „Vergleichen“, oder probieren Sie im Menü „Synthese“ alle Verfahren.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Comparisons</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Dieses Ergebnis wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 · exemplar · %2</source>
+        <translation>%1 · Vorlage · %2</translation>
+    </message>
+    <message>
+        <source>No exemplar is open</source>
+        <translation>Keine Vorlage ist geöffnet</translation>
+    </message>
+    <message>
+        <source>Write a contact sheet</source>
+        <translation>Kontaktbogen schreiben</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -3678,6 +3745,41 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::Hovers</name>
+    <message>
+        <source>%1: x %2, y %3</source>
+        <translation>%1: x %2, y %3</translation>
+    </message>
+    <message>
+        <source>working space · float</source>
+        <translation>Arbeitsraum · Gleitkomma</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2 x %3, y %4</source>
+        <translation>%1 → %2 x %3, y %4</translation>
+    </message>
+    <message>
+        <source>%1 x %2, y %3</source>
+        <translation>%1 x %2, y %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>once in the result</source>
+        <translation>einmal im Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 times in the result</source>
+        <translation>%1-mal im Ergebnis</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ImageViewer</name>
     <message>
         <source>%1 pixels at %2. %3</source>
@@ -4134,26 +4236,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Einstellungen wiederhergestellt, aber diese Dateien haben sich seither geändert, sodass das Ergebnis anders ausfällt: %1.</translation>
     </message>
     <message>
-        <source>Writing to %1…</source>
-        <translation>Schreibe nach %1 …</translation>
-    </message>
-    <message>
-        <source>Wrote 1 file to %1.</source>
-        <translation>1 Datei nach %1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Wrote %1 files to %2.</source>
-        <translation>%1 Dateien nach %2 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>The result is on the clipboard.</source>
-        <translation>Das Ergebnis ist in der Zwischenablage.</translation>
-    </message>
-    <message>
         <source>About Texloom</source>
         <translation>Über Texloom</translation>
     </message>
@@ -4168,74 +4250,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Open an exemplar first.</source>
         <translation>Öffnen Sie zuerst eine Vorlage.</translation>
-    </message>
-    <message>
-        <source>Quick preview under way: %1</source>
-        <translation>Schnellvorschau läuft: %1</translation>
-    </message>
-    <message>
-        <source>Under way: %1</source>
-        <translation>Läuft: %1</translation>
-    </message>
-    <message>
-        <source>Quick preview</source>
-        <translation>Schnellvorschau</translation>
-    </message>
-    <message>
-        <source>Preview 1:%1</source>
-        <translation>Vorschau 1:%1</translation>
-    </message>
-    <message>
-        <source>Finished: %1.</source>
-        <translation>Fertig: %1.</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3 · %4</source>
-        <translation>%1 · Startwert %2 · %3 · %4</translation>
-    </message>
-    <message>
-        <source>Quick preview: %1</source>
-        <translation>Schnellvorschau: %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1</source>
-        <translation>Angehalten bei %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1. The picture is as far as it got.</source>
-        <translation>%1. Das Bild ist so weit, wie es kam.</translation>
-    </message>
-    <message>
-        <source>Back to the last result</source>
-        <translation>Zurück zum letzten Ergebnis</translation>
-    </message>
-    <message>
-        <source>x %1, y %2</source>
-        <translation>x %1, y %2</translation>
-    </message>
-    <message>
-        <source>%1 → %2 x %3, y %4</source>
-        <translation>%1 → %2 x %3, y %4</translation>
-    </message>
-    <message>
-        <source>working space · float</source>
-        <translation>Arbeitsraum · Gleitkomma</translation>
-    </message>
-    <message>
-        <source>%1 x %2, y %3</source>
-        <translation>%1 x %2, y %3</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>%1[*] – Texloom</source>
@@ -4258,14 +4272,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
-        <source>once in the result</source>
-        <translation>einmal im Ergebnis</translation>
-    </message>
-    <message>
-        <source>%1 times in the result</source>
-        <translation>%1-mal im Ergebnis</translation>
-    </message>
-    <message>
         <source>Result: %1</source>
         <translation>Ergebnis: %1</translation>
     </message>
@@ -4274,12 +4280,32 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Öffnen Sie zuerst eine Vorlage: Ihre Patches werden miteinander verglichen.</translation>
     </message>
     <message>
-        <source>%1: x %2, y %3</source>
-        <translation>%1: x %2, y %3</translation>
-    </message>
-    <message>
         <source>Earlier: %1</source>
         <translation>Früher: %1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Several results and exemplars beside one another.</source>
+        <translation>Mehrere Ergebnisse und Vorlagen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 <context>
@@ -4773,6 +4799,41 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>List the settings in which two chosen results differ; choose two first</source>
         <translation>Die Einstellungen auflisten, in denen sich zwei gewählte Ergebnisse unterscheiden; wählen Sie zuerst zwei</translation>
     </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Grenzen …</translation>
+    </message>
+    <message>
+        <source>Set how much memory and how much of the disk results may take</source>
+        <translation>Festlegen, wie viel Arbeitsspeicher und Festplattenplatz Ergebnisse belegen dürfen</translation>
+    </message>
+    <message>
+        <source>&amp;Results</source>
+        <translation>&amp;Ergebnisse</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultExport</name>
+    <message>
+        <source>Writing to %1…</source>
+        <translation>Schreibe nach %1 …</translation>
+    </message>
+    <message>
+        <source>Wrote 1 file to %1.</source>
+        <translation>1 Datei nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Wrote %1 files to %2.</source>
+        <translation>%1 Dateien nach %2 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>The result is on the clipboard.</source>
+        <translation>Das Ergebnis ist in der Zwischenablage.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultHistory</name>
@@ -4951,6 +5012,76 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     </message>
 </context>
 <context>
+    <name>texloom::ui::RunDesk</name>
+    <message>
+        <source>Started: %1</source>
+        <translation>Begonnen: %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1: %2</source>
+        <translation>Angehalten bei %1: %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Fehlgeschlagen: %1: %2</translation>
+    </message>
+    <message>
+        <source>Finished in %1: %2</source>
+        <translation>Fertig in %1: %2</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Hinweis: %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunDisplay</name>
+    <message>
+        <source>Quick preview under way: %1</source>
+        <translation>Schnellvorschau läuft: %1</translation>
+    </message>
+    <message>
+        <source>Under way: %1</source>
+        <translation>Läuft: %1</translation>
+    </message>
+    <message>
+        <source>Quick preview</source>
+        <translation>Schnellvorschau</translation>
+    </message>
+    <message>
+        <source>Preview 1:%1</source>
+        <translation>Vorschau 1:%1</translation>
+    </message>
+    <message>
+        <source>Quick preview: %1</source>
+        <translation>Schnellvorschau: %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Angehalten bei %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1. The picture is as far as it got.</source>
+        <translation>%1. Das Bild ist so weit, wie es kam.</translation>
+    </message>
+    <message>
+        <source>Back to the last result</source>
+        <translation>Zurück zum letzten Ergebnis</translation>
+    </message>
+    <message>
+        <source>Finished: %1.</source>
+        <translation>Fertig: %1.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::RunPanel</name>
     <message>
         <source>Progress of the run</source>
@@ -5102,6 +5233,81 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>%1 is taken by “%2”; give that other keys first.</source>
         <translation>%1 ist schon für „%2“ vergeben; geben Sie dem zuerst andere Tasten.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SlicePanel</name>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Es gibt kein Volumen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Making the slice…</source>
+        <translation>Der Schnitt entsteht …</translation>
+    </message>
+    <message>
+        <source>The axis that the slice is square to while it is not turned</source>
+        <translation>Die Achse, zu der der Schnitt senkrecht steht, solange er nicht gedreht ist</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation>Senkrecht zu z</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation>Senkrecht zu y</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation>Senkrecht zu x</translation>
+    </message>
+    <message>
+        <source>The voxel in the middle of the picture</source>
+        <translation>Das Voxel in der Mitte des Bildes</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s vertical</source>
+        <translation>Wie weit der Schnitt um die Senkrechte des Bildes gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s horizontal</source>
+        <translation>Wie weit der Schnitt um die Waagrechte des Bildes gekippt ist</translation>
+    </message>
+    <message>
+        <source>Width and height of the picture</source>
+        <translation>Breite und Höhe des Bildes</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Middle x</source>
+        <translation>Mitte x</translation>
+    </message>
+    <message>
+        <source>Middle y</source>
+        <translation>Mitte y</translation>
+    </message>
+    <message>
+        <source>Middle z</source>
+        <translation>Mitte z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
     </message>
 </context>
 <context>
@@ -5292,6 +5498,37 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     </message>
 </context>
 <context>
+    <name>texloom::ui::Tries</name>
+    <message>
+        <source>Try &amp;all methods</source>
+        <translation>Alle Verfahren aus&amp;probieren</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method, the quickest first, and compare them</source>
+        <translation>Mit jedem Verfahren eine Vorschau erzeugen, die schnellsten zuerst, und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>Try &amp;some methods…</source>
+        <translation>&amp;Einige Verfahren ausprobieren …</translation>
+    </message>
+    <message>
+        <source>Choose methods, make a run with each and compare them</source>
+        <translation>Verfahren wählen, mit jedem einen Lauf machen und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>Parameter s&amp;weep…</source>
+        <translation>&amp;Parameterreihe …</translation>
+    </message>
+    <message>
+        <source>Make a run for every combination of some values and compare them</source>
+        <translation>Für jede Kombination einiger Werte einen Vorgang machen und sie vergleichen</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · Startwert %2 · %3</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::UndoHistory</name>
     <message>
         <source>Method</source>
@@ -5399,117 +5636,6 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::Workbench</name>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Jobs</source>
-        <translation>Aufträge</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>&amp;Results</source>
-        <translation>&amp;Ergebnisse</translation>
-    </message>
-    <message>
-        <source>&amp;Limits…</source>
-        <translation>&amp;Grenzen …</translation>
-    </message>
-    <message>
-        <source>Started: %1</source>
-        <translation>Begonnen: %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1: %2</source>
-        <translation>Angehalten bei %1: %2</translation>
-    </message>
-    <message>
-        <source>Failed: %1: %2</source>
-        <translation>Fehlgeschlagen: %1: %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Finished in %1: %2</source>
-        <translation>Fertig in %1: %2</translation>
-    </message>
-    <message>
-        <source>Note: %1</source>
-        <translation>Hinweis: %1</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>Several results and exemplars beside one another.</source>
-        <translation>Mehrere Ergebnisse und Vorlagen nebeneinander.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare</source>
-        <translation>&amp;Vergleichen</translation>
-    </message>
-    <message>
-        <source>Try &amp;all methods</source>
-        <translation>Alle Verfahren aus&amp;probieren</translation>
-    </message>
-    <message>
-        <source>Make a preview with every method, the quickest first, and compare them</source>
-        <translation>Mit jedem Verfahren eine Vorschau erzeugen, die schnellsten zuerst, und sie vergleichen</translation>
-    </message>
-    <message>
-        <source>Parameter s&amp;weep…</source>
-        <translation>&amp;Parameterreihe …</translation>
-    </message>
-    <message>
-        <source>Make a run for every combination of some values and compare them</source>
-        <translation>Für jede Kombination einiger Werte einen Vorgang machen und sie vergleichen</translation>
-    </message>
-    <message>
-        <source>This result was removed.</source>
-        <translation>Dieses Ergebnis wurde entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 · exemplar · %2</source>
-        <translation>%1 · Vorlage · %2</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3</source>
-        <translation>%1 · Startwert %2 · %3</translation>
-    </message>
-    <message>
-        <source>Write a contact sheet</source>
-        <translation>Kontaktbogen schreiben</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG-Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 geschrieben.</translation>
-    </message>
-    <message>
-        <source>Try &amp;some methods…</source>
-        <translation>&amp;Einige Verfahren ausprobieren …</translation>
-    </message>
-    <message>
-        <source>Choose methods, make a run with each and compare them</source>
-        <translation>Verfahren wählen, mit jedem einen Lauf machen und sie vergleichen</translation>
-    </message>
-    <message>
-        <source>No exemplar is open</source>
-        <translation>Keine Vorlage ist geöffnet</translation>
     </message>
 </context>
 <context>

@@ -182,6 +182,10 @@
         <translation>Données (jamais converties)</translation>
     </message>
     <message>
+        <source>Deviation, </source>
+        <translation>Écart, </translation>
+    </message>
+    <message>
         <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
         <translation>Les différences gardent une luminosité égale entre blocs ; la corrélation ajuste mieux les contours où elle varie.</translation>
     </message>
@@ -322,7 +326,7 @@
         <translation>De combien un patch peut convenir moins bien que le meilleur et être tiré quand même : plus varie davantage.</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
         <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
     </message>
     <message>
@@ -370,7 +374,7 @@
         <translation>Jonction</translation>
     </message>
     <message>
-        <source>Keeps the strength of each frequency of the exemplar and draws its phase at random. Instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
         <translation>Garde la force de chaque fréquence de l’échantillon et tire sa phase au hasard. Instantané et sans répétition ; convient aux textures fines comme le sable, l’enduit ou le tissu, perd contours et objets.</translation>
     </message>
     <message>
@@ -562,7 +566,7 @@
         <translation>Octaves séparées par la pyramide : davantage garde de plus grands motifs. Les petites images en utilisent moins.</translation>
     </message>
     <message>
-        <source>One slope over the whole</source>
+        <source>One slope over all</source>
         <translation>Une pente sur l’ensemble</translation>
     </message>
     <message>
@@ -1010,23 +1014,23 @@
         <translation>Agrégation</translation>
     </message>
     <message>
-        <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
+        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
         <translation>Au plus autant par taille de patch et par échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
     </message>
     <message>
-        <source>Most rounds on each scale but the finest: more join better, but take longer.</source>
+        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
         <translation>Au plus autant à chaque échelle sauf la plus fine : davantage raccorde mieux, mais prend plus de temps.</translation>
     </message>
     <message>
-        <source>Most rounds on the finest scale, where most of the time is spent.</source>
+        <source>At most so many on the finest scale, where most of the time is spent.</source>
         <translation>Au plus autant à l’échelle la plus fine, où passe l’essentiel du temps.</translation>
     </message>
     <message>
-        <source>Most scales, each half the size of the one before: more keep larger structures.</source>
+        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
         <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
     </message>
     <message>
-        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
+        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
         <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
     </message>
     <message>
@@ -1350,7 +1354,7 @@
         <translation>Une sortie de {} × {} px ne peut se raccorder avec un carreau de {} × {} px ; donnez-lui au moins cette taille.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
+        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
         <translation>Une sortie de {} × {} px se fait par bandes de {} lignes, sans cartes de position ni cartes associées ; pour celles-ci, choisissez une partie ou une taille plus petite.</translation>
     </message>
     <message>
@@ -1414,7 +1418,7 @@
         <translation>Le dossier {} ne peut être créé : {}.</translation>
     </message>
     <message>
-        <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
+        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
         <translation>Les quatre coins du redressement doivent entourer dans le sens horaire, depuis le haut à gauche, une surface sans creux.</translation>
     </message>
     <message>
@@ -1434,7 +1438,11 @@
         <translation>La maille du réseau, de {} × {} px, dépasse {} avec {} × {} px ; donnez des vecteurs plus courts, ou lattice=none.</translation>
     </message>
     <message>
-        <source>The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
+        <translation>Les vecteurs {} du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
+    </message>
+    <message>
+        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
         <translation>La lumière de {} varie tant d’un endroit à l’autre que des pièces se verraient ; elle a donc été égalisée. flatten=no la garde.</translation>
     </message>
     <message>
@@ -1442,11 +1450,15 @@
         <translation>La carte demande les images dont elle vient, mais aucune n’a été donnée.</translation>
     </message>
     <message>
+        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
+        <translation>La carte vient de {} modèle(s), mais {} image(s) ont été données.</translation>
+    </message>
+    <message>
         <source>The mask hides all of {}; mask less.</source>
         <translation>Le masque cache tout {} ; masquez moins.</translation>
     </message>
     <message>
-        <source>The mask is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
+        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
         <translation>Le masque fait {} × {} px, mais {} fait {} × {} px ; ils doivent être pareils.</translation>
     </message>
     <message>
@@ -1462,12 +1474,12 @@
         <translation>Le masque ne laisse aucun carreau entier de {} × {} px à copier ; masquez moins.</translation>
     </message>
     <message>
-        <source>The method treats all exemplars alike, so their weights had no effect.</source>
+        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
         <translation>La méthode prend tous les modèles de la même façon : leurs poids n’ont rien changé.</translation>
     </message>
     <message>
-        <source>The name {} holds ${}, which stands for nothing here; use {}.</source>
-        <translation>Le nom {} contient ${}, qui ne désigne rien ici ; utilisez {}.</translation>
+        <source>The name {} holds ${}, which is not known here; there is {}.</source>
+        <translation>Le nom {} contient ${}, inconnu ici ; il y a {}.</translation>
     </message>
     <message>
         <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
@@ -1530,8 +1542,8 @@
         <translation>Le poids de {} est {} ; il va de {} à {}.</translation>
     </message>
     <message>
-        <source>The {} has an unknown field {}; the known ones are {}.</source>
-        <translation>{} : le champ {} est inconnu ; les champs connus sont {}.</translation>
+        <source>The {} has a field {} that is not known here; there is {}.</source>
+        <translation>{} : le champ {} est inconnu ici ; il y a {}.</translation>
     </message>
     <message>
         <source>The {} has no {}.</source>
@@ -1550,7 +1562,7 @@
         <translation>{} : pas du JSON ; il s’arrête ou devient faux à l’octet {}.</translation>
     </message>
     <message>
-        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
         <translation>{1} ({0}) fait {2} × {3} px, mais {4} fait {5} × {6} px ; ils doivent être pareils.</translation>
     </message>
     <message>
@@ -1562,24 +1574,24 @@
         <translation>Il n’y a pas de valeurs pour {}.</translation>
     </message>
     <message>
-        <source>There is no colour space {}; choose one of {}.</source>
-        <translation>Il n’y a pas d’espace de couleur {} ; choisissez l’un de {}.</translation>
+        <source>There is no colour space {}; there is {}.</source>
+        <translation>Il n’y a pas d’espace de couleurs {} ; il y a {}.</translation>
     </message>
     <message>
         <source>There is no exemplar to learn from.</source>
         <translation>Il n’y a pas de modèle dont apprendre.</translation>
     </message>
     <message>
-        <source>There is no export preset {}; choose one of {}.</source>
-        <translation>Il n’y a pas de préréglage d’export {} ; choisissez l’un de {}.</translation>
+        <source>There is no export preset {}; there is {}.</source>
+        <translation>Il n’y a pas de préréglage d’exportation {} ; il y a {}.</translation>
     </message>
     <message>
         <source>There is no file {}.</source>
         <translation>Il n’y a pas de fichier {}.</translation>
     </message>
     <message>
-        <source>There is no kind of map {}; the kinds are {}.</source>
-        <translation>Il n’y a pas de type de carte {} ; les types sont {}.</translation>
+        <source>There is no kind of map {}; there is {}.</source>
+        <translation>Il n’y a pas de genre de carte {} ; il y a {}.</translation>
     </message>
     <message>
         <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
@@ -1650,6 +1662,10 @@
         <translation>résultat</translation>
     </message>
     <message>
+        <source>{} = {}: it is {}.</source>
+        <translation>{} = {} : il faut {}.</translation>
+    </message>
+    <message>
         <source>{} cannot be read: this build has no reader for {}.</source>
         <translation>{} ne peut être lu : cette version n’a pas de lecteur pour {}.</translation>
     </message>
@@ -1698,7 +1714,7 @@
         <translation>{} ne peut faire de sortie qui se raccorde.</translation>
     </message>
     <message>
-        <source>{} cannot start from an image, so it cannot follow {}.</source>
+        <source>{} cannot start from an image, so that it cannot follow {}.</source>
         <translation>{} ne peut partir d’une image et ne peut donc suivre {}.</translation>
     </message>
     <message>
@@ -1710,7 +1726,7 @@
         <translation>{} a changé depuis que ce résultat a été fait.</translation>
     </message>
     <message>
-        <source>{} copies no pixels, so it has no position map.</source>
+        <source>{} copies no pixels, so that it has no position map.</source>
         <translation>{} ne copie pas de pixels et n’a donc pas de carte de position.</translation>
     </message>
     <message>
@@ -1726,7 +1742,7 @@
         <translation>{} n’utilise pas de masque du modèle.</translation>
     </message>
     <message>
-        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
+        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
         <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
     </message>
     <message>
@@ -1734,15 +1750,23 @@
         <translation>{} n’a pas de pixels.</translation>
     </message>
     <message>
+        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
+        <translation>{} a {} canaux et {} en a {} ; tous les modèles en veulent autant.</translation>
+    </message>
+    <message>
         <source>{} has {} channels; images with up to {} can be opened.</source>
         <translation>{} a {} canaux ; on peut ouvrir des images jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
+        <translation>{} a {} cartes associées et {} en a {} ; chaque modèle veut les mêmes.</translation>
     </message>
     <message>
         <source>{} holds no recipe.</source>
         <translation>{} ne contient pas de recette.</translation>
     </message>
     <message>
-        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without them.</source>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
         <translation>{} contient {} valeurs qui ne sont pas des nombres finis, la première au pixel ({}, {}) ; Texloom en veut de finis.</translation>
     </message>
     <message>
@@ -1754,15 +1778,15 @@
         <translation>{} est vide (0 octet).</translation>
     </message>
     <message>
-        <source>{} is longer than {}, too long for a file of this kind.</source>
-        <translation>{} dépasse {}, trop long pour un fichier de cette sorte.</translation>
+        <source>{} is longer than {}, too long for what it should be.</source>
+        <translation>{} dépasse {}, trop long pour ce qu’il devrait être.</translation>
     </message>
     <message>
-        <source>{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} of {}.</source>
+        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
         <translation>{} n’est pas une carte de position : une STMap a 2 à 4 canaux flottants de 32 bits, ce fichier {} de {}.</translation>
     </message>
     <message>
-        <source>{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.</source>
+        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
         <translation>{} n’est pas une carte de position : en PNG elle a 3 canaux de 16 bits, ce fichier {} de {}.</translation>
     </message>
     <message>
@@ -1798,11 +1822,19 @@
         <translation>{} fait {} × {} px ; la synthèse presque régulière veut des modèles d’au moins {} × {} px.</translation>
     </message>
     <message>
+        <source>{} is {}, not an image.</source>
+        <translation>{} est {}, non une image.</translation>
+    </message>
+    <message>
+        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
+        <translation>{} plus grand que les blocs de {} px : les nouveaux sont faits de morceaux de plusieurs ; {}.</translation>
+    </message>
+    <message>
         <source>{} learns from one exemplar, but {} were given.</source>
         <translation>{} apprend d’un modèle, mais {} ont été donnés.</translation>
     </message>
     <message>
-        <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
         <translation>{} annonce un modèle de {} × {} px ; les côtés vont de 1 à {} px.</translation>
     </message>
     <message>
@@ -1814,7 +1846,7 @@
         <translation>{} demande {}, dont seuls {} sont libres ; faites un résultat plus petit.</translation>
     </message>
     <message>
-        <source>{} was not straightened, since too little of it would be left.</source>
+        <source>{} was not straightened: too little of it would be left.</source>
         <translation>{} n’a pas été redressé : il en resterait trop peu.</translation>
     </message>
     <message>
@@ -1830,300 +1862,304 @@
         <translation>« {} » n’est pas de:à:nombre, comme 8:64:5, avec un nombre de 2 à {}.</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
         <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
         <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
     </message>
     <message>
-        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
+        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
         <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais ou donnez ses vecteurs avec lattice=given.</translation>
     </message>
     <message>
-        <source>{} is what the result is made from and would be overwritten; name another file.</source>
+        <source>{} is what the result is made from and would be lost; name another file.</source>
         <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
     </message>
     <message>
-        <source>&quot;&quot;, &quot;x&quot;, &quot;y&quot; or &quot;xy&quot;</source>
-        <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; ou &quot;xy&quot;</translation>
+        <source>A box of {} voxels is empty; each side must be at least 1.</source>
+        <translation>Une boîte de {} voxels est vide ; chaque côté doit valoir au moins 1.</translation>
     </message>
     <message>
-        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
-        <translation>&quot;horizontal&quot; ou &quot;vertical&quot;</translation>
+        <source>A box of {} voxels takes {}, and {} of memory are free; ask for smaller ones.</source>
+        <translation>Une boîte de {} voxels prend {}, et {} de mémoire sont libres ; demandez-en de plus petites.</translation>
     </message>
     <message>
-        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
-        <translation>&quot;smooth&quot; ou &quot;polynomial&quot;</translation>
+        <source>A slice goes {} voxels from pixel to pixel; it must be more than 0 and up to {}.</source>
+        <translation>Une coupe avance de {} voxels d’un pixel à l’autre ; il en faut plus de 0 et au plus {}.</translation>
     </message>
     <message>
-        <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
-        <translation>--shard {} : à écrire I/N, avec I de 1 à N, par exemple 3/8.</translation>
+        <source>A slice of {} × {} px has no pixels.</source>
+        <translation>Une coupe de {} × {} px n’a aucun pixel.</translation>
     </message>
     <message>
-        <source>1 to {}</source>
-        <translation>de 1 à {}</translation>
+        <source>A volume of {} voxels with {} channels has no voxels.</source>
+        <translation>Un volume de {} voxels à {} canaux n’a aucun voxel.</translation>
     </message>
     <message>
-        <source>Blocks of {} px hold whole ones.</source>
-        <translation>Des blocs de {} px en contiennent d’entiers.</translation>
+        <source>The box from ({}, {}, {}) on lies too far out; coordinates go from −{} to {}.</source>
+        <translation>La boîte à partir de ({}, {}, {}) est trop éloignée ; les coordonnées vont de −{} à {}.</translation>
     </message>
     <message>
-        <source>Deviation, {}</source>
-        <translation>Écart, {}</translation>
+        <source>The box {} is not all within the volume, which has {}.</source>
+        <translation>La boîte {} n’est pas tout entière dans le volume, qui a {}.</translation>
     </message>
     <message>
-        <source>Occurrence {}</source>
-        <translation>Occurrence {}</translation>
+        <source>The model of kind {} has no array {}; it was made by another version.</source>
+        <translation>Le modèle de type {} n’a pas de tableau {} ; il vient d’une autre version.</translation>
     </message>
     <message>
-        <source>Scale 1/{}</source>
-        <translation>Échelle 1/{}</translation>
+        <source>The model was made by {}; one made by {} is needed.</source>
+        <translation>Le modèle vient de {} ; il en faut un de {}.</translation>
     </message>
     <message>
-        <source>Scale 1/{}, patches of {} px</source>
-        <translation>Échelle 1/{}, patchs de {} px</translation>
+        <source>The model&apos;s array {} has {} values and a shape of {}.</source>
+        <translation>Le tableau {} du modèle a {} valeurs et la forme {}.</translation>
     </message>
     <message>
-        <source>The angle in degrees</source>
-        <translation>L’angle en degrés</translation>
+        <source>The model&apos;s array {} holds {} {}; {} {} are needed.</source>
+        <translation>Le tableau {} du modèle contient {} {} ; il faut {} {}.</translation>
     </message>
     <message>
-        <source>The earlier result in {} is left out: {}</source>
-        <translation>Le résultat antérieur dans {} est laissé de côté : {}</translation>
+        <source>The slice lies beside the volume, which has {}.</source>
+        <translation>La coupe passe à côté du volume, qui a {}.</translation>
     </message>
     <message>
-        <source>The flattening&apos;s strength</source>
-        <translation>La force de l’égalisation</translation>
+        <source>The slice lies too far out; coordinates go from −{} to {}.</source>
+        <translation>La coupe est trop éloignée ; les coordonnées vont de −{} à {}.</translation>
     </message>
     <message>
-        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
-        <translation>La maille du réseau, de {} × {} px, dépasse les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
+        <source>The slice {} is missing; there are others from {} to {}.</source>
+        <translation>La coupe {} manque ; il y en a d’autres de {} à {}.</translation>
     </message>
     <message>
-        <source>The lattice&apos;s vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie on one line.</source>
-        <translation>Les vecteurs ({}, {}) et ({}, {}) px du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
+        <source>There is not enough memory for a volume of {} voxels with {} channels ({}).</source>
+        <translation>La mémoire manque pour un volume de {} voxels à {} canaux ({}).</translation>
     </message>
     <message>
-        <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
-        <translation>La carte demande une image par échantillon dont elle est issue : {}, et non {}.</translation>
+        <source>{} and {} have the same number; slices of a volume are numbered one by one.</source>
+        <translation>{} et {} portent le même numéro ; les coupes d’un volume sont numérotées une à une.</translation>
     </message>
     <message>
-        <source>The polynomial&apos;s order</source>
-        <translation>Le degré du polynôme</translation>
+        <source>{} became shorter while it was read.</source>
+        <translation>{} a raccourci pendant sa lecture.</translation>
     </message>
     <message>
-        <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
-        <translation>Les rangées, distantes de {} px, dépassent les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
+        <source>{} does not describe a volume.</source>
+        <translation>{} ne décrit pas de volume.</translation>
     </message>
     <message>
-        <source>The window&apos;s width</source>
-        <translation>La largeur de la fenêtre</translation>
+        <source>{} has a face of {} corners; faces can have up to {}.</source>
+        <translation>{} a une face de {} sommets ; une face en a au plus {}.</translation>
     </message>
     <message>
-        <source>The work ended for an unknown reason; try again.</source>
-        <translation>Le travail s’est terminé pour une raison inconnue ; réessayez.</translation>
+        <source>{} has faces without a list of vertices.</source>
+        <translation>{} a des faces sans liste de sommets.</translation>
     </message>
     <message>
-        <source>There is no method {}; the methods are {}.</source>
-        <translation>Il n’y a pas de méthode {} ; les méthodes sont {}.</translation>
+        <source>{} has more than {} normals; no mesh can have more.</source>
+        <translation>{} a plus de {} normales ; aucun maillage ne peut en avoir plus.</translation>
     </message>
     <message>
-        <source>There is not enough memory for this; try a smaller output.</source>
-        <translation>La mémoire n’y suffit pas ; essayez une sortie plus petite.</translation>
+        <source>{} has more than {} texture coordinates; no mesh can have more.</source>
+        <translation>{} a plus de {} coordonnées de texture ; aucun maillage ne peut en avoir plus.</translation>
     </message>
     <message>
-        <source>a list of at least one method</source>
-        <translation>une liste d’au moins une méthode</translation>
+        <source>{} has more than {} triangles; no mesh can have more.</source>
+        <translation>{} a plus de {} triangles ; aucun maillage ne peut en avoir plus.</translation>
     </message>
     <message>
-        <source>a list of {} to {}</source>
-        <translation>une liste de {} à {} éléments</translation>
+        <source>{} has more than {} vertices; no mesh can have more.</source>
+        <translation>{} a plus de {} sommets ; aucun maillage ne peut en avoir plus.</translation>
     </message>
     <message>
-        <source>a number</source>
-        <translation>un nombre</translation>
+        <source>{} has no faces with an area ({} without one); there is nothing to see.</source>
+        <translation>{} n’a aucune face d’aire non nulle ({} d’aire nulle) ; il n’y a rien à voir.</translation>
     </message>
     <message>
-        <source>a number, text, true or false</source>
-        <translation>un nombre, un texte, true ou false</translation>
+        <source>{} has vertices without x, y and z.</source>
+        <translation>{} a des sommets sans x, y et z.</translation>
     </message>
     <message>
-        <source>a whole number from 0 to 18446744073709551615</source>
-        <translation>un entier de 0 à 18446744073709551615</translation>
+        <source>{} has {} bytes; {} voxels with {} channels, as {} says, take {}.</source>
+        <translation>{} a {} octets ; {} voxels à {} canaux, comme le dit {}, en prennent {}.</translation>
     </message>
     <message>
-        <source>a whole number that is not too large</source>
-        <translation>un entier qui ne soit pas trop grand</translation>
+        <source>{} holds arrays, but is no model of Texloom: its head names no kind of model.</source>
+        <translation>{} contient des tableaux, mais n’est pas un modèle de Texloom : son en-tête ne nomme aucun type de modèle.</translation>
     </message>
     <message>
-        <source>an object</source>
-        <translation>un objet</translation>
+        <source>{} holds values at z = {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} contient à z = {} des valeurs qui ne sont pas des nombres finis ; il en faut de finis à Texloom.</translation>
     </message>
     <message>
-        <source>any number</source>
-        <translation>un nombre quelconque</translation>
+        <source>{} holds values in its array {} that are not finite numbers; Texloom needs finite ones.</source>
+        <translation>{} contient dans son tableau {} des valeurs qui ne sont pas des nombres finis ; il en faut de finis à Texloom.</translation>
     </message>
     <message>
-        <source>any whole number</source>
-        <translation>un entier quelconque</translation>
+        <source>{} holds {} arrays; a model has up to {}.</source>
+        <translation>{} contient {} tableaux ; un modèle en a au plus {}.</translation>
     </message>
     <message>
-        <source>batch</source>
-        <translation>lot</translation>
+        <source>{} is a damaged OBJ file.</source>
+        <translation>{} est un fichier OBJ abîmé.</translation>
     </message>
     <message>
-        <source>companion</source>
-        <translation>carte associée</translation>
+        <source>{} is a model in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} est un modèle au format {} ; ce Texloom lit les formats jusqu’à {}. Un plus récent le lit.</translation>
     </message>
     <message>
-        <source>deep</source>
-        <translation>deep</translation>
+        <source>{} is a volume in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
+        <translation>{} est un volume au format {} ; ce Texloom lit les formats jusqu’à {}. Un plus récent le lit.</translation>
     </message>
     <message>
-        <source>entry</source>
-        <translation>entrée</translation>
+        <source>{} is a volume of {} channels; volumes with up to {} can be opened.</source>
+        <translation>{} est un volume à {} canaux ; on peut ouvrir des volumes jusqu’à {}.</translation>
     </message>
     <message>
-        <source>it was made by another version.</source>
-        <translation>il a été fait par une autre version.</translation>
+        <source>{} is a volume of {} voxels and takes {}; {} of memory are free.</source>
+        <translation>{} est un volume de {} voxels et prend {} ; {} de mémoire sont libres.</translation>
     </message>
     <message>
-        <source>its entry is damaged.</source>
-        <translation>son entrée est endommagée.</translation>
+        <source>{} is a volume of {} voxels; volumes up to {} voxels can be opened.</source>
+        <translation>{} est un volume de {} voxels ; on peut ouvrir des volumes jusqu’à {} voxels.</translation>
     </message>
     <message>
-        <source>its kind of map is not known.</source>
-        <translation>la nature de sa carte est inconnue.</translation>
+        <source>{} is damaged or no model: a name in its head is empty, longer than {} bytes or holds control characters.</source>
+        <translation>{} est abîmé ou n’est pas un modèle : un nom de son en-tête est vide, dépasse {} octets ou contient des caractères de contrôle.</translation>
     </message>
     <message>
-        <source>mask</source>
-        <translation>masque</translation>
+        <source>{} is damaged or no model: its array {} does not say a type (F32, F64 or I64), a shape of up to {} axes and a place.</source>
+        <translation>{} est abîmé ou n’est pas un modèle : le tableau {} n’indique pas de type (F32, F64 ou I64), de forme à {} axes au plus ou de place.</translation>
     </message>
     <message>
-        <source>on or off</source>
-        <translation>activé ou désactivé</translation>
+        <source>{} is damaged or no model: its head is said to have {} bytes; it can have up to {}.</source>
+        <translation>{} est abîmé ou n’est pas un modèle : l’en-tête ferait {} octets ; il peut en faire {} au plus.</translation>
     </message>
     <message>
-        <source>one of crop, rotate, flip, rectify and flatten</source>
-        <translation>l’un de crop, rotate, flip, rectify et flatten</translation>
+        <source>{} is damaged: a number in it is none.</source>
+        <translation>{} est abîmé : il manque un nombre là où il en faut un.</translation>
     </message>
     <message>
-        <source>one of {}</source>
-        <translation>l’un de {}</translation>
+        <source>{} is damaged: it breaks off before its last face.</source>
+        <translation>{} est abîmé : il s’interrompt avant la dernière face.</translation>
     </message>
     <message>
-        <source>preset</source>
-        <translation>préréglage</translation>
+        <source>{} is damaged: it holds {} where a whole number must be.</source>
+        <translation>{} est abîmé : il contient {} là où il faut un nombre entier.</translation>
     </message>
     <message>
-        <source>session</source>
-        <translation>session</translation>
+        <source>{} is damaged: its array {} begins at byte {}, not at {} where the one before it ends.</source>
+        <translation>{} est abîmé : le tableau {} commence à l’octet {}, et non à {} où finit le précédent.</translation>
     </message>
     <message>
-        <source>text</source>
-        <translation>un texte</translation>
+        <source>{} is damaged: its array {} has a shape of {} and room from byte {} to {}.</source>
+        <translation>{} est abîmé : le tableau {} a la forme {} et de la place de l’octet {} à {}.</translation>
     </message>
     <message>
-        <source>the disk may be full</source>
-        <translation>le disque est peut-être plein</translation>
+        <source>{} is damaged: its arrays take {} bytes, and it holds {}.</source>
+        <translation>{} est abîmé : ses tableaux prennent {} octets, et il en contient {}.</translation>
     </message>
     <message>
-        <source>the name of a file</source>
-        <translation>le nom d’un fichier</translation>
+        <source>{} is damaged: its head has the line “{}”.</source>
+        <translation>{} est abîmé : son en-tête a la ligne « {} ».</translation>
     </message>
     <message>
-        <source>true or false</source>
-        <translation>true ou false</translation>
+        <source>{} is damaged: {} numbers of a surface do not lie within the {} bytes of their buffer.</source>
+        <translation>{} est abîmé : {} nombres d’une surface ne tiennent pas dans les {} octets de leur tampon.</translation>
     </message>
     <message>
-        <source>volume</source>
-        <translation>volume</translation>
+        <source>{} is no PLY file that can be read: its head does not end, or does not say its format.</source>
+        <translation>{} n’est pas un fichier PLY lisible : son en-tête ne finit pas, ou ne dit pas son format.</translation>
     </message>
     <message>
-        <source>{} (other ones)</source>
-        <translation>{} (d’autres)</translation>
+        <source>{} is no model of Texloom: its format is {}, not a number.</source>
+        <translation>{} n’est pas un modèle de Texloom : son format est {}, et non un nombre.</translation>
     </message>
     <message>
-        <source>{} = {}: it goes from {} to {}.</source>
-        <translation>{} = {} : va de {} à {}.</translation>
+        <source>{} is no model: it has {} bytes.</source>
+        <translation>{} n’est pas un modèle : il a {} octets.</translation>
     </message>
     <message>
-        <source>{} = {}: {} goes from {}.</source>
-        <translation>{} = {} : {} va de {}.</translation>
+        <source>{} is no model: its head is not JSON.</source>
+        <translation>{} n’est pas un modèle : son en-tête n’est pas du JSON.</translation>
     </message>
     <message>
-        <source>{} = {}: {} is one of {}.</source>
-        <translation>{} = {} : {} est l’un de {}.</translation>
+        <source>{} is no slice of a volume: its name does not end in a number of up to {} digits.</source>
+        <translation>{} n’est pas une coupe d’un volume : son nom ne finit pas par un nombre de {} chiffres au plus.</translation>
     </message>
     <message>
-        <source>{} = {}: {} is {}.</source>
-        <translation>{} = {} : {} est {}.</translation>
+        <source>{} is not a mesh that Texloom reads (OBJ, PLY or glTF).</source>
+        <translation>{} n’est pas un maillage que lit Texloom (OBJ, PLY ou glTF).</translation>
     </message>
     <message>
-        <source>{} Did you mean {}?</source>
-        <translation>{} Vouliez-vous dire {} ?</translation>
+        <source>{} is not the file that {} was written for: its SHA-1 is another.</source>
+        <translation>{} n’est pas le fichier pour lequel {} a été écrit : son SHA-1 est différent.</translation>
     </message>
     <message>
-        <source>{} and {}</source>
-        <translation>{} et {}</translation>
+        <source>{} is there already and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
+        <translation>{} existe déjà et passerait pour une partie de ce volume de {} coupes ; supprimez-le ou choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>{} and {} have different numbers of channels, {} and {}; all exemplars need the same.</source>
-        <translation>{} et {} n’ont pas le même nombre de canaux, {} et {} ; tous les échantillons en veulent autant.</translation>
+        <source>{} is {} long; a glTF file can have up to {}.</source>
+        <translation>{} fait {} ; un fichier glTF en fait au plus {}.</translation>
     </message>
     <message>
-        <source>{} and {} have different numbers of companion maps, {} and {}; every exemplar needs the same ones.</source>
-        <translation>{} et {} n’ont pas le même nombre de cartes associées, {} et {} ; chaque échantillon veut les mêmes.</translation>
+        <source>{} is {} long; models are read up to {}.</source>
+        <translation>{} fait {} ; les modèles sont lus jusqu’à {}.</translation>
     </message>
     <message>
-        <source>{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
-        <translation>{} ne peut être écrit : la fin du nom n’indique aucun format ; Texloom écrit .png, .jpg, .tif, .exr et .hdr.</translation>
+        <source>{} is {} × {} px with {} channels; the volume&apos;s first slice {} is {} × {} px with {}.</source>
+        <translation>{} fait {} × {} px à {} canaux ; la première coupe {} du volume fait {} × {} px à {}.</translation>
     </message>
     <message>
-        <source>{} has no parameter {}; it has {}.</source>
-        <translation>{} n’a pas de paramètre {} ; il y a {}.</translation>
+        <source>{} needs the extension {}, which Texloom does not read; save it without compression.</source>
+        <translation>{} demande l’extension {}, que Texloom ne lit pas ; enregistrez-le sans compression.</translation>
     </message>
     <message>
-        <source>{} is a folder, not an image.</source>
-        <translation>{} est un dossier, non une image.</translation>
+        <source>{} says that it has {} elements of the kind {}; there is room for {}.</source>
+        <translation>{} annonce {} éléments du type {} ; il y a place pour {}.</translation>
     </message>
     <message>
-        <source>{} is a folder.</source>
-        <translation>{} est un dossier.</translation>
+        <source>{}: a face uses normal {}; there are {}.</source>
+        <translation>{} : une face utilise la normale {} ; il y en a {}.</translation>
     </message>
     <message>
-        <source>{} is not an ordinary file, so it is not an image.</source>
-        <translation>{} n’est pas un fichier ordinaire ni une image.</translation>
+        <source>{}: a face uses texture coordinate {}; there are {}.</source>
+        <translation>{} : une face utilise la coordonnée de texture {} ; il y en a {}.</translation>
     </message>
     <message>
-        <source>{} is not an ordinary file.</source>
-        <translation>{} n’est pas un fichier ordinaire.</translation>
+        <source>{}: a face uses vertex {}; there are {}.</source>
+        <translation>{} : une face utilise le sommet {} ; il y en a {}.</translation>
     </message>
     <message>
-        <source>{} to {}</source>
-        <translation>{} à {}</translation>
+        <source>{}: a surface has no positions of 32-bit floats, or other numbers of normals or texture coordinates.</source>
+        <translation>{} : une surface n’a pas de positions en flottants de 32 bits, ou un autre nombre de normales ou de coordonnées de texture.</translation>
     </message>
     <message>
-        <source>{} to {} {}</source>
-        <translation>{} à {} {}</translation>
+        <source>{}: its nodes are missing, nested more than {} deep or more than {}.</source>
+        <translation>{} : ses nœuds manquent, sont imbriqués à plus de {} niveaux ou sont plus de {}.</translation>
     </message>
     <message>
-        <source>{} {}</source>
-        <translation>{} {}</translation>
+        <source>{}: normal {} is not a finite vector.</source>
+        <translation>{} : la normale {} n’est pas un vecteur fini.</translation>
     </message>
     <message>
-        <source>{} × {} px</source>
-        <translation>{} × {} px</translation>
+        <source>{}: texture coordinate {} is not a finite pair of numbers.</source>
+        <translation>{} : la coordonnée de texture {} n’est pas un couple de nombres finis.</translation>
     </message>
     <message>
-        <source>{}: {}</source>
-        <translation>{} : {}</translation>
+        <source>{}: the numbers of a surface are missing, sparse or of another kind than they must be.</source>
+        <translation>{} : les nombres d’une surface manquent, sont creux ou d’un autre type que celui qu’il faut.</translation>
     </message>
     <message>
-        <source>“Regular tile” repeats whole ones.</source>
-        <translation>« Tuile régulière » en répète d’entières.</translation>
+        <source>{}: the numbers of a surface lie in no buffer, or are of no known type.</source>
+        <translation>{} : les nombres d’une surface ne sont dans aucun tampon, ou d’aucun type connu.</translation>
+    </message>
+    <message>
+        <source>{}: vertex {} lies at ({}, {}, {}); coordinates must be numbers of up to {}.</source>
+        <translation>{} : le sommet {} est en ({}, {}, {}) ; les coordonnées doivent être des nombres jusqu’à {}.</translation>
     </message>
 </context>
 <context>
@@ -2821,6 +2857,37 @@
     <message>
         <source>Choose results in the Results dock and press Compare, or Try all methods in the Synthesis menu.</source>
         <translation>Choisissez des résultats dans le volet Résultats et cliquez sur Comparer, ou essayez toutes les méthodes dans le menu Synthèse.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Comparisons</name>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Comparer</translation>
+    </message>
+    <message>
+        <source>This result was removed.</source>
+        <translation>Ce résultat a été retiré.</translation>
+    </message>
+    <message>
+        <source>%1 · exemplar · %2</source>
+        <translation>%1 · échantillon · %2</translation>
+    </message>
+    <message>
+        <source>No exemplar is open</source>
+        <translation>Aucun modèle n’est ouvert</translation>
+    </message>
+    <message>
+        <source>Write a contact sheet</source>
+        <translation>Écrire une planche-contact</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Images PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
     </message>
 </context>
 <context>
@@ -3678,6 +3745,41 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::Hovers</name>
+    <message>
+        <source>%1: x %2, y %3</source>
+        <translation>%1 : x %2, y %3</translation>
+    </message>
+    <message>
+        <source>working space · float</source>
+        <translation>espace de travail · flottant</translation>
+    </message>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>%1 → %2 x %3, y %4</source>
+        <translation>%1 → %2 x %3, y %4</translation>
+    </message>
+    <message>
+        <source>%1 x %2, y %3</source>
+        <translation>%1 x %2, y %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>once in the result</source>
+        <translation>une fois dans le résultat</translation>
+    </message>
+    <message>
+        <source>%1 times in the result</source>
+        <translation>%1 fois dans le résultat</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ImageViewer</name>
     <message>
         <source>%1 pixels at %2. %3</source>
@@ -4134,26 +4236,6 @@ Déposez une image ici.</translation>
         <translation>Réglages rétablis, mais ces fichiers ont changé depuis, le résultat différera donc : %1.</translation>
     </message>
     <message>
-        <source>Writing to %1…</source>
-        <translation>Écriture dans %1…</translation>
-    </message>
-    <message>
-        <source>Wrote 1 file to %1.</source>
-        <translation>1 fichier écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>Wrote %1 files to %2.</source>
-        <translation>%1 fichiers écrits dans %2.</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ouvrir le dossier</translation>
-    </message>
-    <message>
-        <source>The result is on the clipboard.</source>
-        <translation>Le résultat est dans le presse-papiers.</translation>
-    </message>
-    <message>
         <source>About Texloom</source>
         <translation>À propos de Texloom</translation>
     </message>
@@ -4168,74 +4250,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Open an exemplar first.</source>
         <translation>Ouvrez d’abord un échantillon.</translation>
-    </message>
-    <message>
-        <source>Quick preview under way: %1</source>
-        <translation>Aperçu rapide en cours : %1</translation>
-    </message>
-    <message>
-        <source>Under way: %1</source>
-        <translation>En cours : %1</translation>
-    </message>
-    <message>
-        <source>Quick preview</source>
-        <translation>Aperçu rapide</translation>
-    </message>
-    <message>
-        <source>Preview 1:%1</source>
-        <translation>Aperçu 1:%1</translation>
-    </message>
-    <message>
-        <source>Finished: %1.</source>
-        <translation>Terminé : %1.</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Montrer</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3 · %4</source>
-        <translation>%1 · graine %2 · %3 · %4</translation>
-    </message>
-    <message>
-        <source>Quick preview: %1</source>
-        <translation>Aperçu rapide : %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1</source>
-        <translation>Arrêté à %1</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1 : %2</translation>
-    </message>
-    <message>
-        <source>%1. The picture is as far as it got.</source>
-        <translation>%1. L’image en est restée là.</translation>
-    </message>
-    <message>
-        <source>Back to the last result</source>
-        <translation>Revenir au dernier résultat</translation>
-    </message>
-    <message>
-        <source>x %1, y %2</source>
-        <translation>x %1, y %2</translation>
-    </message>
-    <message>
-        <source>%1 → %2 x %3, y %4</source>
-        <translation>%1 → %2 x %3, y %4</translation>
-    </message>
-    <message>
-        <source>working space · float</source>
-        <translation>espace de travail · flottant</translation>
-    </message>
-    <message>
-        <source>%1 x %2, y %3</source>
-        <translation>%1 x %2, y %3</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>%1[*] – Texloom</source>
@@ -4258,14 +4272,6 @@ Déposez une image ici.</translation>
         <translation>&amp;Outils</translation>
     </message>
     <message>
-        <source>once in the result</source>
-        <translation>une fois dans le résultat</translation>
-    </message>
-    <message>
-        <source>%1 times in the result</source>
-        <translation>%1 fois dans le résultat</translation>
-    </message>
-    <message>
         <source>Result: %1</source>
         <translation>Résultat : %1</translation>
     </message>
@@ -4274,12 +4280,32 @@ Déposez une image ici.</translation>
         <translation>Ouvrez d’abord un échantillon : ses patchs sont comparés entre eux.</translation>
     </message>
     <message>
-        <source>%1: x %2, y %3</source>
-        <translation>%1 : x %2, y %3</translation>
-    </message>
-    <message>
         <source>Earlier: %1</source>
         <translation>Auparavant : %1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>Several results and exemplars beside one another.</source>
+        <translation>Plusieurs résultats et échantillons côte à côte.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Calculs</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>
@@ -4773,6 +4799,41 @@ Déposez une image ici.</translation>
         <source>List the settings in which two chosen results differ; choose two first</source>
         <translation>Lister les réglages par lesquels deux résultats choisis diffèrent ; choisissez-en d’abord deux</translation>
     </message>
+    <message>
+        <source>&amp;Limits…</source>
+        <translation>&amp;Limites…</translation>
+    </message>
+    <message>
+        <source>Set how much memory and how much of the disk results may take</source>
+        <translation>Définir la mémoire et la place sur le disque que les résultats peuvent occuper</translation>
+    </message>
+    <message>
+        <source>&amp;Results</source>
+        <translation>&amp;Résultats</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultExport</name>
+    <message>
+        <source>Writing to %1…</source>
+        <translation>Écriture dans %1…</translation>
+    </message>
+    <message>
+        <source>Wrote 1 file to %1.</source>
+        <translation>1 fichier écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Wrote %1 files to %2.</source>
+        <translation>%1 fichiers écrits dans %2.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>The result is on the clipboard.</source>
+        <translation>Le résultat est dans le presse-papiers.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultHistory</name>
@@ -4951,6 +5012,76 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     </message>
 </context>
 <context>
+    <name>texloom::ui::RunDesk</name>
+    <message>
+        <source>Started: %1</source>
+        <translation>Commencé : %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1: %2</source>
+        <translation>Arrêté à %1 : %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1: %2</source>
+        <translation>Échec : %1 : %2</translation>
+    </message>
+    <message>
+        <source>Finished in %1: %2</source>
+        <translation>Terminé en %1 : %2</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Remarque : %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunDisplay</name>
+    <message>
+        <source>Quick preview under way: %1</source>
+        <translation>Aperçu rapide en cours : %1</translation>
+    </message>
+    <message>
+        <source>Under way: %1</source>
+        <translation>En cours : %1</translation>
+    </message>
+    <message>
+        <source>Quick preview</source>
+        <translation>Aperçu rapide</translation>
+    </message>
+    <message>
+        <source>Preview 1:%1</source>
+        <translation>Aperçu 1:%1</translation>
+    </message>
+    <message>
+        <source>Quick preview: %1</source>
+        <translation>Aperçu rapide : %1</translation>
+    </message>
+    <message>
+        <source>Stopped at %1</source>
+        <translation>Arrêté à %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1. The picture is as far as it got.</source>
+        <translation>%1. L’image en est restée là.</translation>
+    </message>
+    <message>
+        <source>Back to the last result</source>
+        <translation>Revenir au dernier résultat</translation>
+    </message>
+    <message>
+        <source>Finished: %1.</source>
+        <translation>Terminé : %1.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::RunPanel</name>
     <message>
         <source>Progress of the run</source>
@@ -5102,6 +5233,81 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>%1 is taken by “%2”; give that other keys first.</source>
         <translation>%1 sert déjà à « %2 » ; donnez-lui d’abord d’autres touches.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SlicePanel</name>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Il n’y a pas de volume à regarder.</translation>
+    </message>
+    <message>
+        <source>Making the slice…</source>
+        <translation>Calcul de la coupe…</translation>
+    </message>
+    <message>
+        <source>The axis that the slice is square to while it is not turned</source>
+        <translation>L’axe auquel la coupe est perpendiculaire tant qu’elle n’est pas tournée</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation>Perpendiculaire à z</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation>Perpendiculaire à y</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation>Perpendiculaire à x</translation>
+    </message>
+    <message>
+        <source>The voxel in the middle of the picture</source>
+        <translation>Le voxel au milieu de l’image</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s vertical</source>
+        <translation>De combien la coupe est tournée autour de la verticale de l’image</translation>
+    </message>
+    <message>
+        <source>How far the slice is turned about the picture&apos;s horizontal</source>
+        <translation>De combien la coupe est inclinée autour de l’horizontale de l’image</translation>
+    </message>
+    <message>
+        <source>Width and height of the picture</source>
+        <translation>Largeur et hauteur de l’image</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Middle x</source>
+        <translation>Milieu x</translation>
+    </message>
+    <message>
+        <source>Middle y</source>
+        <translation>Milieu y</translation>
+    </message>
+    <message>
+        <source>Middle z</source>
+        <translation>Milieu z</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
     </message>
 </context>
 <context>
@@ -5292,6 +5498,37 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     </message>
 </context>
 <context>
+    <name>texloom::ui::Tries</name>
+    <message>
+        <source>Try &amp;all methods</source>
+        <translation>Essayer &amp;toutes les méthodes</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method, the quickest first, and compare them</source>
+        <translation>Faire un aperçu avec chaque méthode, les plus rapides d’abord, et les comparer</translation>
+    </message>
+    <message>
+        <source>Try &amp;some methods…</source>
+        <translation>Essayer &amp;quelques méthodes…</translation>
+    </message>
+    <message>
+        <source>Choose methods, make a run with each and compare them</source>
+        <translation>Choisir des méthodes, faire un calcul avec chacune et les comparer</translation>
+    </message>
+    <message>
+        <source>Parameter s&amp;weep…</source>
+        <translation>&amp;Balayage de paramètres…</translation>
+    </message>
+    <message>
+        <source>Make a run for every combination of some values and compare them</source>
+        <translation>Faire un calcul pour chaque combinaison de quelques valeurs et les comparer</translation>
+    </message>
+    <message>
+        <source>%1 · seed %2 · %3</source>
+        <translation>%1 · graine %2 · %3</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::UndoHistory</name>
     <message>
         <source>Method</source>
@@ -5399,117 +5636,6 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::Workbench</name>
-    <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>Jobs</source>
-        <translation>Calculs</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Journal</translation>
-    </message>
-    <message>
-        <source>&amp;Results</source>
-        <translation>&amp;Résultats</translation>
-    </message>
-    <message>
-        <source>&amp;Limits…</source>
-        <translation>&amp;Limites…</translation>
-    </message>
-    <message>
-        <source>Started: %1</source>
-        <translation>Commencé : %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1: %2</source>
-        <translation>Arrêté à %1 : %2</translation>
-    </message>
-    <message>
-        <source>Failed: %1: %2</source>
-        <translation>Échec : %1 : %2</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Finished in %1: %2</source>
-        <translation>Terminé en %1 : %2</translation>
-    </message>
-    <message>
-        <source>Note: %1</source>
-        <translation>Remarque : %1</translation>
-    </message>
-    <message>
-        <source>Compare</source>
-        <translation>Comparaison</translation>
-    </message>
-    <message>
-        <source>Several results and exemplars beside one another.</source>
-        <translation>Plusieurs résultats et échantillons côte à côte.</translation>
-    </message>
-    <message>
-        <source>&amp;Compare</source>
-        <translation>&amp;Comparer</translation>
-    </message>
-    <message>
-        <source>Try &amp;all methods</source>
-        <translation>Essayer &amp;toutes les méthodes</translation>
-    </message>
-    <message>
-        <source>Make a preview with every method, the quickest first, and compare them</source>
-        <translation>Faire un aperçu avec chaque méthode, les plus rapides d’abord, et les comparer</translation>
-    </message>
-    <message>
-        <source>Parameter s&amp;weep…</source>
-        <translation>&amp;Balayage de paramètres…</translation>
-    </message>
-    <message>
-        <source>Make a run for every combination of some values and compare them</source>
-        <translation>Faire un calcul pour chaque combinaison de quelques valeurs et les comparer</translation>
-    </message>
-    <message>
-        <source>This result was removed.</source>
-        <translation>Ce résultat a été retiré.</translation>
-    </message>
-    <message>
-        <source>%1 · exemplar · %2</source>
-        <translation>%1 · échantillon · %2</translation>
-    </message>
-    <message>
-        <source>%1 · seed %2 · %3</source>
-        <translation>%1 · graine %2 · %3</translation>
-    </message>
-    <message>
-        <source>Write a contact sheet</source>
-        <translation>Écrire une planche-contact</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>Images PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>Wrote %1.</source>
-        <translation>%1 écrit.</translation>
-    </message>
-    <message>
-        <source>Try &amp;some methods…</source>
-        <translation>Essayer &amp;quelques méthodes…</translation>
-    </message>
-    <message>
-        <source>Choose methods, make a run with each and compare them</source>
-        <translation>Choisir des méthodes, faire un calcul avec chacune et les comparer</translation>
-    </message>
-    <message>
-        <source>No exemplar is open</source>
-        <translation>Aucun modèle n’est ouvert</translation>
     </message>
 </context>
 <context>

@@ -24,7 +24,7 @@ BENCHMARK(latticeOfOneExemplar)->Arg(128)->Arg(256)->Arg(512)->Unit(benchmark::k
 void nearRegular(benchmark::State& state) {
     const int side = static_cast<int>(state.range(0)), output = static_cast<int>(state.range(1));
     Request request;
-    request.exemplars.push_back({"tiles", std::make_shared<const Image>(tiles(side)), nullptr});
+    request.exemplars.push_back({"tiles", std::make_shared<const Image>(tiles(side))});
     request.size = {output, output};
     const Method& method = findMethod("near-regular");
     const Values settings = method.resolved({}, {side, side});

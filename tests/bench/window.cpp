@@ -4,10 +4,9 @@
 #include "ui/compare/compare_view.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/jobs/run_controller.h"
+#include "ui/maps/result_view.h"
+#include "ui/runs/run_controller.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/viewers/result_view.h"
-#include "ui/window/workbench.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -45,16 +44,16 @@ qint64 showWindow() {
 /// From Run to the first partial picture in the window.
 qint64 firstPreview(MainWindow& window, Size output) {
     window.inspector()->output()->setOutputSize(output);
-    QSignalSpy previewed(window.controller(), &RunController::previewed);
-    QSignalSpy finished(window.controller(), &RunController::finished);
-    QSignalSpy stopped(window.controller(), &RunController::stopped);
+    QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
+    QSignalSpy finished(window.desk()->controller(), &RunController::finished);
+    QSignalSpy stopped(window.desk()->controller(), &RunController::stopped);
     QElapsedTimer clock;
     clock.start();
     window.startRun(false);
     if (!previewed.wait(kPatience))
         qFatal("no preview came");
     const qint64 taken = clock.elapsed();
-    window.controller()->stop();
+    window.desk()->stop();
     while (stopped.isEmpty() && finished.isEmpty())
         QTest::qWait(5);
     return taken;
@@ -116,7 +115,7 @@ void measureLarge(MainWindow& window) {
     printFrames(QStringLiteral("8192 × 8192 px in a viewer of 1600 × 1000 px"), frames(viewer, viewer));
     viewer.setRepeats(true);
     printFrames(QStringLiteral("the same, repeated"), frames(viewer, viewer));
-    CompareView* const compare = window.workbench()->compare();
+    CompareView* const compare = window.compare();
     std::vector<CompareItem> items;
     for (const auto& picture : pictures)
         items.push_back({QStringLiteral("large"), picture, {}, {}});

@@ -33,8 +33,9 @@ int Ended::complaints() const {
     return static_cast<int>(ends) + (err.empty() || err.back() == '\n' ? 0 : 1);
 }
 
-Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-    std::vector<std::string> words = {TEXLOOM_CLI};
+Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 const std::string& executable) {
+    std::vector<std::string> words = {executable};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words)
@@ -95,8 +96,9 @@ Ended Program::wait(std::chrono::seconds limit) {
     return {status, contentOf(m_output / "out"), contentOf(m_output / "err")};
 }
 
-Ended runCli(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-    return Program(arguments, folder).wait();
+Ended runCli(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+             const std::string& executable) {
+    return Program(arguments, folder, executable).wait();
 }
 
 } // namespace texloom::test

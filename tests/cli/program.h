@@ -23,8 +23,10 @@ struct Ended {
 /// texloom-cli in a process of its own, its output caught. Ends with the object.
 class Program {
 public:
-    /// Starts it. @param folder becomes its working folder.
-    Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+    /// Starts it. @param folder becomes its working folder. @param executable the program, if not
+    /// texloom-cli.
+    Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const std::string& executable = TEXLOOM_CLI);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -45,6 +47,7 @@ private:
 };
 
 /// Runs texloom-cli to its end.
-Ended runCli(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+Ended runCli(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+             const std::string& executable = TEXLOOM_CLI);
 
 } // namespace texloom::test

@@ -2,11 +2,16 @@
 #include "core/base/text.h"
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
+#include "core/io/model_file.h"
 #include "core/io/recipe.h"
 #include "core/session/batch/batch.h"
+#include "core/volume/mesh_file.h"
+#include "core/volume/volume_file.h"
 #include "tests/fuzz/damage.h"
+#include "tests/support/meshes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"
+#include "tests/support/volumes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +19,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <ostream>
 
 namespace texloom::test {
@@ -163,8 +169,9 @@ TEST(Fuzz, PositionMapsAreReadOrRefused) {
 
 TEST(Fuzz, RecipesAreReadOrRefused) {
     Recipe recipe;
-    recipe.method = "quilting";
-    recipe.parameters = {{"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
+    recipe.steps.front().method = "quilting";
+    recipe.steps.front().parameters = {
+        {"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
     recipe.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, RecipeFile{"/a/mask.png", "raw", ""}, {}}};
     recipe.exemplars.front().edits = {CropEdit{{1, 2, {30, 40}}}, RotateEdit{-12.5},
                                       RectifyEdit{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}}, {}}, FlattenEdit{}};
@@ -192,6 +199,82 @@ TEST(Fuzz, RecipesInFilesAreReadOrRefused) {
         put(folder / "a.png", bytes);
         readRecipe(folder / "a.png");
     });
+}
+
+TEST(Fuzz, ModelsAreReadOrRefused) {
+    Model model;
+    model.kind = "solid-texture";
+    model.recipe = R"({"texloom": 1, "method": "solid-texture"})";
+    model.exemplarHashes = {"00FF"};
+    model.notes = {{"loss", "0.25"}};
+    model.arrays["block.0.weight"] = {{2, 3}, std::vector<float>{1, -2, 3.5F, 0.1F, 1e-30F, 0}};
+    model.arrays["adam.moment"] = {{3}, std::vector<double>{0.1, 1.0 / 3, 1e300}};
+    model.arrays["step"] = {{}, std::vector<std::int64_t>{-7}};
+    Model small;
+    small.kind = "wei";
+    small.arrays["w"] = {{64}, std::vector<float>(64, 0.5F)};
+    fuzz("model", {model.bytes(), small.bytes()}, 20 * iterations(), [](const std::string& bytes) {
+        const Model read = modelFromBytes(bytes, "m.safetensors");
+        for (const auto& [name, array] : read.arrays)
+            ASSERT_LE(std::visit([](const auto& values) { return values.size(); }, array.values),
+                      bytes.size());
+    });
+}
+
+TEST(Fuzz, RawVolumesAreReadOrRefused) {
+    const TemporaryFolder folder;
+    TestContext context(1);
+    const DenseSource source(sampleVolume({5, 4, 3}, 2), DenseSource::Edge::Repeats);
+    VolumeWriteOptions options;
+    options.recipe = R"({"texloom": 1, "method": "solid-texture"})";
+    writeVolume(folder / "v.json", source, {-1, 2, 3, {5, 4, 3}}, options, context);
+    const std::string head = get(folder / "v.json");
+    std::string unchecked = head; // so that what the hash would find is met, too
+    unchecked.replace(unchecked.find("\"hash\""), 6, "\"hush\"");
+    const std::string data = get(folder / "v.raw");
+    fuzz("volume", {head, unchecked}, 5 * iterations(), [&](const std::string& bytes) {
+        put(folder / "v.json", bytes);
+        readVolume(folder / "v.json", context, kLargestPixels);
+    });
+    put(folder / "v.json", unchecked);
+    fuzz("voxels", {data}, iterations(), [&](const std::string& bytes) {
+        put(folder / "v.raw", bytes);
+        readVolume(folder / "v.json", context, kLargestPixels);
+    });
+}
+
+TEST(Fuzz, SlicesOfVolumesAreReadOrRefused) {
+    const TemporaryFolder folder;
+    TestContext context(1);
+    writeVolume(folder / "v.png", DenseSource(sampleVolume({5, 4, 3}, 3), DenseSource::Edge::Ends),
+                {0, 0, 0, {5, 4, 3}}, {}, context);
+    const std::string original = get(folder / "v-0001.png");
+    fuzz("slices", {original}, iterations() / 2, [&](const std::string& bytes) {
+        put(folder / "v-0001.png", bytes);
+        readVolume(folder / "v-0000.png", context, kLargestPixels);
+    });
+}
+
+TEST(Fuzz, MeshesAreReadOrRefused) {
+    std::map<std::string, std::vector<std::string>> byExtension;
+    for (const auto& [name, bytes] : cubes())
+        byExtension[fs::path(name).extension().string()].push_back(bytes);
+    byExtension[".obj"].push_back("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\n"
+                                  "f 1/1/1 2/2/1 3/1/-1 -1/-1/-1\nf 1//1 2//1 3//1\n");
+    for (const auto& [extension, originals] : byExtension) {
+        SCOPED_TRACE(extension);
+        const TemporaryFolder folder;
+        TestContext context(1);
+        fuzz("mesh", originals, 5 * iterations(), [&](const std::string& bytes) {
+            put(folder / ("m" + extension), bytes);
+            const Mesh mesh = readMesh(folder / ("m" + extension), context);
+            ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+            ASSERT_TRUE(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
+            for (const Mesh::Triangle& triangle : mesh.triangles)
+                for (const std::uint32_t vertex : triangle)
+                    ASSERT_LT(vertex, mesh.positions.size());
+        });
+    }
 }
 
 } // namespace texloom::test

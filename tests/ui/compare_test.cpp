@@ -7,8 +7,7 @@
 #include "ui/compare/wipe_viewer.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
-#include "ui/window/workbench.h"
+#include "ui/maps/result_view.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -251,14 +250,14 @@ private Q_SLOTS:
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         QVERIFY(openAndFinish(window, m_exemplar));
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.inspector()->output()->setSeed(9);
         window.startRun(true);
         QVERIFY(finished.wait(kPatience));
         ImageViewer* const viewer = window.results()->viewer(ResultView::ResultTab);
         viewer->setFocus();
         QTest::keyClick(viewer, Qt::Key_W, Qt::ShiftModifier);
-        const CompareView* const compare = window.workbench()->compare();
+        const CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->mode(), CompareMode::Wipe);
         QVERIFY(compare->isVisible());
         QCOMPARE(compare->pictures(), 2);
@@ -271,8 +270,7 @@ private Q_SLOTS:
             QTest::keyClick(&window, key);
             QCOMPARE(compare->mode(), mode);
         }
-        Q_EMIT window.workbench()->resultPanel()->compareWanted(
-            {window.workbench()->history()->entries().back().key});
+        Q_EMIT window.resultPanel()->compareWanted({window.desk()->history()->entries().back().key});
         QTRY_VERIFY(compare->items().front().label.contains(QStringLiteral("exemplar")));
         QCOMPARE(compare->pictures(), 2);
     }
@@ -284,9 +282,9 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_exemplar));
         window.inspector()->output()->setOutputSize({48, 48});
         child<QAction>(window, "tryAll")->trigger();
-        CompareView* const compare = window.workbench()->compare();
+        CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->items().size(), methods().size() + 1);
-        const JobQueue* const queue = window.workbench()->queue();
+        const JobQueue* const queue = window.desk()->queue();
         QTRY_VERIFY_WITH_TIMEOUT(queue->current() == nullptr && queue->waiting() == 0, kPatience);
         std::string random;
         for (std::size_t i = 1; i < compare->items().size(); ++i) {
@@ -308,7 +306,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
         window.inspector()->output()->setOutputSize({40, 40});
-        JobQueue* const queue = window.workbench()->queue();
+        JobQueue* const queue = window.desk()->queue();
         queue->setPaused(true);
         QTRY_VERIFY(child<QAction>(window, "sweep")->isEnabled());
         child<QAction>(window, "sweep")->trigger();
@@ -325,16 +323,16 @@ private Q_SLOTS:
         QCOMPARE(child<QLabel>(*dialog, "sweepSaid")->text(), QStringLiteral("6 runs"));
         start->click();
         QTRY_COMPARE(queue->waiting(), 6);
-        const CompareView* const compare = window.workbench()->compare();
+        const CompareView* const compare = window.compare();
         QCOMPARE(compare->columns(), 3);
         QCOMPARE(compare->items()[4].label, QStringLiteral("Patch size 10 px · Seed 6"));
-        const int before = window.workbench()->history()->rowCount();
+        const int before = window.desk()->history()->rowCount();
         queue->setPaused(false);
-        QTRY_COMPARE_WITH_TIMEOUT(window.workbench()->history()->rowCount(), before + 6, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(window.desk()->history()->rowCount(), before + 6, kPatience);
         QCOMPARE(compare->pictures(), 6);
-        const ResultEntry* const made = window.workbench()->history()->find(compare->items()[4].key);
+        const ResultEntry* const made = window.desk()->history()->find(compare->items()[4].key);
         QCOMPARE(made->recipe.seed, 6U);
-        QCOMPARE(std::get<int>(made->recipe.parameters.at("patch")), 10);
+        QCOMPARE(std::get<int>(made->recipe.steps.front().parameters.at("patch")), 10);
     }
 
 private:

@@ -8,7 +8,7 @@
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
         m_window->openFiles({writeTexture(m_folder, QStringLiteral("second.png"), {64, 64}, 2)});
         QVERIFY(opened.wait());
-        const bool several = m_window->inspector()->method()->info().severalExemplars;
+        const bool several = m_window->inspector()->method()->info().learnsFromSeveral();
         QCOMPARE(m_window->input(false).exemplars.size(), several ? 2U : 1U);
         auto* list = child<QListWidget>(*m_window, "exemplarList");
         if (several)
@@ -175,7 +175,7 @@ private Q_SLOTS:
                                    writeTexture(m_folder, QStringLiteral("mask.png"), {48, 48}));
         QVERIFY(changed.wait());
         QCOMPARE(m_window->input(false).exemplars.front().mask.has_value(),
-                 m_window->inspector()->method()->info().usesMask);
+                 m_window->inspector()->method()->info().heedsMasks());
         child<QAction>(*m_window, "clearExemplarMask")->trigger();
         QTRY_VERIFY(!m_window->input(false).exemplars.front().mask);
     }
@@ -184,8 +184,8 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("source.png"), {64, 64})));
         ExportOptions options;
         options.image = toPath(m_folder.filePath(QStringLiteral("made.png")));
-        exportResult(*m_window->result(), options);
-        const RunPlan& plan = m_window->result()->plan;
+        exportResult(*m_window->desk()->result(), options);
+        const RunPlan& plan = m_window->desk()->result()->plan;
         const Values settings = plan.steps.front().settings;
         const std::uint64_t seed = plan.request.seed;
         const Size size = plan.request.size;

@@ -5,7 +5,7 @@
 #include "ui/common/text.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/output_group.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -53,7 +53,8 @@ private Q_SLOTS:
         QCOMPARE(QDir(target.path()).entryList(QDir::Files, QDir::Name), listed);
         for (const QString& file : listed)
             if (file.endsWith(QStringLiteral("_map.png")))
-                QVERIFY(readPositionMap(toPath(target.filePath(file))) == m_window->result()->synthesis.map);
+                QVERIFY(readPositionMap(toPath(target.filePath(file))) ==
+                        m_window->desk()->result()->synthesis.map);
     }
 
     void namesFollowTheTemplateAndThePreset() {

@@ -16,12 +16,11 @@
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
 #include "ui/jobs/run_panel.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/session/document.h"
-#include "ui/viewers/result_view.h"
 #include "ui/viewers/viewer_keys.h"
 #include "ui/window/start_page.h"
-#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -65,15 +64,15 @@ void dropOn(QWidget& window, const QString& file) {
 }
 
 bool idle(const MainWindow& window) {
-    const JobQueue* const queue = window.workbench()->queue();
+    const JobQueue* const queue = window.desk()->queue();
     return queue->current() == nullptr && queue->waiting() == 0;
 }
 
 /// Key of the first result of a comparison that this method made.
 std::string resultOf(const MainWindow& window, const char* method) {
-    for (const CompareItem& item : window.workbench()->compare()->items())
-        if (const ResultEntry* entry = window.workbench()->history()->find(item.key);
-            entry != nullptr && entry->recipe.method == method)
+    for (const CompareItem& item : window.compare()->items())
+        if (const ResultEntry* entry = window.desk()->history()->find(item.key);
+            entry != nullptr && entry->recipe.steps.front().method == method)
             return item.key;
     return {};
 }
@@ -82,16 +81,16 @@ std::string resultOf(const MainWindow& window, const char* method) {
 int beVictim(const QString& folder) {
     QSettings().setValue(QStringLiteral("results/folder"), folder + QStringLiteral("/results"));
     MainWindow window;
-    window.document()->setRecoveryFolder(folder + QStringLiteral("/recovery"));
-    window.document()->setRecoveryDelay(std::chrono::milliseconds(50));
+    window.document()->recovery()->setFolder(folder + QStringLiteral("/recovery"));
+    window.document()->recovery()->setDelay(std::chrono::milliseconds(50));
     window.show();
     if (!openAndFinish(window, folder + QStringLiteral("/bark.png")))
         return 1;
-    window.workbench()->history()->waitForDisk();
+    window.desk()->history()->waitForDisk();
     window.store()->setEdits(window.store()->current()->id, {RotateEdit{90}}, {});
     window.inspector()->setValues({{"patch", 16}});
     window.inspector()->output()->setOutputSize({4096, 4000});
-    QSignalSpy previewed(window.controller(), &RunController::previewed);
+    QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
     window.startRun(false);
     if (!previewed.wait(kPatience))
         return 1;
@@ -112,7 +111,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         QVERIFY(window.findChild<StartPage*>()->isVisible());
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         dropOn(window, writeTexture(m_folder, QStringLiteral("bark.jpg"), {64, 56}));
         QVERIFY(finished.wait(kPatience)); // a quick preview by itself
         ImageViewer* const viewer = window.results()->viewer(ResultView::ResultTab);
@@ -122,14 +121,14 @@ private Q_SLOTS:
 
         window.inspector()->output()->setOutputSize({72, 64});
         child<QAction>(window, "tryAll")->trigger();
-        CompareView* const compare = window.workbench()->compare();
+        CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->items().size(), methods().size() + 1);
         QTRY_VERIFY_WITH_TIMEOUT(!compare->items()[1].key.empty(), kPatience); // the quickest comes first
-        window.workbench()->queue()->clear();
+        window.desk()->queue()->clear();
         QTRY_VERIFY_WITH_TIMEOUT(idle(window), kPatience);
-        const ResultEntry* const taken = window.workbench()->history()->find(compare->items()[1].key);
+        const ResultEntry* const taken = window.desk()->history()->find(compare->items()[1].key);
         QTest::keyClick(compare->viewer(1), Qt::Key_Return);
-        QCOMPARE(window.inspector()->method()->id(), taken->recipe.method);
+        QCOMPARE(window.inspector()->method()->id(), taken->recipe.steps.front().method);
 
         finished.clear();
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
@@ -153,7 +152,7 @@ private Q_SLOTS:
         QStringList files;
         for (const char* map : {"albedo", "normal", "rough", "height", "ao", "metallic"})
             files += writeTexture(m_folder, QStringLiteral("rock_%1.png").arg(QLatin1String(map)), {64, 64});
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.openFiles(files);
         QVERIFY(finished.wait(kPatience));
         QCOMPARE(window.store()->entries().size(), 1U);
@@ -164,13 +163,13 @@ private Q_SLOTS:
         child<QCheckBox>(window, "wrapX")->click();
         child<QCheckBox>(window, "wrapY")->click();
         tryFour(window);
-        const CompareView* const compare = window.workbench()->compare();
+        const CompareView* const compare = window.compare();
         child<QAction>(window, "repeat")->trigger();
         for (int i = 0; i < 5; ++i)
             QVERIFY(compare->viewer(i)->repeats()); // the linked grid repeats as one
         const std::string winner = resultOf(window, "quilting");
         QVERIFY(!winner.empty());
-        Q_EMIT window.workbench()->compare()->useWanted(winner);
+        Q_EMIT window.compare()->useWanted(winner);
         QCOMPARE(window.inspector()->method()->id(), std::string("quilting"));
         sweep(window);
 
@@ -208,15 +207,15 @@ private Q_SLOTS:
         MainWindow window;
         QSettings().setValue(QStringLiteral("results/folder"), before);
         window.show();
-        QTRY_VERIFY(window.workbench()->history()->ready());
-        QCOMPARE(window.workbench()->history()->rowCount(), 1); // what had ended; not what was under way
+        QTRY_VERIFY(window.desk()->history()->ready());
+        QCOMPARE(window.desk()->history()->rowCount(), 1); // what had ended; not what was under way
         bool read = false;
-        window.workbench()->history()->want(
-            window.workbench()->history()->entries().front().key,
+        window.desk()->history()->want(
+            window.desk()->history()->entries().front().key,
             [&](const std::shared_ptr<const Result>& result) { read = !result->synthesis.image.empty(); },
             [](const QString& why) { QFAIL(qPrintable(why)); });
         QTRY_VERIFY(read);
-        window.document()->setRecoveryFolder(kept.path());
+        window.document()->recovery()->setFolder(kept.path());
         window.document()->offerRecovery();
         auto* box = child<QMessageBox>(window, "recoveryDialog");
         child<QPushButton>(*box, "recover")->click();
@@ -345,7 +344,7 @@ private:
                 list->item(row)->setCheckState(Qt::Checked);
         child<QCheckBox>(*dialog, "triedQuick")->setChecked(false);
         child<QPushButton>(*dialog, "triedStart")->click();
-        const CompareView* const compare = window.workbench()->compare();
+        const CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->items().size(), 5U);
         QTRY_VERIFY_WITH_TIMEOUT(idle(window) && compare->pictures() == 5, kPatience);
     }
@@ -356,7 +355,7 @@ private:
         auto* dialog = child<QDialog>(window, "sweepDialog");
         child<QLineEdit>(*dialog, "sweepAcrossValues")->setText(QStringLiteral("10, 16"));
         child<QPushButton>(*dialog, "sweepStart")->click();
-        const CompareView* const compare = window.workbench()->compare();
+        const CompareView* const compare = window.compare();
         QTRY_VERIFY_WITH_TIMEOUT(compare->items().size() == 2 && compare->pictures() == 2 && idle(window),
                                  kPatience);
         QVERIFY2(compare->heading().contains(QStringLiteral("rock")), qPrintable(compare->heading()));

@@ -84,7 +84,7 @@ private Q_SLOTS:
         QVERIFY(!edited.isEmpty());
         QCOMPARE(inspector.then().size(), 1U);
         QVERIFY(inspector.then()[0].parameters == findMethod("quilting").defaults());
-        QVERIFY(!inspector.allMethods(&MethodInfo::severalExemplars));
+        QVERIFY(!useOf(inspector.steps()).several);
 
         inspector.setThen({{"quilting", {{"patch", 20}}}, {"quilting", {{"patch", 10}}}});
         QCOMPARE(inspector.then().size(), 2U);
@@ -203,11 +203,11 @@ private Q_SLOTS:
         OutputGroup output;
         MethodInfo info;
         info.title = "Plain";
-        info.wraps = true;
+        info.gives = {ports::wrappingImage()};
         output.setMethod(info);
         output.setWrap({true, true});
         QVERIFY((output.wrap() == Wrap{true, true}));
-        info.wraps = false;
+        info.gives = {ports::image()};
         output.setMethod(info);
         QVERIFY((output.wrap() == Wrap{}));
         auto* box = child<QCheckBox>(output, "wrapX");

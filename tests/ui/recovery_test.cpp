@@ -29,7 +29,7 @@ private Q_SLOTS:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_window = std::make_unique<MainWindow>();
-        m_window->document()->setRecoveryFolder(m_folder->filePath(QStringLiteral("recovery")));
+        m_window->document()->recovery()->setFolder(m_folder->filePath(QStringLiteral("recovery")));
         m_window->show();
     }
     void cleanup() { m_window.reset(); }
@@ -37,8 +37,8 @@ private Q_SLOTS:
     void noRoomForRecoveryIsSaidOnce() {
         QFile blocked(m_folder->filePath(QStringLiteral("blocked")));
         QVERIFY(blocked.open(QIODevice::WriteOnly)); // a file where the folder should be
-        m_window->document()->setRecoveryFolder(blocked.fileName());
-        m_window->document()->setRecoveryDelay(std::chrono::milliseconds(10));
+        m_window->document()->recovery()->setFolder(blocked.fileName());
+        m_window->document()->recovery()->setDelay(std::chrono::milliseconds(10));
         m_window->inspector()->output()->setSeed(5);
         QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("make room")));
         QVERIFY(m_window->messages()->text().contains(QStringLiteral("crash would lose it")));
@@ -46,10 +46,10 @@ private Q_SLOTS:
 
     void aFullDiskLeavesTheFormerCopyAndSaysSo() {
         Document* const document = m_window->document();
-        document->setRecoveryDelay(std::chrono::milliseconds(10));
+        document->recovery()->setDelay(std::chrono::milliseconds(10));
         m_window->inspector()->output()->setSeed(5);
-        QTRY_VERIFY(!document->recoveryFile().isEmpty() && QFile::exists(document->recoveryFile()));
-        const auto kept = [&] { return readSession(toPath(document->recoveryFile())).settings.seed; };
+        QTRY_VERIFY(!document->recovery()->file().isEmpty() && QFile::exists(document->recovery()->file()));
+        const auto kept = [&] { return readSession(toPath(document->recovery()->file())).settings.seed; };
         QTRY_COMPARE(kept(), 5U);
         const auto former = std::signal(SIGXFSZ, SIG_IGN);
         rlimit limit{};
@@ -129,10 +129,10 @@ private Q_SLOTS:
     }
 
     void anOrderlyEndLeavesNothingToRecover() {
-        m_window->document()->setRecoveryDelay(std::chrono::milliseconds(10));
+        m_window->document()->recovery()->setDelay(std::chrono::milliseconds(10));
         m_window->inspector()->output()->setSeed(5);
-        QTRY_VERIFY(!m_window->document()->recoveryFile().isEmpty() &&
-                    QFile::exists(m_window->document()->recoveryFile()));
+        QTRY_VERIFY(!m_window->document()->recovery()->file().isEmpty() &&
+                    QFile::exists(m_window->document()->recovery()->file()));
         m_window.reset();
         QVERIFY(QDir(m_folder->filePath(QStringLiteral("recovery"))).isEmpty());
     }
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(program.waitForFinished());
         QCOMPARE(program.exitStatus(), QProcess::CrashExit);
 
-        m_window->document()->setRecoveryFolder(kept.path());
+        m_window->document()->recovery()->setFolder(kept.path());
         m_window->document()->offerRecovery();
         auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("recoveryDialog"));
         QVERIFY(box != nullptr);
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QTRY_COMPARE(m_window->store()->entries().size(), 1U);
         QCOMPARE(toQString(m_window->store()->current()->file().path), bark);
         QVERIFY(m_window->document()->modified());
-        QVERIFY(QFile::exists(m_window->document()->recoveryFile()));
+        QVERIFY(QFile::exists(m_window->document()->recovery()->file()));
     }
 
 private:

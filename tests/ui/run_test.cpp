@@ -5,9 +5,8 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
-#include "ui/viewers/result_view.h"
+#include "ui/maps/result_view.h"
 #include "ui/window/readout.h"
-#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QDialog>
@@ -68,10 +67,10 @@ private Q_SLOTS:
         QVERIFY(child<QWidget>(window, "startPage")->isVisible());
         QVERIFY(openAndFinish(window, m_exemplar));
         QVERIFY(window.results()->isVisible());
-        QVERIFY(window.controller()->quick());
+        QVERIFY(window.desk()->controller()->quick());
         QVERIFY(window.results()->title().contains(QStringLiteral("Quick preview")));
 
-        const Result& result = *window.result();
+        const Result& result = *window.desk()->result();
         const ImageViewer* viewer = window.results()->viewer(ResultView::ResultTab);
         QVERIFY(viewer->picture());
         QVERIFY(&viewer->picture()->values() == &result.synthesis.image);
@@ -96,16 +95,32 @@ private Q_SLOTS:
         QCOMPARE(window.input(true).seed, window.input(false).seed);
     }
 
+    void runBringsItsPictureToTheFront() {
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, m_exemplar));
+        const ImageViewer* const result = window.results()->viewer(ResultView::ResultTab);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
+        for (const char* place : {"synthesisTab", "lattice", "editExemplar", "grid"}) {
+            child<QAction>(window, place)->trigger();
+            QVERIFY2(!result->isVisible(), place);
+            QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
+            child<QAction>(window, "run")->trigger();
+            QVERIFY(finished.wait(kPatience));
+            QVERIFY2(result->isVisible(), place);
+        }
+    }
+
     void secondExemplarStartsNothing() {
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        QSignalSpy started(window.controller(), &RunController::started);
+        QSignalSpy started(window.desk()->controller(), &RunController::started);
         QSignalSpy opened(window.store(), &ExemplarStore::opened);
         window.openFiles({m_large});
         QVERIFY(opened.wait());
         QTest::qWait(0);
-        QVERIFY(started.isEmpty() && !window.controller()->running());
+        QVERIFY(started.isEmpty() && !window.desk()->running());
     }
 
     void hoverMarksTheSource() {
@@ -114,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_exemplar));
         QTRY_VERIFY(window.results()->viewer(ResultView::PositionTab)->picture());
         const QPoint pixel(31, 17);
-        const Source source = window.result()->synthesis.map.at(pixel.x(), pixel.y());
+        const Source source = window.desk()->result()->synthesis.map.at(pixel.x(), pixel.y());
         Q_EMIT window.results()->viewer(ResultView::ResultTab)->hovered(pixel);
         const QPoint expected(source.x, source.y);
         QVERIFY(window.exemplarPanel()->viewer()->marker() == expected);
@@ -130,10 +145,10 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_large));
-        const auto before = window.result();
+        const auto before = window.desk()->result();
         chooseLongRun(window);
-        QSignalSpy previewed(window.controller(), &RunController::previewed);
-        QSignalSpy stopped(window.controller(), &RunController::stopped);
+        QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
+        QSignalSpy stopped(window.desk()->controller(), &RunController::stopped);
         window.startRun(false);
         QVERIFY(previewed.wait(kPatience));
         QVERIFY(child<QAction>(window, "stop")->isEnabled());
@@ -142,7 +157,7 @@ private Q_SLOTS:
         child<QAction>(window, "stop")->trigger();
         QVERIFY(stopped.wait());
         QVERIFY2(clock.elapsed() < 500, qPrintable(QString::number(clock.elapsed())));
-        QVERIFY(!window.controller()->running());
+        QVERIFY(!window.desk()->running());
         const ImageViewer* viewer = window.results()->viewer(ResultView::ResultTab);
         QVERIFY((viewer->picture()->size() == Size{2048, 2048}));
         QVERIFY2(viewer->badge().startsWith(QStringLiteral("Stopped at ")), qPrintable(viewer->badge()));
@@ -159,7 +174,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(openAndFinish(window, m_large));
         chooseLongRun(window);
-        QSignalSpy previewed(window.controller(), &RunController::previewed);
+        QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
         window.startRun(false);
         QVERIFY(previewed.wait(kPatience));
         const ImageViewer* map = window.results()->viewer(ResultView::SynthesisTab);
@@ -184,7 +199,7 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        const auto before = window.result();
+        const auto before = window.desk()->result();
         window.inspector()->setValues({{"patch", 500}});
         QTRY_VERIFY(!window.runPanel()->refusal().isEmpty());
         QVERIFY2(window.runPanel()->refusal().contains(QStringLiteral("500 px")),
@@ -194,7 +209,7 @@ private Q_SLOTS:
         QTRY_VERIFY(window.messages()->isVisible());
         QCOMPARE(window.messages()->kind(), MessageBar::Kind::Error);
         QVERIFY(window.messages()->text().contains(QStringLiteral("500 px")));
-        QVERIFY(window.result() == before);
+        QVERIFY(window.desk()->result() == before);
         QVERIFY(&window.results()->viewer(ResultView::ResultTab)->picture()->values() ==
                 &before->synthesis.image);
         window.inspector()->resetAll();
@@ -207,7 +222,7 @@ private Q_SLOTS:
         window->show();
         QVERIFY(openAndFinish(*window, m_large));
         chooseLongRun(*window);
-        QSignalSpy previewed(window->controller(), &RunController::previewed);
+        QSignalSpy previewed(window->desk()->controller(), &RunController::previewed);
         window->startRun(false);
         QVERIFY(previewed.wait(kPatience));
         QElapsedTimer clock;
@@ -222,10 +237,10 @@ private Q_SLOTS:
         window.show();
         QVERIFY(openAndFinish(window, m_large));
         chooseLongRun(window);
-        const JobQueue* const queue = window.workbench()->queue();
+        const JobQueue* const queue = window.desk()->queue();
         QSignalSpy started(queue, &JobQueue::started);
         QSignalSpy changed(queue, &JobQueue::changed);
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(false);
         QVERIFY(started.wait(kPatience));
         window.inspector()->output()->setOutputSize({64, 64});
@@ -236,21 +251,21 @@ private Q_SLOTS:
         QVERIFY((queue->current()->plan.request.size == Size{2048, 2048}));
         child<QAction>(window, "stop")->trigger();
         QVERIFY(finished.wait(kPatience));
-        QVERIFY((window.result()->plan.request.size == Size{64, 64}));
+        QVERIFY((window.desk()->result()->plan.request.size == Size{64, 64}));
     }
 
     void aQuickPreviewGivesWay() {
         MainWindow window;
         window.show();
-        QSignalSpy started(window.controller(), &RunController::started);
+        QSignalSpy started(window.desk()->controller(), &RunController::started);
         window.openFiles({m_large});
         QVERIFY(started.wait(kPatience));
-        QVERIFY(window.controller()->quick());
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QVERIFY(window.desk()->controller()->quick());
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.inspector()->output()->setOutputSize({64, 64});
         window.startRun(false);
         QVERIFY(finished.wait(kPatience));
-        QTRY_VERIFY((window.result()->plan.request.size == Size{64, 64}));
+        QTRY_VERIFY((window.desk()->result()->plan.request.size == Size{64, 64}));
         QVERIFY(!window.messages()->isVisible());
     }
 
@@ -274,11 +289,11 @@ private Q_SLOTS:
         QVERIFY(viewer->fitted());
         QTest::keyClick(viewer, Qt::Key_1);
         QVERIFY(!viewer->fitted());
-        QSignalSpy started(window.controller(), &RunController::started);
+        QSignalSpy started(window.desk()->controller(), &RunController::started);
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
         QTest::keyClick(&window, Qt::Key_Return, Qt::ControlModifier);
         QVERIFY(started.wait());
-        QVERIFY(!window.controller()->quick());
+        QVERIFY(!window.desk()->controller()->quick());
         QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
         QCOMPARE(window.results()->currentViewer(), window.results()->viewer(ResultView::SynthesisTab));
     }
@@ -299,17 +314,17 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         const std::uint64_t seed = window.inspector()->output()->seed();
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
         child<QAction>(window, "run")->trigger();
         QVERIFY(finished.wait(kPatience));
-        QCOMPARE(window.result()->plan.request.seed, seed);
+        QCOMPARE(window.desk()->result()->plan.request.seed, seed);
         QTRY_VERIFY(child<QAction>(window, "newSeedRun")->isEnabled());
         child<QAction>(window, "newSeedRun")->trigger();
         QVERIFY(finished.wait(kPatience));
-        QVERIFY(window.result()->plan.request.seed != seed);
-        QCOMPARE(window.result()->plan.request.seed, window.inspector()->output()->seed());
+        QVERIFY(window.desk()->result()->plan.request.seed != seed);
+        QCOMPARE(window.desk()->result()->plan.request.seed, window.inspector()->output()->seed());
     }
 
     void eventLoopIsNeverBlocked() {
@@ -319,7 +334,7 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         Heartbeat heart;
         QVERIFY(openAndFinish(window, m_large));
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.inspector()->output()->setOutputSize({1024, 1024});
         window.startRun(false);
         QVERIFY(finished.wait(kPatience));

@@ -16,13 +16,12 @@
 #include "ui/inspector/param_row.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
 #include "ui/session/missing_files_dialog.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/drop_targets.h"
-#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -135,15 +134,15 @@ private:
 
     static void showRunning(MainWindow& window) {
         window.inspector()->output()->setOutputSize({2048, 2048});
-        QSignalSpy progressed(window.controller(), &RunController::progressed);
-        QSignalSpy previewed(window.controller(), &RunController::previewed);
+        QSignalSpy progressed(window.desk()->controller(), &RunController::progressed);
+        QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
         window.startRun(false);
         QVERIFY(previewed.wait(60'000));
-        for (int i = 0; i < 12 && window.controller()->running(); ++i)
+        for (int i = 0; i < 12 && window.desk()->running(); ++i)
             progressed.wait(1000);
         shoot(window, "running");
-        window.controller()->stop();
-        QTRY_VERIFY(!window.controller()->running());
+        window.desk()->stop();
+        QTRY_VERIFY(!window.desk()->running());
         QCoreApplication::processEvents();
         shoot(window, "stopped");
         window.messages()->dismiss();
@@ -151,7 +150,7 @@ private:
 
     static void showResult(MainWindow& window) {
         window.inspector()->output()->setOutputSize({512, 512});
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(false);
         QVERIFY(finished.wait(60'000));
         QTRY_VERIFY(window.results()->viewer(ResultView::PositionTab)->picture());
@@ -184,7 +183,7 @@ private:
         auto* method = child<QComboBox>(window, "method");
         method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
         window.inspector()->setThen({{"quilting", {}}});
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(false);
         QVERIFY(finished.wait(60'000));
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
@@ -193,28 +192,28 @@ private:
     }
 
     static void showCompare(MainWindow& window) {
-        const ResultHistory* const history = window.workbench()->history();
-        const CompareView* const compare = window.workbench()->compare();
+        const ResultHistory* const history = window.desk()->history();
+        const CompareView* const compare = window.compare();
         std::vector<std::string> keys;
         for (const ResultEntry& entry : history->entries())
             if (!entry.quick)
                 keys.push_back(entry.key);
-        window.workbench()->history()->setData(history->index(0), QStringLiteral("The one for the floor"),
-                                               Qt::EditRole);
-        window.workbench()->history()->setPinned(history->entries().back().key, true);
-        window.workbench()->resultPanel()->select(keys);
+        window.desk()->history()->setData(history->index(0), QStringLiteral("The one for the floor"),
+                                          Qt::EditRole);
+        window.desk()->history()->setPinned(history->entries().back().key, true);
+        window.resultPanel()->select(keys);
         child<QAction>(window, "compareResults")->trigger();
         QTRY_COMPARE(compare->pictures(), static_cast<int>(keys.size()) + 1);
         shoot(window, "compare-grid");
         child<QAction>(window, "compareWipe")->trigger();
-        window.workbench()->compare()->single()->setAngle(30);
-        window.workbench()->compare()->single()->setFocus();
+        window.compare()->single()->setAngle(30);
+        window.compare()->single()->setFocus();
         shoot(window, "compare-wipe");
         child<QAction>(window, "compareDifference")->trigger();
         QTRY_VERIFY(!compare->bar()->said().isEmpty());
         shoot(window, "compare-difference");
         child<QAction>(window, "compareGrid")->trigger();
-        window.workbench()->resultPanel()->select({keys[0], keys[1]});
+        window.resultPanel()->select({keys[0], keys[1]});
         child<QAction>(window, "resultDifference")->trigger();
         auto* dialog = child<QDialog>(window, "differenceDialog");
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
@@ -235,15 +234,15 @@ private:
         some->reject();
         child<QDoubleSpinBox>(window, "exemplarWeight")->setValue(2.5);
         window.inspector()->output()->setOutputSize({128, 128});
-        JobQueue* const queue = window.workbench()->queue();
+        JobQueue* const queue = window.desk()->queue();
         child<QDockWidget>(window, "jobDock")->raise();
         child<QAction>(window, "tryAll")->trigger();
         QTRY_VERIFY(queue->waiting() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(queue->waiting() <= 3, 120'000);
         shoot(window, "try-all");
         queue->clear();
-        window.controller()->stop();
-        QTRY_VERIFY(!window.controller()->running());
+        window.desk()->stop();
+        QTRY_VERIFY(!window.desk()->running());
         child<QDockWidget>(window, "logDock")->raise();
         shoot(window, "log");
     }
@@ -252,7 +251,7 @@ private:
         auto* method = child<QComboBox>(window, "method");
         method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
         window.inspector()->setThen({});
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(true);
         QVERIFY(finished.wait(60'000));
         window.results()->setTab(ResultView::SynthesisTab);
@@ -285,7 +284,7 @@ private:
         window.lattice()->canvas()->setHandle(LatticeCanvas::Handle::First);
         shoot(window, "lattice");
         child<QPushButton>(window, "useLattice")->click();
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
         shoot(window, "lattice-used");
         window.inspector()->resetAll();

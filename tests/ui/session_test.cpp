@@ -13,6 +13,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
+#include "ui/maps/result_view.h"
 #include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
 #include "ui/session/preset_menu.h"
@@ -46,7 +47,7 @@ private Q_SLOTS:
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         m_window = std::make_unique<MainWindow>();
-        m_window->document()->setRecoveryFolder(m_folder->filePath(QStringLiteral("recovery")));
+        m_window->document()->recovery()->setFolder(m_folder->filePath(QStringLiteral("recovery")));
         m_window->resize(1200, 800);
         m_window->show();
     }
@@ -165,10 +166,10 @@ private Q_SLOTS:
         QCOMPARE(mask(10, 2, 0), 1.0F);
         QVERIFY(!editor->canvas()->hidden().isNull());
         m_window->inspector()->setValues({{"patch", 8}});
-        QSignalSpy finished(m_window->controller(), &RunController::finished);
+        QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
         m_window->startRun(false);
         QVERIFY(finished.wait(30'000));
-        const PositionMap& map = m_window->result()->synthesis.map;
+        const PositionMap& map = m_window->desk()->result()->synthesis.map;
         for (int y = 0; y < map.height(); ++y)
             for (int x = 0; x < map.width(); ++x)
                 QVERIFY(mask(map.at(x, y).x, map.at(x, y).y, 0) != 0);
@@ -229,6 +230,32 @@ private Q_SLOTS:
         other.document()->saveTo(file, true); // closing would ask
         QTRY_VERIFY(QFile::exists(m_folder->filePath(QStringLiteral("work_files/bark_albedo.png"))));
         QTRY_VERIFY(!other.document()->modified());
+    }
+
+    void aNewSessionStartsAfresh() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(*m_folder, QStringLiteral("old.png"), {96, 80})));
+        m_window->inspector()->output()->setOutputSize({832, 360});
+        m_window->inspector()->output()->setSeed(5);
+        auto* method = child<QComboBox>(*m_window, "method");
+        const QString first = method->currentText();
+        method->setCurrentIndex(method->count() - 1);
+        QVERIFY(child<QAction>(*m_window, "export")->isEnabled());
+        child<QAction>(*m_window, "newSession")->trigger();
+        QTRY_VERIFY(child<QWidget>(*m_window, "startPage")->isVisible());
+        QVERIFY(m_window->store()->entries().empty());
+        QVERIFY(!m_window->desk()->result() &&
+                !m_window->results()->viewer(ResultView::ResultTab)->picture());
+        QVERIFY(m_window->results()->title().isEmpty());
+        QVERIFY(!child<QAction>(*m_window, "export")->isEnabled());
+        QVERIFY(!child<QAction>(*m_window, "undo")->isEnabled());
+        QCOMPARE(method->currentText(), first);
+        QVERIFY(m_window->inspector()->output()->seed() != 5U);
+        QVERIFY(!m_window->document()->modified());
+
+        // The preview comes by itself, and the size is the new exemplar's.
+        QVERIFY(openAndFinish(*m_window, writeTexture(*m_folder, QStringLiteral("new.png"), {60, 50})));
+        QVERIFY(m_window->desk()->controller()->quick());
+        QVERIFY((m_window->inspector()->output()->outputSize() == Size{120, 100}));
     }
 
     void missingFilesAreAskedForAndTheRestIsKept() {
@@ -359,7 +386,7 @@ private:
         QStringList files{writeTexture(*m_folder, QStringLiteral("bark_albedo.png"), {64, 48})};
         if (normal)
             files += writeTexture(*m_folder, QStringLiteral("bark_normal.png"), {64, 48}, 2);
-        QSignalSpy finished(m_window->controller(), &RunController::finished);
+        QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
         m_window->openFiles(files);
         QVERIFY(finished.wait(30'000));
     }

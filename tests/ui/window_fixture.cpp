@@ -54,7 +54,7 @@ QString writeTexture(const QTemporaryDir& folder, const QString& name, Size size
 }
 
 bool openAndFinish(MainWindow& window, const QString& path) {
-    QSignalSpy finished(window.controller(), &RunController::finished);
+    QSignalSpy finished(window.desk()->controller(), &RunController::finished);
     window.openFiles({path});
     return finished.wait(60'000);
 }

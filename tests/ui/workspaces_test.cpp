@@ -12,12 +12,11 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/lattice/lattice_values.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/readout.h"
-#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -91,10 +90,10 @@ private Q_SLOTS:
         QCOMPARE(number(window, "origin-x"), 0.0);
         QVERIFY2(tool.useText().contains(QStringLiteral("uses this lattice")), qPrintable(tool.useText()));
 
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(true);
         QVERIFY(finished.wait(kPatience));
-        const auto& figures = window.result()->synthesis.figures;
+        const auto& figures = window.desk()->result()->synthesis.figures;
         const auto right = std::find_if(figures.begin(), figures.end(), [](const Figure& figure) {
             return figure.name == "Lattice, first vector right";
         });
@@ -225,10 +224,10 @@ private Q_SLOTS:
         QVERIFY(window.results()->notes().isEmpty());
         auto* method = child<QComboBox>(window, "method");
         method->setCurrentIndex(method->findData(QStringLiteral("near-regular")));
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(true);
         QVERIFY(finished.wait(kPatience));
-        QVERIFY(!window.result()->synthesis.notes.empty());
+        QVERIFY(!window.desk()->result()->synthesis.notes.empty());
         QVERIFY2(window.results()->notes().contains(QStringLiteral("No lattice was found")),
                  qPrintable(window.results()->notes()));
         method->setCurrentIndex(method->findData(QStringLiteral("quilting")));
@@ -251,10 +250,10 @@ private Q_SLOTS:
         QVERIFY(replaced.wait());
         QVERIFY(window.input(false).region == wanted.region);
         QVERIFY(!window.input(true).region);
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(false);
         QVERIFY(finished.wait(kPatience));
-        QVERIFY((window.result()->synthesis.image.size() == Size{128, 64}));
+        QVERIFY((window.desk()->result()->synthesis.image.size() == Size{128, 64}));
         child<QCheckBox>(window, "onlyPart")->setChecked(false);
         QVERIFY(!window.input(false).region);
         method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
@@ -265,7 +264,7 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_grain));
-        const PositionMap& map = window.result()->synthesis.map;
+        const PositionMap& map = window.desk()->result()->synthesis.map;
         const Source source = map.at(31, 17);
         ImageViewer* const exemplar = window.exemplarPanel()->viewer();
         ImageViewer* const result = window.results()->viewer(ResultView::ResultTab);
@@ -294,9 +293,9 @@ private Q_SLOTS:
         QVERIFY(!copies->picture());
         child<QAction>(window, "showCopies")->trigger();
         QTRY_VERIFY(copies->picture());
-        QVERIFY(
-            samePixels(copies->picture()->values(), copiedRegionsPicture(window.result()->synthesis.map)));
-        const double largest = 100 * largestVerbatimRegion(window.result()->synthesis.map);
+        QVERIFY(samePixels(copies->picture()->values(),
+                           copiedRegionsPicture(window.desk()->result()->synthesis.map)));
+        const double largest = 100 * largestVerbatimRegion(window.desk()->result()->synthesis.map);
         QVERIFY2(window.results()
                      ->mapLine(ResultView::CopiesTab)
                      .contains(QStringLiteral("%1 %").arg(largest, 0, 'f', 1)),
@@ -309,7 +308,7 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_grain));
         auto* method = child<QComboBox>(window, "method");
         method->setCurrentIndex(method->findData(QStringLiteral("random-phase")));
-        QSignalSpy finished(window.controller(), &RunController::finished);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.startRun(true);
         QVERIFY(finished.wait(kPatience));
         window.results()->setTab(ResultView::SynthesisTab);
@@ -324,7 +323,7 @@ private Q_SLOTS:
         QCOMPARE(map->badge(), QStringLiteral("Quick preview · estimated"));
         QVERIFY(window.results()->mapLine(ResultView::SynthesisTab).startsWith(QStringLiteral("Estimated")));
         QVERIFY(window.results()->pictures().sourceOf(5, 5).valid());
-        QVERIFY(window.result()->synthesis.mapKind == MapKind::None);
+        QVERIFY(window.desk()->result()->synthesis.mapKind == MapKind::None);
     }
 
     void theExemplarIsItsOwnLegendWhileAMapIsInFront() {
@@ -389,7 +388,7 @@ private Q_SLOTS:
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, m_bricks));
-        QTRY_VERIFY(!window.workbench()->history()->entries().empty());
+        QTRY_VERIFY(!window.desk()->history()->entries().empty());
         child<QAction>(window, "blend")->trigger();
         auto* blend = child<BlendWindow>(window, "blendWindow");
         auto* first = child<QComboBox>(*blend, "blendFirst");
@@ -401,7 +400,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(BlendWindow::LinearWay)->picture() && !blend->blending(),
                                  kPatience);
         QVERIFY(blend->viewer(BlendWindow::CutWay)->picture()->size() ==
-                window.result()->synthesis.image.size());
+                window.desk()->result()->synthesis.image.size());
     }
 
     void patchVarianceIsPlottedAsTheAnalysisHasIt() {
@@ -426,8 +425,8 @@ private Q_SLOTS:
 
     void roundsOfAStressTestStandSideBySide() {
         RunInput input;
-        input.method = "quilting";
-        input.settings = {{"patch", 12}};
+        input.steps.front().method = "quilting";
+        input.steps.front().parameters = {{"patch", 12}};
         input.exemplars = {{imageOf(m_grain).file, {}, {}}};
         input.size = {64, 64};
         StressDialog dialog(input);
@@ -439,7 +438,7 @@ private Q_SLOTS:
         const PlotData& data = dialog.plot()->data();
         QCOMPARE(data.series.front().points.size(), std::size_t{3});
         QVERIFY(data.series.front().points[2].y() > 0);
-        input.settings = {{"patch", 500}};
+        input.steps.front().parameters = {{"patch", 500}};
         StressDialog refused(input);
         refused.start();
         QTRY_VERIFY_WITH_TIMEOUT(refused.message().contains(QStringLiteral("500")), kPatience);

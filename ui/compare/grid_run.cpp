@@ -9,21 +9,25 @@
 
 namespace texloom::ui {
 
-GridRun::GridRun(JobQueue* queue, const ResultHistory* history, CompareView* view, QObject* parent)
-    : QObject(parent), m_queue(queue), m_history(history), m_view(view) {
+GridRun::GridRun(RunDesk* desk, CompareView* view, QObject* parent)
+    : QObject(parent), m_queue(desk->queue()), m_history(desk->history()), m_view(view) {
     connect(view, &CompareView::replaced, this, [this] {
         std::set<int> shown;
         for (const CompareItem& item : m_view->items())
             shown.insert(item.run);
         std::erase_if(m_open, [&](int id) { return !shown.contains(id); });
     });
-    connect(queue, &JobQueue::started, this, [this](int id) { say(id, tr("Under way…")); });
-    connect(queue, &JobQueue::previewed, this, &GridRun::showPreview);
-    connect(queue, &JobQueue::failed, this, [this](const QueuedJob& job) {
+    connect(m_queue, &JobQueue::started, this, [this](int id) { say(id, tr("Under way…")); });
+    connect(m_queue, &JobQueue::previewed, this, &GridRun::showPreview);
+    connect(m_queue, &JobQueue::failed, this, [this](const QueuedJob& job) {
         say(job.id, job.problem);
         m_open.erase(job.id);
     });
-    connect(queue, &JobQueue::stopped, this, [this](const QueuedJob& job) {
+    connect(desk, &RunDesk::kept, this,
+            [this](const QueuedJob& job, const std::string& key, const RunPictures& pictures) {
+                keep(job.id, key, pictures);
+            });
+    connect(m_queue, &JobQueue::stopped, this, [this](const QueuedJob& job) {
         say(job.id, tr("Stopped."));
         m_open.erase(job.id);
     });

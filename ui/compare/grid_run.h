@@ -2,8 +2,7 @@
 
 #include "core/session/run/run.h"
 #include "ui/compare/compare_item.h"
-#include "ui/jobs/job_queue.h"
-#include "ui/results/result_history.h"
+#include "ui/runs/run_desk.h"
 
 #include <QObject>
 
@@ -35,14 +34,12 @@ class GridRun : public QObject {
     Q_OBJECT
 
 public:
-    GridRun(JobQueue* queue, const ResultHistory* history, CompareView* view, QObject* parent = nullptr);
+    GridRun(RunDesk* desk, CompareView* view, QObject* parent = nullptr);
 
     /// @param first pictures shown before the runs, such as the exemplar.
     void start(std::vector<GridEntry> entries, std::vector<CompareItem> first, const GridLayout& layout);
     /// Runs of the grid that have not ended.
     int open() const { return static_cast<int>(m_open.size()); }
-    /// The run `id` has ended and is this result in the history.
-    void keep(int id, const std::string& key, const RunPictures& pictures);
 
 private:
     struct Planned {
@@ -57,6 +54,7 @@ private:
     int cellOf(int id) const;
     void say(int id, const QString& message);
     void showPreview(int id, const RunPictures& pictures);
+    void keep(int id, const std::string& key, const RunPictures& pictures);
 
     JobQueue* m_queue;
     const ResultHistory* m_history;

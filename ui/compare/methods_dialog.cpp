@@ -29,10 +29,10 @@ MethodsDialog::MethodsDialog(const QString& size, QWidget* parent)
     m_list->setObjectName(QStringLiteral("triedMethods"));
     m_list->setAccessibleName(tr("Methods to try"));
     const QStringList ticked = QSettings().value(kTicked).toStringList();
-    for (const Method& method : methods()) {
-        const QString id = QString::fromStdString(method.id());
-        auto* item = new QListWidgetItem(translated(method.info().title), m_list);
-        item->setToolTip(translated(method.info().summary));
+    for (const Method* method : methodsByCategory()) {
+        const QString id = QString::fromStdString(method->id());
+        auto* item = new QListWidgetItem(translated(method->info().title), m_list);
+        item->setToolTip(translated(method->info().summary));
         item->setData(Qt::UserRole, id);
         item->setCheckState(ticked.contains(id) ? Qt::Checked : Qt::Unchecked);
     }

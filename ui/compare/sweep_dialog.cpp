@@ -130,8 +130,8 @@ SweepDialog::Row SweepDialog::makeRow(const QString& name, const QString& title)
 }
 
 void SweepDialog::listTargets() {
-    std::vector<std::string> ids = {m_input.method};
-    for (const RecipeStep& step : m_input.then)
+    std::vector<std::string> ids;
+    for (const RecipeStep& step : m_input.steps)
         ids.push_back(step.method);
     for (std::size_t step = 0; step < ids.size(); ++step) {
         const Method& method = findMethod(ids[step]);
@@ -159,8 +159,7 @@ void SweepDialog::targetChosen(const Row& row) {
         row.limits->setText(tr("Whole numbers"));
         row.values->setText(QStringLiteral("1:4:4"));
     } else {
-        const Values& settings =
-            target.step == 0 ? m_input.settings : m_input.then[target.step - 1].parameters;
+        const Values& settings = m_input.steps[target.step].parameters;
         row.limits->setText(limitsOf(*target.parameter));
         row.values->setText(suggestion(*target.parameter, settings.at(target.parameter->name())));
     }

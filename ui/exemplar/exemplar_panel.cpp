@@ -179,7 +179,7 @@ void ExemplarPanel::chooseMask() {
         m_store->setMask(entry->id, path);
 }
 
-void ExemplarPanel::setAbilities(const ExemplarAbilities& abilities) {
+void ExemplarPanel::setAbilities(const ExemplarUse& abilities) {
     m_maskRow->setEnabled(abilities.masks);
     m_maskRow->setToolTip(abilities.masks ? QString() : tr("The method does not use a mask."));
     const bool same = m_abilities.several == abilities.several && m_abilities.weights == abilities.weights;

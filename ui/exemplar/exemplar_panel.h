@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/methods/method.h"
+#include "core/session/run/exemplar_use.h"
 #include "ui/exemplar/exemplar_store.h"
 
 #include <QPoint>
@@ -19,14 +20,6 @@ namespace texloom::ui {
 class CompanionList;
 class ElidedLabel;
 class ImageViewer;
-
-/// What a run can use of the exemplars.
-struct ExemplarAbilities {
-    bool several = false; ///< all that are checked, rather than the one that is looked at
-    bool weights = false;
-    bool masks = false;
-};
-
 /// The left dock: the exemplar that is looked at, large enough to see where the result's pixels came from,
 /// what is known of it, and the list of all that are open.
 class ExemplarPanel : public QWidget {
@@ -38,7 +31,7 @@ public:
 
     /// Shows what a run can use: check boxes if it learns from several exemplars, weights and masks if it
     /// heeds them.
-    void setAbilities(const ExemplarAbilities& abilities);
+    void setAbilities(const ExemplarUse& abilities);
     /// Marks the pixel that the result's pixel under the cursor came from, in the exemplar it belongs to.
     void showSource(const ExemplarEntry& entry, QPoint pixel);
     void hideSource();
@@ -76,7 +69,7 @@ private:
     CompanionList* m_companions;
     QListWidget* m_list;
     std::shared_ptr<const DisplayPicture> m_legend;
-    ExemplarAbilities m_abilities;
+    ExemplarUse m_abilities;
     bool m_filling = false;
 };
 

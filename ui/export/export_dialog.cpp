@@ -61,7 +61,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
       m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 4, this)),
       m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("exportDialog"));
-    setWindowTitle(tr("Export"));
+    setWindowTitle(tr("Export “%1”").arg(QString::fromStdString(m_result->label())));
     m_folder->setObjectName(QStringLiteral("exportFolder"));
     m_folder->setAccessibleName(tr("Folder to write to"));
     m_name->setObjectName(QStringLiteral("exportName"));

@@ -71,6 +71,7 @@ Inspector::Inspector(QWidget* parent)
     column->addWidget(m_help);
     connect(m_output, &OutputGroup::edited, this, &Inspector::edited);
     connect(m_output, &OutputGroup::helpWanted, this, &Inspector::showHelp);
+    connect(m_then, &StepChain::edited, this, &Inspector::showPorts);
     connect(m_then, &StepChain::edited, this, &Inspector::edited);
     connect(m_then, &StepChain::helpWanted, this, &Inspector::showHelp);
 }
@@ -93,6 +94,7 @@ void Inspector::setMethod(const Method& method) {
     connect(m_form, &MethodForm::edited, this, &Inspector::edited);
     connect(m_form, &MethodForm::helpWanted, this, &Inspector::showHelp);
     showHelp(translated(method.info().summary).toHtmlEscaped());
+    showPorts();
     Q_EMIT edited();
 }
 
@@ -138,11 +140,27 @@ void Inspector::setThen(const std::vector<RecipeStep>& steps) {
     m_then->setSteps(steps);
 }
 
-bool Inspector::allMethods(bool MethodInfo::*ability) const {
-    const std::vector<RecipeStep> steps = then();
-    return method()->info().*ability &&
-           std::all_of(steps.begin(), steps.end(),
-                       [ability](const RecipeStep& step) { return findMethod(step.method).info().*ability; });
+std::vector<RecipeStep> Inspector::steps() const {
+    std::vector<RecipeStep> steps = {{method()->id(), values()}};
+    for (RecipeStep& step : then())
+        steps.push_back(std::move(step));
+    return steps;
+}
+
+void Inspector::setSteps(const std::vector<RecipeStep>& steps) {
+    setValues(steps.front().parameters);
+    setThen({steps.begin() + 1, steps.end()});
+}
+
+/// A row for everything that the methods take apart from exemplars and what belongs to them.
+void Inspector::showPorts() {
+    std::vector<Port> ports;
+    for (const RecipeStep& step : steps())
+        for (const Port& port : findMethod(step.method).info().takes)
+            if (port.extent != Extent::Exemplar && port.id != kExemplarPort && !findPort(ports, port.id) &&
+                (port.id != kInitialPort || step.method == method()->id()))
+                ports.push_back(port);
+    m_output->setPorts(ports);
 }
 
 void Inspector::resetAll() {

@@ -41,8 +41,9 @@ public:
     /// The methods that follow, with all their parameters.
     std::vector<RecipeStep> then() const;
     void setThen(const std::vector<RecipeStep>& steps);
-    /// Whether the method and all that follow it say this of themselves.
-    bool allMethods(bool MethodInfo::*ability) const;
+    /// The method with its values, and those that follow it with all their parameters.
+    std::vector<RecipeStep> steps() const;
+    void setSteps(const std::vector<RecipeStep>& steps);
     /// Brings every parameter back to its default.
     void resetAll();
 
@@ -58,6 +59,7 @@ Q_SIGNALS:
 
 private:
     void showHelp(const QString& html);
+    void showPorts();
 
     OutputGroup* m_output;
     MethodForm* m_form = nullptr;

@@ -1,16 +1,13 @@
 #include "ui/inspector/output_group.h"
 
-#include "ui/common/background.h"
-#include "ui/common/elided_label.h"
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
-#include "ui/exemplar/files.h"
 #include "ui/inspector/part_editor.h"
+#include "ui/inspector/port_row.h"
 #include "ui/inspector/seed_edit.h"
 
 #include <QCheckBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -29,6 +26,8 @@ constexpr int kFirstSide = 512;
 /// The size taken by itself for a new exemplar goes no higher; larger ones are asked for.
 constexpr int kLargestFirstSide = 1024;
 constexpr int kMostThreads = 256;
+/// The form's row below the seed.
+constexpr int kFirstPortRow = 4;
 
 QWidget* rowOf(const QList<QWidget*>& widgets, int stretched) {
     auto* row = new QWidget;
@@ -51,8 +50,7 @@ OutputGroup::OutputGroup(QWidget* parent)
     : QGroupBox(tr("Output"), parent), m_width(makeSide(QStringLiteral("outputWidth"))),
       m_height(makeSide(QStringLiteral("outputHeight"))), m_wrapX(new QCheckBox(tr("across (X)"), this)),
       m_wrapY(new QCheckBox(tr("down (Y)"), this)), m_seed(new SeedEdit(this)), m_lock(new QToolButton(this)),
-      m_initialName(new ElidedLabel(this)), m_chooseInitial(new QToolButton(this)),
-      m_clearInitial(new QToolButton(this)), m_part(new PartEditor(this)), m_threads(new QSpinBox(this)) {
+      m_part(new PartEditor(this)), m_threads(new QSpinBox(this)) {
     m_width->setAccessibleName(tr("Width"));
     m_height->setAccessibleName(tr("Height"));
     m_threads->setObjectName(QStringLiteral("threads"));
@@ -62,7 +60,7 @@ OutputGroup::OutputGroup(QWidget* parent)
             tr("<b>Threads</b> How many of the processor's cores a run uses. The result is the same with any "
                "number. Automatic: one for each core."));
 
-    auto* form = new QFormLayout(this);
+    auto* form = m_form = new QFormLayout(this);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(tr("S&ize"), makeSizeRow());
     qobject_cast<QLabel*>(form->labelForField(form->itemAt(0, QFormLayout::FieldRole)->widget()))
@@ -71,12 +69,10 @@ OutputGroup::OutputGroup(QWidget* parent)
     form->addRow(tr("Wraps"), makeWrapRow());
     form->addRow(tr("See&d"), makeSeedRow());
     qobject_cast<QLabel*>(form->labelForField(m_seed->parentWidget()))->setBuddy(m_seed);
-    form->addRow(tr("Start from"), makeInitialRow());
     form->addRow(tr("Make"), m_part);
     form->addRow(tr("&Threads"), m_threads);
     connect(m_part, &PartEditor::edited, this, &OutputGroup::edited);
     connect(m_threads, &QSpinBox::valueChanged, this, &OutputGroup::edited);
-    showInitial();
 }
 
 QSpinBox* OutputGroup::makeSide(const QString& name) {
@@ -157,22 +153,6 @@ QWidget* OutputGroup::makeSeedRow() {
     return rowOf({m_seed, dice, m_lock}, 0);
 }
 
-QWidget* OutputGroup::makeInitialRow() {
-    m_chooseInitial->setObjectName(QStringLiteral("chooseInitial"));
-    m_chooseInitial->setText(tr("Choose…"));
-    m_chooseInitial->setAccessibleName(tr("Choose an image to start from"));
-    m_clearInitial->setObjectName(QStringLiteral("clearInitial"));
-    setIconButton(m_clearInitial, QStringLiteral("close"), tr("Start without an image"));
-    for (QToolButton* button : {m_chooseInitial, m_clearInitial})
-        button->setFocusPolicy(Qt::StrongFocus);
-    connect(m_chooseInitial, &QToolButton::clicked, this, &OutputGroup::chooseInitial);
-    connect(m_clearInitial, &QToolButton::clicked, this, [this] {
-        setInitial({});
-        Q_EMIT edited();
-    });
-    return rowOf({m_initialName, m_chooseInitial, m_clearInitial}, 0);
-}
-
 void OutputGroup::explain(QWidget* widget, const QString& help) {
     widget->setToolTip(help);
     widget->installEventFilter(this);
@@ -243,22 +223,15 @@ int OutputGroup::threads() const {
 void OutputGroup::setMethod(const MethodInfo& info) {
     const QString title = translated(info.title);
     for (QCheckBox* box : {m_wrapX, m_wrapY}) {
-        box->setEnabled(info.wraps);
+        box->setEnabled(info.canWrap());
         const QString axis = box == m_wrapX ? tr("left and right edges") : tr("upper and lower edges");
         explain(box,
-                info.wraps
+                info.canWrap()
                     ? tr("<b>Wraps</b> The result's %1 join without a seam when it is repeated.").arg(axis)
                     : tr("<b>Wraps</b> %1 cannot make a result that wraps.").arg(title.toHtmlEscaped()));
     }
-    m_chooseInitial->setEnabled(info.startsFromImage);
-    explain(m_chooseInitial,
-            info.startsFromImage
-                ? tr("<b>Start from</b> An image of the result's size that the method begins with.")
-                : tr("<b>Start from</b> %1 cannot start from an image.").arg(title.toHtmlEscaped()));
-    if (!info.startsFromImage)
-        setInitial({});
-    m_part->setEnabled(info.makesRegions);
-    explain(m_part, info.makesRegions
+    m_part->setEnabled(info.makesParts());
+    explain(m_part, info.makesParts()
                         ? tr("<b>Only a part</b> Makes a rectangle of the output, which equals that part of "
                              "the whole.")
                         : tr("<b>Only a part</b> %1 can only make the whole.").arg(title.toHtmlEscaped()));
@@ -280,29 +253,43 @@ void OutputGroup::multiply(int factor) {
     setOutputSize({limited(m_exemplar.width * factor), limited(m_exemplar.height * factor)});
 }
 
-void OutputGroup::chooseInitial() {
-    const QString path =
-        QFileDialog::getOpenFileName(window(), tr("Start from an image"), {}, pictureFilter());
-    if (path.isEmpty())
-        return;
-    inBackground(
-        this, [file = toPath(path)] { return loadExemplar(file); },
-        [this](ExemplarFile image) {
-            setInitial(std::move(image));
-            Q_EMIT edited();
-        },
-        [this](const QString& why) { Q_EMIT failed(why); });
+InputFiles OutputGroup::inputs() const {
+    InputFiles inputs;
+    for (const PortRow* row : m_ports)
+        if (!row->files().empty())
+            inputs[row->port().id] = row->files();
+    return inputs;
 }
 
-void OutputGroup::setInitial(std::optional<ExemplarFile> image) {
-    m_initial = std::move(image);
-    showInitial();
+void OutputGroup::setInputs(const InputFiles& inputs) {
+    for (PortRow* row : m_ports) {
+        const auto found = inputs.find(row->port().id);
+        row->setFiles(found == inputs.end() ? std::vector<InputFile>() : found->second);
+    }
 }
 
-void OutputGroup::showInitial() {
-    m_initialName->setFullText(m_initial ? toQString(m_initial->path.filename()) : tr("Nothing"),
-                               m_initial ? toQString(m_initial->path) : QString());
-    m_clearInitial->setVisible(m_initial.has_value());
+void OutputGroup::addInput(const std::string& port, InputFile file) {
+    for (PortRow* row : m_ports)
+        if (row->port().id == port)
+            return row->add(std::move(file));
+}
+
+void OutputGroup::setPorts(const std::vector<Port>& ports) {
+    const InputFiles kept = inputs();
+    for (PortRow* row : m_ports)
+        m_form->removeRow(row);
+    m_ports.clear();
+    int at = kFirstPortRow;
+    for (const Port& port : ports) {
+        auto* row = new PortRow(port, this);
+        explain(row, row->toolTip());
+        connect(row, &PortRow::edited, this, &OutputGroup::edited);
+        connect(row, &PortRow::failed, this, &OutputGroup::failed);
+        connect(row, &PortRow::resultWanted, this, [this, row] { Q_EMIT resultWanted(row->port().id); });
+        m_form->insertRow(at++, translated(port.title), row);
+        m_ports.push_back(row);
+    }
+    setInputs(kept);
 }
 
 } // namespace texloom::ui

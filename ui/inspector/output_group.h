@@ -1,26 +1,29 @@
 #pragma once
 
 #include "core/methods/method.h"
-#include "core/session/run/exemplar_file.h"
+#include "core/session/run/input_file.h"
 
 #include <QGroupBox>
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 class QCheckBox;
+class QFormLayout;
 class QLabel;
 class QSpinBox;
 class QToolButton;
 
 namespace texloom::ui {
 
-class ElidedLabel;
 class PartEditor;
+class PortRow;
 class SeedEdit;
 
-/// What every method is told of the output: its size, the axes on which it wraps, the seed, an image to start
-/// from, and the number of threads.
+/// What every method is told of the output: its size, the axes on which it wraps, the seed, what goes into
+/// its ports, and the number of threads.
 class OutputGroup : public QGroupBox {
     Q_OBJECT
 
@@ -42,19 +45,29 @@ public:
     /// The part of the output that is made; none if it is all.
     std::optional<Region> part() const;
     void setPart(const std::optional<Region>& part);
-    const std::optional<ExemplarFile>& initial() const { return m_initial; }
-    void setInitial(std::optional<ExemplarFile> image);
+    /// What goes into the ports that have a row here.
+    InputFiles inputs() const;
+    /// Takes the place of all that is there; ports without a row are left out.
+    void setInputs(const InputFiles& inputs);
+    /// Puts a file into a port, as though the user had chosen it.
+    void addInput(const std::string& port, InputFile file);
 
     /// Greys out what the method cannot do, and says so.
     void setMethod(const MethodInfo& info);
+    /// Gives each of these ports a row; those that were there already keep their files.
+    void setPorts(const std::vector<Port>& ports);
     /// The exemplar that sizes are multiples of. Until the user sets a size, it is twice the exemplar's, but
     /// modest.
     void setExemplarSize(Size size);
+    /// Forgets that the user set a size: that of the next exemplar counts again.
+    void forgetSize() { m_sizeChosen = false; }
 
 Q_SIGNALS:
     void edited();
     /// A file chosen here could not be read.
     void failed(const QString& sentence);
+    /// The result that is shown is to go into this port.
+    void resultWanted(const std::string& port);
     /// What the control that the mouse or the focus came to is for.
     void helpWanted(const QString& html);
 
@@ -66,12 +79,9 @@ private:
     QWidget* makePresetRow();
     QWidget* makeWrapRow();
     QWidget* makeSeedRow();
-    QWidget* makeInitialRow();
     QSpinBox* makeSide(const QString& name);
     void explain(QWidget* widget, const QString& help);
-    void chooseInitial();
     void multiply(int factor);
-    void showInitial();
 
     QSpinBox* m_width;
     QSpinBox* m_height;
@@ -80,12 +90,10 @@ private:
     QCheckBox* m_wrapY;
     SeedEdit* m_seed;
     QToolButton* m_lock;
-    ElidedLabel* m_initialName;
-    QToolButton* m_chooseInitial;
-    QToolButton* m_clearInitial;
     PartEditor* m_part;
     QSpinBox* m_threads;
-    std::optional<ExemplarFile> m_initial;
+    QFormLayout* m_form = nullptr;
+    std::vector<PortRow*> m_ports;
     Size m_exemplar;
     bool m_sizeChosen = false;
 };

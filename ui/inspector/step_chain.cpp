@@ -2,6 +2,7 @@
 
 #include "core/methods/method.h"
 #include "ui/common/text.h"
+#include "ui/inspector/method_chooser.h"
 #include "ui/inspector/method_form.h"
 #include "ui/inspector/mnemonics.h"
 
@@ -27,9 +28,7 @@ void StepChain::addLink() {
     chooser->setObjectName(QStringLiteral("then%1").arg(m_links.size() + 1));
     chooser->setAccessibleName(tr("Method that follows"));
     chooser->addItem(tr("Nothing"));
-    for (const Method& method : methods())
-        if (method.info().startsFromImage)
-            chooser->addItem(translated(method.info().title), QString::fromStdString(method.id()));
+    fillWithMethods(chooser, [](const MethodInfo& info) { return info.startsFromImage(); });
     chooser->installEventFilter(this);
     connect(chooser, &QComboBox::currentIndexChanged, this, [this, chooser] { methodChosen(chooser); });
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/jobs/job_queue.h"
+#include "ui/runs/job_queue.h"
 
 #include <QWidget>
 

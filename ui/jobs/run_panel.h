@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/methods/method.h"
-#include "ui/jobs/run_controller.h"
+#include "ui/runs/run_controller.h"
 
 #include <QWidget>
 

@@ -29,7 +29,7 @@ RunPictures withEstimate(RunPictures pictures, JobContext& context) {
     std::vector<Size> sizes;
     for (const Exemplar& exemplar : result.plan.request.exemplars) {
         sources.push_back({exemplar.image->view().channelRange(0, image.channels()),
-                           exemplar.mask ? exemplar.mask->view().plane(0) : PlaneView{}});
+                           exemplar.mask() ? exemplar.mask()->view().plane(0) : PlaneView{}});
         sizes.push_back(exemplar.image->size());
     }
     checkMemory(TR("Estimating the map"), estimatedMapBytes(image.size(), sizes, image.channels()));

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/copy_index.h"
-#include "ui/jobs/run_pictures.h"
 #include "ui/jobs/task.h"
+#include "ui/runs/run_pictures.h"
 
 #include <QObject>
 #include <QPoint>

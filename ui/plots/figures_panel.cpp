@@ -7,8 +7,8 @@
 #include "core/base/text.h"
 #include "core/job/memory.h"
 #include "ui/common/text.h"
-#include "ui/jobs/run_pictures.h"
 #include "ui/jobs/task_bar.h"
+#include "ui/runs/run_pictures.h"
 #include "ui/viewers/image_viewer.h"
 
 #include <QHeaderView>
@@ -112,6 +112,12 @@ FiguresPanel::FiguresPanel(QWidget* parent)
 
 void FiguresPanel::setResult(std::shared_ptr<const Result> result) {
     m_result = std::move(result);
+    if (!m_result) {
+        m_task.cancel();
+        m_made.reset();
+        m_hint->setText(tr("Make a result to see its figures."));
+        take({});
+    }
     begin();
 }
 

@@ -1,7 +1,7 @@
 #include "ui/results/difference_dialog.h"
 
 #include "ui/common/text.h"
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>

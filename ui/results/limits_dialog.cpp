@@ -1,15 +1,19 @@
 #include "ui/results/limits_dialog.h"
 
 #include "ui/common/elided_label.h"
+#include "ui/runs/result_history.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QSettings>
 
 namespace texloom::ui {
 
 namespace {
 
+const QString kMemory = QStringLiteral("results/memory");
+const QString kDisk = QStringLiteral("results/disk");
 constexpr double kGiB = 1024.0 * 1024 * 1024;
 constexpr double kSmallest = 0.1;
 constexpr double kLargest = 10000;
@@ -19,6 +23,26 @@ std::uint64_t bytesOf(const QDoubleSpinBox& size) {
 }
 
 } // namespace
+
+void restoreLimits(ResultHistory& history) {
+    const QSettings settings;
+    history.setMemoryBudget(settings.value(kMemory, quint64{ResultStore::kMemoryBudget}).toULongLong());
+    history.setDiskBudget(settings.value(kDisk, quint64{ResultStore::kDiskBudget}).toULongLong());
+}
+
+void chooseLimits(ResultHistory& history, QWidget* parent) {
+    const ResultStore& store = history.store();
+    auto* dialog = new LimitsDialog(store.memoryBudget(), store.diskBudget(), resultFolder(), parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QDialog::accepted, &history, [&history, dialog] {
+        QSettings settings;
+        settings.setValue(kMemory, quint64{dialog->memory()});
+        settings.setValue(kDisk, quint64{dialog->disk()});
+        history.setMemoryBudget(dialog->memory());
+        history.setDiskBudget(dialog->disk());
+    });
+    dialog->open();
+}
 
 LimitsDialog::LimitsDialog(std::uint64_t memory, std::uint64_t disk, const QString& folder, QWidget* parent)
     : QDialog(parent),

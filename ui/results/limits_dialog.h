@@ -8,6 +8,13 @@ class QDoubleSpinBox;
 
 namespace texloom::ui {
 
+class ResultHistory;
+
+/// Gives a history the limits that were chosen last.
+void restoreLimits(ResultHistory& history);
+/// Asks for the limits of a history, and keeps them for the next time.
+void chooseLimits(ResultHistory& history, QWidget* parent);
+
 /// How much memory and how much of the disk results may take.
 class LimitsDialog : public QDialog {
     Q_OBJECT

@@ -1,7 +1,7 @@
 #include "ui/results/result_delegate.h"
 
 #include "ui/common/icons.h"
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 #include <QApplication>
 #include <QImage>
@@ -64,15 +64,16 @@ void drawChips(QPainter& painter, const QStringList& chips, const QRect& place, 
     }
 }
 
-void drawPin(QPainter& painter, const QRect& thumbnail, int side) {
-    const QRect disc(thumbnail.right() - side * 3 / 2, thumbnail.top(), side * 3 / 2, side * 3 / 2);
+/// A small icon in a corner of the thumbnail.
+void drawMark(QPainter& painter, const QString& name, const QPoint& corner, int side) {
+    const QRect disc(corner, QSize(1, 1) * side * 3 / 2);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QApplication::palette().color(QPalette::Button));
     painter.drawEllipse(disc);
     QRect drawing(0, 0, side, side);
     drawing.moveCenter(disc.center());
-    icon(QStringLiteral("pin")).paint(&painter, drawing);
+    icon(name).paint(&painter, drawing);
 }
 
 /// The font of chips: a little smaller than that of titles.
@@ -100,8 +101,11 @@ void ResultDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         painter->fillRect(option.rect, option.palette.color(group, QPalette::Highlight));
     const Card card(option.rect, option.fontMetrics);
     drawThumbnail(*painter, index.data(Qt::DecorationRole).value<QImage>(), card.thumbnail);
+    const int side = option.fontMetrics.height();
     if (index.data(ResultHistory::PinnedRole).toBool())
-        drawPin(*painter, card.thumbnail, option.fontMetrics.height());
+        drawMark(*painter, QStringLiteral("pin"), card.thumbnail.topRight() - QPoint(side * 3 / 2, 0), side);
+    if (index.data(ResultHistory::ShownRole).toBool())
+        drawMark(*painter, QStringLiteral("shown"), card.thumbnail.topLeft(), side);
 
     const QColor text = option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text);
     painter->setRenderHint(QPainter::Antialiasing, true);

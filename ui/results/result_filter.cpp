@@ -1,6 +1,6 @@
 #include "ui/results/result_filter.h"
 
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 namespace texloom::ui {
 

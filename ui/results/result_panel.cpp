@@ -3,9 +3,11 @@
 #include "core/base/text.h"
 #include "ui/common/icons.h"
 #include "ui/common/shortcuts.h"
+#include "ui/results/difference_dialog.h"
+#include "ui/results/limits_dialog.h"
 #include "ui/results/result_delegate.h"
 #include "ui/results/result_filter.h"
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -15,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QSettings>
 #include <QToolButton>
 
@@ -25,6 +28,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kSearchWidths = 24;
+constexpr int kNameWidths = 32; ///< of a result in a menu
 const QString kKind = QStringLiteral("results/shown");
 /// A comparison shows this many at most.
 constexpr std::size_t kMostCompared = 9;
@@ -32,6 +36,7 @@ constexpr std::size_t kMostCompared = 9;
 QAction* make(QWidget* window, const char* name, const QString& text, const QString& help,
               const QKeySequence& key = {}, const char* iconName = nullptr) {
     auto* action = new QAction(text, window);
+    action->setIconText(action->iconText()); // buttons keep it while menus name what it acts on
     action->setObjectName(QLatin1String(name));
     action->setShortcut(key);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -61,10 +66,22 @@ ResultActions::ResultActions(QWidget* window)
       rename(make(window, "renameResult", tr("Re&name"), tr("Give the chosen result a name of your own"),
                   Qt::Key_F2)),
       remove(make(window, "removeResult", tr("De&lete"), tr("Delete the chosen results"),
-                  QKeySequence::Delete, "delete")) {
+                  QKeySequence::Delete, "delete")),
+      limits(make(window, "resultLimits", tr("&Limits…"),
+                  tr("Set how much memory and how much of the disk results may take"))) {
     pin->setCheckable(true);
     for (QAction* action : {pin, rename}) // what is shown is chosen, too
         action->setShortcutContext(Qt::WindowShortcut);
+}
+
+QMenu* ResultActions::makeMenu(QWidget* window) const {
+    auto* menu = new QMenu(tr("&Results"), window);
+    menu->addActions({show, restore, compare, difference});
+    menu->addSeparator();
+    menu->addActions({pin, rename, remove});
+    menu->addSeparator();
+    menu->addAction(limits);
+    return menu;
 }
 
 ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, QWidget* parent)
@@ -147,6 +164,10 @@ void ResultPanel::connectActions() {
             &ResultPanel::updateActions);
     connect(m_found, &QAbstractItemModel::dataChanged, this, &ResultPanel::updateActions);
     connect(m_list, &QListView::activated, m_actions.show, &QAction::trigger);
+    connect(m_list, &QListView::clicked, this, [this] {
+        if (m_actions.show->isEnabled()) // not while several are being chosen
+            m_actions.show->trigger();
+    });
     connect(m_actions.show, &QAction::triggered, this, [this] {
         if (const auto keys = selected(); !keys.empty())
             Q_EMIT showWanted(keys.front());
@@ -156,18 +177,16 @@ void ResultPanel::connectActions() {
             Q_EMIT restoreWanted(keys.front());
     });
     connect(m_actions.compare, &QAction::triggered, this, [this] { Q_EMIT compareWanted(selected()); });
-    connect(m_actions.difference, &QAction::triggered, this, [this] {
-        if (const auto keys = selected(); keys.size() == 2)
-            Q_EMIT differenceWanted(keys[1], keys[0]);
-    });
+    connect(m_actions.difference, &QAction::triggered, this, &ResultPanel::showDifference);
+    connect(m_actions.limits, &QAction::triggered, this, [this] { chooseLimits(*m_history, window()); });
     connect(m_actions.pin, &QAction::triggered, this, &ResultPanel::pinSelected);
     connect(m_actions.rename, &QAction::triggered, this, [this] {
         if (auto* dock = qobject_cast<QDockWidget*>(parentWidget())) {
             dock->show();
             dock->raise();
         }
-        if (m_list->currentIndex().isValid())
-            m_list->edit(m_list->currentIndex());
+        if (const auto keys = selected(); keys.size() == 1)
+            m_list->edit(m_found->mapFromSource(m_history->indexOf(keys.front())));
     });
     connect(m_actions.remove, &QAction::triggered, this, &ResultPanel::removeSelected);
 }
@@ -192,6 +211,15 @@ void ResultPanel::select(const std::vector<std::string>& keys) {
     }
 }
 
+void ResultPanel::showDifference() {
+    const std::vector<std::string> keys = selected();
+    if (keys.size() != 2)
+        return;
+    auto* dialog = new DifferenceDialog(*m_history->find(keys[1]), *m_history->find(keys[0]), window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
 void ResultPanel::pinSelected() {
     for (const std::string& key : selected())
         m_history->setPinned(key, m_actions.pin->isChecked());
@@ -205,7 +233,7 @@ void ResultPanel::removeSelected() {
                              ? tr("“%1” was deleted.").arg(titleText(*m_history->find(keys.front())))
                              : tr("%1 results were deleted.").arg(keys.size());
     m_history->remove(keys);
-    Q_EMIT removed(what);
+    Q_EMIT removed(keys, what);
 }
 
 void ResultPanel::updateActions() {
@@ -222,6 +250,25 @@ void ResultPanel::updateActions() {
         return entry != nullptr && entry->pinned;
     };
     m_actions.pin->setChecked(!keys.empty() && std::all_of(keys.begin(), keys.end(), pinned));
+    nameTargets(keys);
+}
+
+/// The menus say what they would act on.
+void ResultPanel::nameTargets(const std::vector<std::string>& keys) {
+    const ResultEntry* const only = keys.size() == 1 ? m_history->find(keys.front()) : nullptr;
+    if (only == nullptr) {
+        const bool several = keys.size() > 1;
+        m_actions.pin->setText(several ? tr("&Pin %1 results").arg(keys.size()) : tr("&Pin"));
+        m_actions.rename->setText(tr("Re&name"));
+        m_actions.remove->setText(several ? tr("De&lete %1 results").arg(keys.size()) : tr("De&lete"));
+        return;
+    }
+    const int widest = fontMetrics().averageCharWidth() * kNameWidths;
+    QString name = fontMetrics().elidedText(titleText(*only), Qt::ElideMiddle, widest);
+    name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+    m_actions.pin->setText(tr("&Pin “%1”").arg(name));
+    m_actions.rename->setText(tr("Re&name “%1”").arg(name));
+    m_actions.remove->setText(tr("De&lete “%1”").arg(name));
 }
 
 void ResultPanel::explainEmpty() {

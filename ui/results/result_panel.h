@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/results/result_history.h"
+#include "ui/runs/result_history.h"
 
 #include <QWidget>
 
@@ -10,6 +10,7 @@ class QLabel;
 class QLayout;
 class QLineEdit;
 class QListView;
+class QMenu;
 
 namespace texloom::ui {
 
@@ -26,11 +27,14 @@ struct ResultActions {
     QAction* pin;
     QAction* rename;
     QAction* remove;
+    QAction* limits;
+
+    QMenu* makeMenu(QWidget* window) const;
 };
 
-/// The Results dock: a card for every run, a search, and what can be done with those that are chosen,
-/// which are those shown last unless the user chose others. P and F2 act on them anywhere in the window, Del
-/// and Return while the list has the focus.
+/// The Results dock: a card for every run, a search, and what can be done with those that are chosen. A click
+/// on a card shows its result, and a result that is shown is chosen, so that what P and F2 act on anywhere in
+/// the window, and Del while the list has the focus, is what is seen, unless the user chose several.
 class ResultPanel : public QWidget {
     Q_OBJECT
 
@@ -46,16 +50,17 @@ Q_SIGNALS:
     void showWanted(const std::string& key);
     void restoreWanted(const std::string& key);
     void compareWanted(const std::vector<std::string>& keys);
-    void differenceWanted(const std::string& first, const std::string& second);
     /// Results were taken off the list; the sentence says which.
-    void removed(const QString& sentence);
+    void removed(const std::vector<std::string>& keys, const QString& sentence);
 
 private:
     QLayout* makeBar();
     void connectActions();
     void removeSelected();
     void pinSelected();
+    void showDifference();
     void updateActions();
+    void nameTargets(const std::vector<std::string>& keys);
     void explainEmpty();
     void sayUsage();
 

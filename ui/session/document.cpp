@@ -8,18 +8,12 @@
 #include "ui/session/missing_files_dialog.h"
 
 #include <QAction>
-#include <QDateTime>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLocale>
-#include <QLockFile>
 #include <QMenu>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QUuid>
 
 #include <utility>
 
@@ -31,12 +25,6 @@ const QString kEnding = QStringLiteral(".texloom");
 const QString kRecents = QStringLiteral("recentSessions");
 const QString kFolder = QStringLiteral("folders/session");
 constexpr int kMostRecents = 12;
-/// Well under the half minute that a crash may cost.
-constexpr std::chrono::seconds kRecoveryDelay{10};
-
-QString lockOf(const QString& path) {
-    return path + QStringLiteral(".lock");
-}
 
 QString filter() {
     return Document::tr("Sessions (*.texloom)");
@@ -66,11 +54,10 @@ LoadedSession loadAll(Session session) {
         }
     }
     try {
-        if (const auto& initial = session.settings.initial)
-            loaded.initial = loadExemplar(initial->path, initial->space);
+        loaded.inputs = loadInputs(session.settings.inputs, session.settings.steps, loaded.exemplars);
     } catch (const std::exception& error) {
         loaded.leftOut += sentence(error);
-        session.settings.initial.reset();
+        session.settings.inputs.clear();
     }
     loaded.session = std::move(session);
     return loaded;
@@ -78,21 +65,21 @@ LoadedSession loadAll(Session session) {
 
 } // namespace
 
-Document::Document(Window window, QObject* parent) : QObject(parent), m_window(std::move(window)) {
-    m_timer.setSingleShot(true);
-    const int asked = qEnvironmentVariableIntValue("TEXLOOM_RECOVERY_SECONDS");
-    m_timer.setInterval(asked > 0 ? std::chrono::seconds(asked) : kRecoveryDelay);
-    connect(&m_timer, &QTimer::timeout, this, &Document::writeRecovery);
+Document::Document(Window window, QObject* parent)
+    : QObject(parent), m_window(std::move(window)),
+      m_recovery(new RecoveryCopy([this] { return unsaved(); }, &m_writer, this)) {
     m_writer.setMaxThreadCount(1);
-    setRecoveryFolder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                      QStringLiteral("/recovery"));
+    m_recovery->setFolder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                          QStringLiteral("/recovery"));
+    connect(m_recovery, &RecoveryCopy::recoverWanted, this, &Document::recover);
+    connect(m_recovery, &RecoveryCopy::failed, this, m_window.refuse);
 }
 
 Document::~Document() {
     // A window that is closed in order leaves nothing to recover, nor does a copy that is still being
     // written.
     m_writer.waitForDone();
-    dropRecovery();
+    m_recovery->drop();
 }
 
 bool Document::isSession(const QString& path) {
@@ -138,12 +125,11 @@ void Document::touch() {
     if (m_loading)
         return;
     setModified(true);
-    if (!m_timer.isActive())
-        m_timer.start();
+    m_recovery->writeSoon();
 }
 
 void Document::settle() {
-    m_timer.stop();
+    m_recovery->pause();
     setModified(false);
 }
 
@@ -166,14 +152,10 @@ void Document::setFile(const QString& path) {
 void Document::startNew() {
     if (!askToSave())
         return;
-    LoadedSession empty;
-    empty.session = m_window.read();
-    empty.session.settings.exemplars.clear();
-    empty.session.used.clear();
     m_loading = true;
-    m_window.show(empty, [this] {
+    m_window.startAfresh([this] {
         m_loading = false;
-        dropRecovery();
+        m_recovery->drop();
         setFile({});
         setModified(false);
     });
@@ -237,9 +219,9 @@ void Document::load(const Session& session, const QString& file, const QString& 
 
 void Document::opened(const LoadedSession& loaded, const QString& file, const QString& copy) {
     m_loading = false;
-    dropRecovery();
+    m_recovery->drop();
     if (!copy.isEmpty())
-        claimRecoveryFile(copy); // written again as work goes on
+        m_recovery->takeOver(copy); // written again as work goes on
     setFile(file);
     setModified(!copy.isEmpty() || !loaded.leftOut.isEmpty());
     if (!loaded.leftOut.isEmpty())
@@ -289,7 +271,7 @@ void Document::saveTo(const QString& path, bool packed) {
             --m_saving;
             setFile(path);
             if (!m_modified)
-                dropRecovery();
+                m_recovery->drop();
             m_window.tell(tr("Saved %1.").arg(QFileInfo(path).fileName()));
         },
         [this](const QString& why) {
@@ -342,92 +324,21 @@ bool Document::mayClose() {
     if (!askToSave())
         return false;
     m_closing = true;
-    m_timer.stop();
+    m_recovery->pause();
     return true;
 }
 
-void Document::setRecoveryFolder(const QString& folder) {
-    dropRecovery();
-    m_recoveryFolder = folder;
-}
-
-void Document::claimRecoveryFile(const QString& path) {
-    m_recoveryFile = path;
-    m_lock = std::make_unique<QLockFile>(lockOf(path));
-    m_lock->setStaleLockTime(0); // as long as this process lives, however long that is
-    m_lock->tryLock();
-}
-
-void Document::writeRecovery() {
-    if (m_closing || m_writing || !m_modified)
-        return;
-    if (m_recoveryFile.isEmpty()) {
-        QDir().mkpath(m_recoveryFolder);
-        claimRecoveryFile(m_recoveryFolder + QLatin1Char('/') +
-                          QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
-    }
-    m_writing = true;
+/// What a crash would lose.
+std::optional<Session> Document::unsaved() const {
+    if (m_closing || !m_modified)
+        return {};
     Session session = m_window.read();
     session.file = toPath(m_file);
-    inBackground(
-        m_writer, this,
-        [path = toPath(m_recoveryFile), session] {
-            writeSession(path, session);
-            return true;
-        },
-        [this, path = m_recoveryFile](bool) {
-            m_writing = false;
-            m_recoveryFailed = false;
-            if (path != m_recoveryFile) // saved or closed in the meantime
-                QFile::remove(path);
-        },
-        [this](const QString& why) {
-            m_writing = false;
-            if (!std::exchange(m_recoveryFailed, true))
-                m_window.refuse(
-                    tr("The session could not be kept for recovery, so that a crash would lose it; make "
-                       "room or save it elsewhere. %1")
-                        .arg(why));
-            m_timer.start();
-        });
-}
-
-void Document::dropRecovery() {
-    m_timer.stop();
-    if (m_recoveryFile.isEmpty())
-        return;
-    QFile::remove(m_recoveryFile);
-    m_recoveryFile.clear();
-    m_lock.reset();
+    return session;
 }
 
 void Document::offerRecovery() {
-    const QFileInfoList found =
-        QDir(m_recoveryFolder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
-    for (const QFileInfo& copy : found) {
-        QLockFile lock(lockOf(copy.filePath()));
-        if (!lock.tryLock()) // the program that writes it is still there
-            continue;
-        auto* box = new QMessageBox(QMessageBox::Question, tr("Recover a session"),
-                                    tr("Texloom was not closed in order. The session of %1 can be recovered.")
-                                        .arg(QLocale().toString(copy.lastModified(), QLocale::ShortFormat)),
-                                    QMessageBox::NoButton, m_window.widget);
-        box->setObjectName(QStringLiteral("recoveryDialog"));
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        QPushButton* const yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);
-        yes->setObjectName(QStringLiteral("recover"));
-        QPushButton* const no = box->addButton(tr("&Throw away"), QMessageBox::DestructiveRole);
-        no->setObjectName(QStringLiteral("throwAway"));
-        box->setDefaultButton(yes);
-        box->setEscapeButton(box->addButton(tr("&Later"), QMessageBox::RejectRole));
-        connect(yes, &QPushButton::clicked, this, [this, path = copy.filePath()] { recover(path); });
-        connect(no, &QPushButton::clicked, this, [path = copy.filePath()] {
-            QFile::remove(path);
-            QFile::remove(lockOf(path));
-        });
-        box->open();
-        return;
-    }
+    m_recovery->offer(m_window.widget);
 }
 
 void Document::recover(const QString& path) {

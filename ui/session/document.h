@@ -1,17 +1,16 @@
 #pragma once
 
 #include "ui/exemplar/exemplar_store.h"
+#include "ui/session/recovery_copy.h"
 #include "ui/session/settings_state.h"
 
 #include <QObject>
 #include <QThreadPool>
-#include <QTimer>
 
 #include <functional>
-#include <memory>
+#include <optional>
 
 class QAction;
-class QLockFile;
 class QMenu;
 class QWidget;
 
@@ -21,7 +20,7 @@ namespace texloom::ui {
 struct LoadedSession {
     Session session;
     std::vector<RunExemplar> exemplars; ///< one for each of the session's
-    std::optional<ExemplarFile> initial;
+    InputFiles inputs;
     QStringList changed; ///< names of files that are not those the session knew
     QStringList leftOut; ///< sentences about files that could not be read
 };
@@ -38,6 +37,8 @@ public:
         std::function<Session()> read; ///< as it stands; cheap
         /// Shows it in place of all that is open, and calls `shown` when that is done.
         std::function<void(const LoadedSession&, std::function<void()> shown)> show;
+        /// Closes all that is open, as when the window first opens, and calls `shown` when that is done.
+        std::function<void(std::function<void()> shown)> startAfresh;
         std::function<void(const QString&)> tell, refuse; ///< says a sentence in place
         /// Whether there is something made by hand that only a session keeps, such as edits or a painted
         /// mask.
@@ -65,11 +66,8 @@ public:
     /// Looks for sessions whose program ended without closing them, and asks about the newest.
     void offerRecovery();
 
-    /// Where copies for recovery are. @param folder made when needed.
-    void setRecoveryFolder(const QString& folder);
-    void setRecoveryDelay(std::chrono::milliseconds delay) { m_timer.setInterval(delay); }
-    const QString& recoveryFile() const { return m_recoveryFile; }
-    const QString& recoveryFolder() const { return m_recoveryFolder; }
+    /// The copy that would be left by a crash.
+    RecoveryCopy* recovery() const { return m_recovery; }
 
     /// Whether a path names a session.
     static bool isSession(const QString& path);
@@ -100,9 +98,7 @@ private:
     void finishSaving();
     bool askToSave();
     bool saveNow(const QString& path);
-    void writeRecovery();
-    void dropRecovery();
-    void claimRecoveryFile(const QString& path);
+    std::optional<Session> unsaved() const;
     void recover(const QString& path);
 
     Window m_window;
@@ -110,14 +106,9 @@ private:
     bool m_modified = false;
     bool m_loading = false;
     bool m_closing = false;
-    QTimer m_timer;
-    QString m_recoveryFolder;
-    QString m_recoveryFile;
-    std::unique_ptr<QLockFile> m_lock;
     QThreadPool m_writer; ///< one thread: what is saved later is written later
     int m_saving = 0;
-    bool m_writing = false;
-    bool m_recoveryFailed = false;
+    RecoveryCopy* m_recovery;
 };
 
 } // namespace texloom::ui

@@ -14,7 +14,9 @@ namespace texloom::ui {
 QString SettingsState::difference(const SettingsState& other) const {
     const auto json = [](const SettingsState& state) {
         nlohmann::json made = nlohmann::json::parse(state.settings.toJson("/"));
-        made["initial"] = state.initial ? state.initial->path.string() + state.initial->hash : "";
+        for (const auto& [port, files] : state.inputs)
+            for (const InputFile& input : files)
+                made["inputs"][port].push_back(input.file.path.string() + input.file.hash);
         made["seedLocked"] = state.seedLocked;
         return made;
     };
@@ -33,28 +35,27 @@ QString SettingsState::difference(const SettingsState& other) const {
 SettingsState settingsOf(const QComboBox& method, const Inspector& inspector) {
     const OutputGroup* const output = inspector.output();
     SettingsState state;
-    state.settings.method = method.currentData().toString().toStdString();
-    state.settings.parameters = inspector.changedValues();
-    state.settings.then = inspector.then();
+    state.settings.steps = {{method.currentData().toString().toStdString(), inspector.changedValues()}};
+    for (RecipeStep& step : inspector.then())
+        state.settings.steps.push_back(std::move(step));
     state.settings.size = output->outputSize();
     state.settings.wrap = output->wrap();
     state.settings.seed = output->seed();
     state.settings.region = output->part();
-    state.initial = output->initial();
+    state.inputs = output->inputs();
     state.seedLocked = output->seedLocked();
     return state;
 }
 
 void showSettings(const SettingsState& state, QComboBox& method, Inspector& inspector) {
-    method.setCurrentIndex(method.findData(QString::fromStdString(state.settings.method)));
-    inspector.setValues(state.settings.parameters);
-    inspector.setThen(state.settings.then);
+    method.setCurrentIndex(method.findData(QString::fromStdString(state.settings.steps.front().method)));
+    inspector.setSteps(state.settings.steps);
     OutputGroup* const output = inspector.output();
     output->setOutputSize(state.settings.size);
     output->setWrap(state.settings.wrap);
     output->setSeed(state.settings.seed);
     output->setSeedLocked(state.seedLocked);
-    output->setInitial(state.initial);
+    output->setInputs(state.inputs);
     output->setPart(state.settings.region);
     Q_EMIT inspector.edited();
 }

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "core/session/run/exemplar_file.h"
+#include "core/session/run/input_file.h"
 #include "core/session/session.h"
 
 #include <QString>
-
-#include <optional>
 
 class QComboBox;
 
@@ -15,8 +13,8 @@ class Inspector;
 
 /// All settings as the window shows them: what undo goes back to and a session keeps.
 struct SettingsState {
-    Recipe settings; ///< without exemplars; only the parameters that the user set
-    std::optional<ExemplarFile> initial;
+    Recipe settings; ///< without exemplars and inputs; only the parameters that the user set
+    InputFiles inputs;
     bool seedLocked = true;
 
     /// What is different, as a path such as "/parameters/patch"; empty if nothing is. Several differences of

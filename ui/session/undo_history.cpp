@@ -1,7 +1,10 @@
 #include "ui/session/undo_history.h"
 
+#include "ui/runs/result_history.h"
+
 #include <QAction>
 #include <QElapsedTimer>
+#include <QPointer>
 #include <QUndoCommand>
 #include <QUndoStack>
 
@@ -53,6 +56,34 @@ private:
     QElapsedTimer m_since;
 };
 
+/// Takes results off a history's list, which has been done when it is pushed.
+class RemoveResults : public QUndoCommand {
+public:
+    RemoveResults(ResultHistory* history, std::vector<std::string> keys)
+        : QUndoCommand(keys.size() == 1 ? UndoHistory::tr("Delete result")
+                                        : UndoHistory::tr("Delete results")),
+          m_history(history), m_keys(std::move(keys)) {}
+    ~RemoveResults() override {
+        if (m_history && m_removed)
+            m_history->purge(m_keys);
+    }
+
+    void undo() override {
+        m_removed = false;
+        m_history->putBack(m_keys);
+    }
+    void redo() override {
+        if (!m_removed)
+            m_history->remove(m_keys);
+        m_removed = true;
+    }
+
+private:
+    QPointer<ResultHistory> m_history;
+    std::vector<std::string> m_keys;
+    bool m_removed = true;
+};
+
 QString nameOf(const QString& difference) {
     const QString group = difference.section(QLatin1Char('/'), 1, 1);
     if (group == QLatin1String("method"))
@@ -63,8 +94,8 @@ QString nameOf(const QString& difference) {
         return UndoHistory::tr("Seed");
     if (group == QLatin1String("wrap"))
         return UndoHistory::tr("Wraps");
-    if (group == QLatin1String("initial"))
-        return UndoHistory::tr("Start from");
+    if (group == QLatin1String("inputs"))
+        return UndoHistory::tr("Input");
     return UndoHistory::tr("Settings");
 }
 
@@ -115,6 +146,10 @@ void UndoHistory::settingsEdited() {
     m_stack->push(new StateCommand<SettingsState>(SettingsId, nameOf(difference), difference, m_last, now,
                                                   [this](const SettingsState& state) { show(state); }));
     m_last = std::move(now);
+}
+
+void UndoHistory::removed(ResultHistory* history, const std::vector<std::string>& keys) {
+    m_stack->push(new RemoveResults(history, keys));
 }
 
 void UndoHistory::asOne(const std::function<void()>& change) {

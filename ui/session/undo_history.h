@@ -6,14 +6,18 @@
 #include <QObject>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 class QAction;
 class QUndoStack;
 
 namespace texloom::ui {
 
-/// Undo and redo of settings, exemplars in use, their edits, masks and companion maps in one list; results
-/// are a history of their own. Changes of one slider that follow each other closely are one step.
+class ResultHistory;
+
+/// Undo and redo of settings, exemplars in use, their edits, masks and companion maps, and of results that
+/// were deleted, in one list. Changes of one slider that follow each other closely are one step.
 class UndoHistory : public QObject {
     Q_OBJECT
 
@@ -40,6 +44,9 @@ public:
     private:
         UndoHistory* m_history;
     };
+    /// Results were taken off a history's list: undo puts them back. Their files go when that is no longer
+    /// possible.
+    void removed(ResultHistory* history, const std::vector<std::string>& keys);
     /// Does something that changes several settings as one step.
     void asOne(const std::function<void()>& change);
     /// Forgets everything, as another session opens.

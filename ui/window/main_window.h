@@ -5,42 +5,46 @@
 #include "core/session/session.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/exemplar/named_image.h"
-#include "ui/jobs/job_queue.h"
+#include "ui/results/result_panel.h"
+#include "ui/runs/run_desk.h"
+#include "ui/session/settings_state.h"
 #include "ui/window/actions.h"
 #include "ui/window/drop_targets.h"
 
 #include <QMainWindow>
 #include <QTimer>
 
-#include <memory>
-#include <optional>
+#include <functional>
+#include <string>
+#include <vector>
 
 class QComboBox;
+class QDockWidget;
 class QMenu;
 class QMimeData;
 class QStackedWidget;
 
 namespace texloom::ui {
 
+class Comparisons;
+class CompareView;
 class Document;
 class ExemplarEditor;
 class ExemplarPanel;
-class ExportDialog;
 class FiguresPanel;
 class ImageViewer;
 class Inspector;
+class JobPanel;
 class LatticeTool;
+class LogPanel;
 class MessageBar;
-class Readout;
+class ResultExport;
 class ResultView;
 class RunPanel;
 class StartPage;
+class Tries;
 class UndoHistory;
-class Workbench;
 struct LoadedSession;
-
-/// The size of a preview of an output: its shape, small.
-Size quickSize(Size size);
 
 /// The window: exemplars on the left, pictures in the middle, parameters on the right. It joins what the
 /// parts say to one another and does no work itself.
@@ -56,8 +60,6 @@ public:
     /// Starts a run with the settings as they stand, right after the one under way if there is one.
     /// @param quick at a preview's size.
     void startRun(bool quick);
-    /// Adds a run with the settings as they stand to the end of the queue.
-    void queueRun();
     /// What a run would be given now.
     RunInput input(bool quick) const;
     /// Takes over everything that a recipe says.
@@ -65,31 +67,27 @@ public:
     /// Takes over what a recipe says; its exemplars are read if they are not open.
     /// @param keepSize whether the output keeps its size, as for the recipe of a preview.
     void restoreRecipe(const Recipe& recipe, bool keepSize);
-    /// Shows a finished run. @param quick whether it is a preview at a small size.
-    void showResult(const std::shared_ptr<const Result>& result, const RunPictures& pictures, bool quick);
-    /// Shows the pictures of the run under way as it goes, and its result.
-    void watch(int id);
-    /// Leaves the start page.
-    void showResults();
+    /// Takes over the settings of a result of the history.
+    void restoreResult(const std::string& key);
     /// Says in place what could not be done.
     void fail(const QString& sentence);
 
+    RunDesk* desk() const { return m_desk; }
     ExemplarStore* store() const { return m_store; }
-    RunController* controller() const { return m_controller; }
     Inspector* inspector() const { return m_inspector; }
     ResultView* results() const { return m_results; }
     MessageBar* messages() const { return m_messages; }
     RunPanel* runPanel() const { return m_runPanel; }
+    ResultPanel* resultPanel() const { return m_resultPanel; }
+    LogPanel* log() const { return m_log; }
+    CompareView* compare() const;
     ExemplarPanel* exemplarPanel() const { return m_exemplars; }
     ExemplarEditor* exemplarEditor() const { return m_editor; }
     Document* document() const { return m_document; }
     UndoHistory* undoHistory() const { return m_undo; }
     /// Everything that a session keeps, as it stands.
     Session session() const;
-    Workbench* workbench() const { return m_bench; }
     LatticeTool* lattice() const { return m_lattice; }
-    /// The finished result that was shown last; null if there is none.
-    const std::shared_ptr<const Result>& result() const { return m_result; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -98,20 +96,26 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void fillMethods();
     void makeCentre();
     void makeDocks();
+    QDockWidget* addDock(Qt::DockWidgetArea area, QWidget* content, const QString& title, const char* name);
     void makeMenus();
+    QMenu* makeFileMenu();
+    QMenu* makeSynthesisMenu();
     QMenu* makePresetMenu();
     QMenu* makeViewMenu();
     QMenu* makeAppearanceMenu();
     void makeToolBar();
     void setTabOrderThrough();
     void connectActions();
+    void connectRunActions();
     void connectViewActions();
     ImageViewer* frontViewer() const;
     void connectStore();
-    void connectRun();
-    void connectHovers();
+    void connectDesk();
+    void connectResults();
+    void offerToPutBack(const std::vector<std::string>& keys, const QString& sentence);
     void connectLattice();
     void connectTools();
     std::vector<NamedImage> images() const;
@@ -121,6 +125,7 @@ private:
     bool handmade() const;
     void tidyMasks();
     void showTitle();
+    void startAfresh(const std::function<void()>& shown);
     void showSession(const LoadedSession& loaded, const std::function<void()>& shown);
     void editExemplar(bool edit);
 
@@ -132,9 +137,6 @@ private:
     void exemplarOpened(int id);
     void offerRecipe(const QString& path, const QString& text);
     void loadRecipeFrom(const QString& path);
-    void exportDialog();
-    void writeFiles(const ExportDialog& dialog);
-    void copyResult();
 
     void methodChosen();
     void settingsEdited();
@@ -144,29 +146,19 @@ private:
     void plan();
     void updateActions();
     std::vector<RunExemplar> usedExemplars() const;
-    void addRun(bool quick, bool next);
+    void drawSeedUnlessLocked();
     void applySettings(const RunInput& input);
     bool openExemplarsOf(const Recipe& recipe);
-    void takeShownExemplars(const RunPlan& plan);
-    void runStarted(int id);
-    void runPreviewed(int id, const RunPictures& pictures);
-    void runFinished(const QueuedJob& job, const std::shared_ptr<const Result>& result,
-                     const RunPictures& pictures);
-    void runStopped(const QueuedJob& job, double fraction);
-    void runFailed(const QueuedJob& job);
-    void showResult();
-
-    void hoverResult(QPoint pixel);
-    void hoverExemplar(const ExemplarEntry* entry, QPoint pixel);
-    void showCopies(const ExemplarEntry& entry, QPoint pixel);
-    void endHover();
+    void showResults();
     void showShortcuts();
     void showAbout();
 
     Actions m_actions;
+    ResultActions m_resultActions;
     ExemplarStore* m_store;
-    RunController* m_controller;
-    Workbench* m_bench;
+    RunDesk* m_desk;
+    Comparisons* m_comparisons;
+    Tries* m_tries;
     QStackedWidget* m_centre = nullptr;
     StartPage* m_start = nullptr;
     ResultView* m_results = nullptr;
@@ -175,26 +167,19 @@ private:
     Document* m_document = nullptr;
     UndoHistory* m_undo = nullptr;
     MessageBar* m_messages = nullptr;
+    ResultExport* m_export = nullptr;
     ExemplarPanel* m_exemplars = nullptr;
     Inspector* m_inspector = nullptr;
     RunPanel* m_runPanel = nullptr;
+    ResultPanel* m_resultPanel = nullptr;
+    JobPanel* m_jobs = nullptr;
+    LogPanel* m_log = nullptr;
     LatticeTool* m_lattice = nullptr;
     FiguresPanel* m_figures = nullptr;
-    Readout* m_readout = nullptr;
     QComboBox* m_method;
+    SettingsState m_firstSettings; ///< as the window first opens
     QByteArray m_defaultLayout;
     QTimer m_planTimer;
-    bool m_canRun = false;
-    bool m_canQuick = false;
-    bool m_starting = false;
-    int m_planRequest = 0;
-    int m_live = 0; ///< the queue's id of the run whose pictures are shown as it goes
-
-    std::vector<Exemplar> m_shownExemplars; ///< of the run whose pictures are shown
-    std::shared_ptr<const Result> m_result;
-    RunPictures m_resultPictures;
-    bool m_resultQuick = false;
-    bool m_resultShown = false;
 };
 
 } // namespace texloom::ui

@@ -1,23 +1,22 @@
 #include "core/base/version.h"
+#include "core/session/run/exemplar_use.h"
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
 #include "ui/common/message_bar.h"
 #include "ui/common/shortcuts_dialog.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
-#include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
+#include "ui/maps/result_view.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
-#include "ui/viewers/result_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_page.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -28,7 +27,6 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QStatusBar>
-#include <QUrl>
 
 #include <algorithm>
 #include <utility>
@@ -38,7 +36,6 @@ namespace texloom::ui {
 namespace {
 
 const QString kOpenFolder = QStringLiteral("folders/open");
-const QString kExportFolder = QStringLiteral("folders/export");
 constexpr std::chrono::milliseconds kDragGrace{150};
 
 bool isRecipe(const QString& path) {
@@ -124,8 +121,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         return;
     event->acceptProposedAction();
     if (m_store->current() != nullptr)
-        return m_drop->open(!localFiles(*event->mimeData()).isEmpty(),
-                            m_inspector->allMethods(&MethodInfo::usesMask));
+        return m_drop->open(!localFiles(*event->mimeData()).isEmpty(), useOf(m_inspector->steps()).masks);
     m_start->setDropping(true);
     statusBar()->showMessage(tr("Let go to open it as an exemplar."));
 }
@@ -176,7 +172,7 @@ void MainWindow::exemplarOpened(int id) {
         offerRecipe(path, tr("%1 was made here and holds its settings.").arg(QFileInfo(path).fileName()));
     else if (m_messages->kind() == MessageBar::Kind::Error)
         m_messages->dismiss();
-    const bool first = m_store->entries().size() == 1 && !m_result && !m_controller->running();
+    const bool first = m_store->entries().size() == 1 && !m_desk->result() && !m_desk->running();
     if (first)
         startRun(true);
 }
@@ -209,15 +205,14 @@ void MainWindow::restore(const RunInput& input) {
 
 void MainWindow::applySettings(const RunInput& input) {
     m_undo->asOne([this, &input] {
-        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.method)));
+        m_method->setCurrentIndex(m_method->findData(QString::fromStdString(input.steps.front().method)));
         OutputGroup* const output = m_inspector->output();
         output->setOutputSize(input.size);
         output->setWrap(input.wrap);
         output->setSeed(input.seed);
-        output->setInitial(input.initial);
         output->setPart(input.region);
-        m_inspector->setValues(input.settings);
-        m_inspector->setThen(input.then);
+        m_inspector->setSteps(input.steps);
+        output->setInputs(input.inputs);
     });
     plan();
 }
@@ -244,11 +239,9 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
 
 void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
     const Size size = keepSize ? m_inspector->output()->outputSize() : recipe.size;
-    if (!recipe.initial && openExemplarsOf(recipe)) {
+    if (recipe.inputs.empty() && openExemplarsOf(recipe)) {
         RunInput input;
-        input.method = recipe.method;
-        input.settings = recipe.parameters;
-        input.then = recipe.then;
+        input.steps = recipe.steps;
         input.size = size;
         input.wrap = recipe.wrap;
         input.seed = recipe.seed;
@@ -265,38 +258,6 @@ void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
             restore(input);
         },
         [this](const QString& why) { fail(why); });
-}
-
-void MainWindow::exportDialog() {
-    const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString known = QFileInfo(pictures).isDir() ? pictures : QDir::homePath();
-    const QString folder = QSettings().value(kExportFolder, known).toString();
-    auto* dialog = new ExportDialog(m_result, folder, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { writeFiles(*dialog); });
-    dialog->open();
-}
-
-void MainWindow::writeFiles(const ExportDialog& dialog) {
-    const QString folder = dialog.folder();
-    QSettings().setValue(kExportFolder, folder);
-    m_messages->say(MessageBar::Kind::Information, tr("Writing to %1…").arg(folder));
-    inBackground(
-        this,
-        [result = dialog.result(), options = dialog.options()] { return exportResult(*result, options); },
-        [this, folder](const std::vector<ExportEntry>& written) {
-            const QString text = written.size() == 1
-                                     ? tr("Wrote 1 file to %1.").arg(folder)
-                                     : tr("Wrote %1 files to %2.").arg(written.size()).arg(folder);
-            m_messages->say(MessageBar::Kind::Information, text, tr("Open folder"),
-                            [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
-        },
-        [this](const QString& why) { fail(why); });
-}
-
-void MainWindow::copyResult() {
-    QApplication::clipboard()->setImage(m_resultPictures.result->image());
-    m_messages->say(MessageBar::Kind::Information, tr("The result is on the clipboard."));
 }
 
 void MainWindow::showShortcuts() {

@@ -3,10 +3,10 @@
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
-#include "ui/window/workbench.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -26,11 +26,12 @@ void MainWindow::makeDocument() {
                       [this](const LoadedSession& loaded, const std::function<void()>& shown) {
                           showSession(loaded, shown);
                       },
+                      [this](const std::function<void()>& shown) { startAfresh(shown); },
                       [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); },
                       [this](const QString& text) { fail(text); }, [this] { return handmade(); }},
                      this);
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(m_bench->history(), &ResultHistory::scanned, this, &MainWindow::tidyMasks);
+    connect(m_desk->history(), &ResultHistory::scanned, this, &MainWindow::tidyMasks);
     showTitle();
 }
 
@@ -45,11 +46,11 @@ bool MainWindow::handmade() const {
 /// Painted masks that no result and no session to be recovered names are of no use any more.
 void MainWindow::tidyMasks() {
     std::vector<Recipe> recipes;
-    for (const ResultEntry& entry : m_bench->history()->entries())
+    for (const ResultEntry& entry : m_desk->history()->entries())
         recipes.push_back(entry.recipe);
     inBackground(
         this,
-        [recipes, recovery = m_document->recoveryFolder()] {
+        [recipes, recovery = m_document->recovery()->folder()] {
             removeOldMasks(recipes, recovery);
             return true;
         },
@@ -67,8 +68,7 @@ Session MainWindow::session() const {
     Session session;
     session.settings = state.settings;
     session.seedLocked = state.seedLocked;
-    if (state.initial)
-        session.settings.initial = recipeFile(*state.initial);
+    session.settings.inputs = recipeInputs(state.inputs);
     for (const ExemplarEntry& entry : m_store->entries()) {
         if (&entry == m_store->current())
             session.current = static_cast<int>(session.used.size());
@@ -94,7 +94,7 @@ void MainWindow::showSession(const LoadedSession& loaded, const std::function<vo
                 m_store->setCurrent(ids[static_cast<std::size_t>(loaded.session.current)]);
             {
                 const UndoHistory::Pause pause(m_undo);
-                showSettings({loaded.session.settings, loaded.initial, loaded.session.seedLocked}, *m_method,
+                showSettings({loaded.session.settings, loaded.inputs, loaded.session.seedLocked}, *m_method,
                              *m_inspector);
             }
             m_undo->clear();
@@ -103,6 +103,25 @@ void MainWindow::showSession(const LoadedSession& loaded, const std::function<vo
         },
         Qt::SingleShotConnection);
     m_store->replaceAll(loaded.exemplars);
+}
+
+void MainWindow::startAfresh(const std::function<void()>& shown) {
+    m_actions.editExemplar->setChecked(false);
+    connect(
+        m_store, &ExemplarStore::replaced, this,
+        [this, shown] {
+            const UndoHistory::Pause pause(m_undo);
+            m_desk->clear();
+            m_messages->dismiss();
+            showSettings(m_firstSettings, *m_method, *m_inspector);
+            m_inspector->output()->forgetSize();
+            m_centre->setCurrentIndex(0);
+            m_undo->clear();
+            shown();
+            plan();
+        },
+        Qt::SingleShotConnection);
+    m_store->replaceAll({});
 }
 
 void MainWindow::editExemplar(bool edit) {

@@ -1,13 +1,13 @@
 #include "ui/blend/blend_window.h"
 #include "ui/common/message_bar.h"
 #include "ui/lattice/lattice_tool.h"
+#include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
-#include "ui/results/result_text.h"
-#include "ui/viewers/result_view.h"
+#include "ui/runs/result_text.h"
+#include "ui/window/hovers.h"
 #include "ui/window/main_window.h"
-#include "ui/window/workbench.h"
 
 #include <QComboBox>
 
@@ -32,21 +32,19 @@ std::vector<NamedImage> MainWindow::images() const {
     std::vector<NamedImage> all;
     for (const ExemplarEntry& entry : m_store->entries())
         all.push_back({QString::fromStdString(entry.file().name()), entry.file()});
-    if (m_result) {
-        const ExemplarEntry* const made = m_store->find(m_shownExemplars.front().image);
-        all.push_back(
-            {tr("Result: %1").arg(QString::fromStdString(m_result->label())), fileOf(m_result, made)});
-    }
+    if (const auto& result = m_desk->result())
+        all.push_back({tr("Result: %1").arg(QString::fromStdString(result->label())),
+                       fileOf(result, openExemplar(*m_desk, *m_store, 0))});
     return all;
 }
 
 std::vector<NamedImage> MainWindow::earlierResults() {
     std::vector<NamedImage> all;
-    const std::vector<ResultEntry>& entries = m_bench->history()->entries();
+    const std::vector<ResultEntry>& entries = m_desk->history()->entries();
     for (auto entry = entries.rbegin(); entry != entries.rend() && all.size() < kMostResults; ++entry) {
         const auto fetch = [this, key = entry->key](const NamedImage::Fetched& done,
                                                     const NamedImage::Failed& failed) {
-            m_bench->history()->want(
+            m_desk->history()->want(
                 key,
                 [this, done](const std::shared_ptr<const Result>& result) {
                     const ExemplarEntry* const made =
@@ -84,7 +82,7 @@ void MainWindow::connectTools() {
     });
     connect(m_actions.stress, &QAction::triggered, this, [this] {
         RunInput first = input(false);
-        first.initial.reset();
+        first.inputs.clear();
         first.region.reset();
         for (RunExemplar& exemplar : first.exemplars)
             exemplar.companions.clear();
@@ -93,7 +91,7 @@ void MainWindow::connectTools() {
         dialog->show();
     });
     connect(m_actions.variance, &QAction::triggered, this, [this] {
-        if (m_store->entries().empty() && !m_result)
+        if (m_store->entries().empty() && !m_desk->result())
             return m_messages->say(MessageBar::Kind::Information,
                                    tr("Open an exemplar first: its patches are compared with each other."));
         auto* dialog = new VarianceDialog(images(), this);

@@ -59,7 +59,6 @@ private:
     ChannelPca m_pca;
     std::vector<Target> m_targets;
     Image m_image; ///< components of the canvas
-    std::vector<double> m_changes;
 };
 
 template <class Body> void Synthesizer::overRows(int height, const Body& body) {
@@ -87,7 +86,6 @@ Synthesis Synthesizer::run() {
     iterate();
     result.image = channels(m_image);
     result.image.shrink(m_request.size);
-    result.curves = {{TR("Mismatch of the pixels' histogram"), m_changes}};
     result.figures = {{TR("Scales used"), static_cast<double>(scalesFor(m_request, m_settings))}};
     m_context.progress(1);
     return result;
@@ -115,9 +113,9 @@ void Synthesizer::measure() {
 
 void Synthesizer::start() {
     m_image = Image(canvasFor(m_request, m_settings), m_pca.components());
-    if (m_request.initial) {
+    if (m_request.initial()) {
         // Beyond the output the canvas is filled with its mirror image, which has no jump.
-        const Image& initial = *m_request.initial;
+        const Image& initial = *m_request.initial();
         Image padded(m_image.size(), initial.channels());
         const auto mirrored = [](int at, int length) {
             const int folded = at % (2 * length);
@@ -172,7 +170,7 @@ void Synthesizer::iterate() {
             change += matchPixels(c);
             m_context.progress((iteration + (c + 1.0) / m_image.channels()) / m_settings.iterations);
         }
-        m_changes.push_back(std::sqrt(change / m_image.channels()));
+        m_context.curve(TR("Mismatch of the pixels' histogram"), std::sqrt(change / m_image.channels()));
     }
 }
 
@@ -230,8 +228,9 @@ const Method self = method<Settings>(
          TR("Gives noise the exemplar's histogram in every band of a steerable pyramid. Quick and free of "
             "copies; suits grainy and stochastic textures, and loses structure."),
      .citation = "Heeger & Bergen, SIGGRAPH 1995; Briand, Vacher, Galerne & Rabin, IPOL 2014",
-     .wraps = true,
-     .startsFromImage = true},
+     .category = Category::Statistics,
+     .takes = {ports::exemplar(), ports::initial()},
+     .gives = {ports::wrappingImage()}},
     {field(&Settings::scales, "scales", TR("Scales"))
          .range(1, 8)
          .symbol("P")

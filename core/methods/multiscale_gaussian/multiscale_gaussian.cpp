@@ -91,7 +91,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
             low = zoomedIn(coarser, size, request.wrap, check);
         ScaleSampler sampler(exemplars, scale, settings, size, request.wrap, low, context);
         patches += sampler.patches();
-        coarser = sampler.run();
+        sampler.prepare();
+        coarser = sampler.grow();
     }
     exemplars.clear();
     Synthesis result = withEstimatedMap(std::move(coarser), request, kMapWeight, context);
@@ -108,9 +109,9 @@ const Method self = method<Settings>(
          TR("Lays out large structures at a coarse scale and adds new detail at each finer one. Keeps the "
             "layout of macro-textures with small patches; softer than quilting."),
      .citation = "Raad, Desolneux & Morel, JMIV 2016; Raad, thesis 2016, algorithm 5",
-     .wraps = true,
-     .usesMask = true,
-     .severalExemplars = true},
+     .category = Category::Patches,
+     .takes = {ports::exemplars(), ports::mask()},
+     .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.08)
          .range(8, 256)
          .help(

@@ -105,7 +105,7 @@ void check(const Request& request, const Settings& settings) {
                   exemplar.name, size.width, size.height, settings.block, most);
     const int least = settings.block > 0 ? settings.block : kSmallestBlock;
     const int patch = std::min(patchFor(settings, least) - 1, size.shorterSide());
-    if (exemplar.mask && !leavesWholePatch(exemplar.mask->view().plane(0), patch))
+    if (exemplar.mask() && !leavesWholePatch(exemplar.mask()->view().plane(0), patch))
         failUsage("The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.",
                   patch);
     const auto checkWrap = [](bool wraps, int length, const char* side) {
@@ -213,7 +213,7 @@ Prepared prepared(const Request& request, const Settings& settings, Plan& plan, 
             plan.from = change.lattice;
             plan.exemplar = result.image;
             if (plan.mask.data != nullptr) {
-                result.mask = hardened(rectified(binary(*request.exemplars.front().mask), change, check));
+                result.mask = hardened(rectified(binary(*request.exemplars.front().mask()), change, check));
                 plan.mask = result.mask.view().plane(0);
             }
         }
@@ -283,8 +283,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     context.stage(0.1, TR("Looking for the lattice"));
     Plan plan;
     plan.exemplar = *exemplar.image;
-    if (exemplar.mask)
-        plan.mask = exemplar.mask->view().plane(0);
+    if (exemplar.mask())
+        plan.mask = exemplar.mask()->view().plane(0);
     plan.from = latticeFor(settings, exemplar.name, exemplar.image, result.notes, [&] { context.check(); });
     const Prepared sampled = prepared(request, settings, plan, result.notes, context);
     plan.to = closing(plan.from, request, result.notes);
@@ -378,10 +378,9 @@ const Method self = method<Settings>(
          "Finds the lattice of bricks, tiles or weave and samples blocks at random along it, then fills the "
          "gaps with patches that fit: keeps the courses and varies what lies in them."),
      .citation = "López Recas, diploma thesis 2011, chapters 3 to 5",
-     .wraps = true,
-     .usesMask = true,
-     .copiesPixels = true,
-     .makesRegions = true},
+     .category = Category::NearRegular,
+     .takes = {ports::exemplar(), ports::mask()},
+     .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
     params(), run, check, estimate);
 
 } // namespace texloom::near_regular

@@ -50,7 +50,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         (8U << 20U);
     for (const Size& size : exemplars)
         need.bytes += static_cast<std::uint64_t>(size.area() + 65536) * pixel;
-    if (request.initial)
+    if (request.initial())
         need.bytes += Image::bytesFor(request.size, channels) * 3 / 2;
     need.seconds = secondsFor(settings, persons, perRow, channels, narrowed);
     return need;
@@ -69,12 +69,9 @@ const Method self = method<Settings>(
          TR("Uses every patch of the exemplar as often as every other, so that nothing gets lost and nothing "
             "takes over. Keeps the exemplar's mix of colours and details; slow for large outputs."),
      .citation = "Gutierrez, thesis 2020, chapter 3; Gutierrez, Rabin, Galerne & Hurtut, SSVM 2017",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true,
-     .weighsExemplars = true,
-     .copiesPixels = true},
+     .category = Category::Optimisation,
+     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::patch, "patch", TR("Patch size"))
          .range(4, 32)
          .unit("px")

@@ -20,7 +20,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         ExemplarPyramid::bytesFor(exemplars, request.channels()) +
         GridMatcher::bytesFor(exemplars, request.channels(), settings.patch, Synthesizer::kStride, threads) +
         (4U << 20U);
-    if (request.initial)
+    if (request.initial())
         need.bytes += Image::bytesFor(request.size, request.channels()) * 3 / 2;
     const double values = settings.patch * settings.patch * (request.channels() + 1);
     need.seconds = static_cast<double>(area) * (3e-7 + 4e-9 * values);
@@ -41,11 +41,9 @@ const Method self = method<Settings>(
             "and copies the pixels that most of them agree on. Very fast, at its best on textures without "
             "large structure."),
      .citation = "Barnes et al., SIGGRAPH 2009; Han et al. 2006; Kaspar et al., Eurographics 2015",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true,
-     .copiesPixels = true},
+     .category = Category::Optimisation,
+     .takes = {ports::exemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::patch, "patch", TR("Patch size"))
          .range(3, 32)
          .unit("px")

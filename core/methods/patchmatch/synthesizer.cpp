@@ -41,14 +41,13 @@ Size Synthesizer::canvasFor(Size output, Wrap wrap, int patch) {
 int Synthesizer::levelsFor(const Request& request, const Settings& settings) {
     const int fitting = ExemplarPyramid::levelsFor(request.exemplarSizes(), kPatchesAcross * settings.patch);
     const int wanted = std::min(settings.scales, fitting);
-    return request.initial ? std::min(wanted, kInitialLevels) : wanted;
+    return request.initial() ? std::min(wanted, kInitialLevels) : wanted;
 }
 
 Synthesizer::Synthesizer(const Request& request, const Settings& settings, JobContext& context)
     : m_request(request), m_settings(settings), m_context(context),
       m_pyramid(patchSources(request), levelsFor(request, settings), settings.patch,
-                [&context] { context.check(); }),
-      m_energy{TR("Mean distance of the patches"), {}} {}
+                [&context] { context.check(); }) {}
 
 Size Synthesizer::canvas(int level) const {
     Size size = canvasFor(m_request.size, m_request.wrap, m_settings.patch);
@@ -82,7 +81,6 @@ Synthesis Synthesizer::run() {
     m_context.progress(1);
     result.map = std::move(m_map);
     result.mapKind = MapKind::Exact;
-    result.curves.push_back(std::move(m_energy));
     return result;
 }
 
@@ -97,9 +95,9 @@ void Synthesizer::startRandom(GridMatcher& matcher, PatchField& field) {
         }
     m_context.check();
     adopt(matcher, field);
-    if (!m_request.initial)
+    if (!m_request.initial())
         return;
-    Image initial(*m_request.initial);
+    Image initial(*m_request.initial());
     for (int level = 1; level < m_pyramid.levels(); ++level)
         initial = halved(initial);
     startFrom(initial, matcher, field);
@@ -144,7 +142,7 @@ void Synthesizer::refine(int level, GridMatcher& matcher, PatchField& field) {
         const bool late = 2 * round >= rounds;
         vote(matcher, field, level == 0 || (late && !first) ? kAgreed : late || !first ? kSettled : kDecided);
         matcher.discourage(field, m_settings.uniformity);
-        m_energy.values.push_back(field.meanDistance());
+        m_context.curve(TR("Mean distance of the patches"), field.meanDistance());
         offer(level);
         m_context.progress((round + 1.0) / rounds);
     }

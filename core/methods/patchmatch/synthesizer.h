@@ -60,7 +60,6 @@ private:
     JobContext& m_context;
     ExemplarPyramid m_pyramid;
     PositionMap m_map; ///< of the present scale
-    Curve m_energy;
 };
 
 } // namespace texloom::patchmatch

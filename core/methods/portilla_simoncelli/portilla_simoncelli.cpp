@@ -123,10 +123,9 @@ const Method self = method<Settings>(
          TR("Gives noise the exemplar's joint statistics in a complex steerable pyramid, round after round. "
             "Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts."),
      .citation = "Portilla & Simoncelli, IJCV 2000; Vacher & Briand, IPOL 2021",
-     .wraps = true,
-     .startsFromImage = true,
-     .severalExemplars = true,
-     .weighsExemplars = true},
+     .category = Category::Statistics,
+     .takes = {ports::weighedExemplars(), ports::initial()},
+     .gives = {ports::wrappingImage()}},
     params(), run, check, estimate);
 
 } // namespace texloom::portilla_simoncelli

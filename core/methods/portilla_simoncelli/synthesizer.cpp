@@ -73,8 +73,6 @@ Synthesizer::Synthesizer(const Request& request, const Settings& settings, JobCo
       m_shares(sharesOf(request, settings)), m_learned(learnedFrom(request, settings, m_check)),
       m_pca(mixedCovariance(m_learned, m_shares, m_check), settings.jointChannels),
       m_reaches(commonReaches(request, settings)) {
-    for (std::size_t group = 0; group < kGroups; ++group)
-        m_curves.push_back({titleOf(static_cast<Group>(group)), {}});
     if (m_pca.components() == 0)
         return;
     const Size canvas = canvasFor(request, settings);
@@ -102,7 +100,6 @@ Synthesis Synthesizer::run() {
     addFigures(measured(m_result, m_components, sweep), result);
     m_result.shrink(m_request.size);
     result.image = std::move(m_result);
-    result.curves = std::move(m_curves);
     m_context.progress(1);
     return result;
 }
@@ -186,8 +183,8 @@ Synthesis Synthesizer::constant() const {
 
 /// Beyond the output an initial image goes on as its mirror image, which has no jump.
 void Synthesizer::start() {
-    if (m_request.initial) {
-        const Image& initial = *m_request.initial;
+    if (m_request.initial()) {
+        const Image& initial = *m_request.initial();
         overRows(m_image.height(), [&](int first, int last) {
             for (int c = 0; c < initial.channels(); ++c)
                 for (int y = first; y < last; ++y)
@@ -225,7 +222,7 @@ void Synthesizer::iterate(Sweep& sweep, int iteration) {
     stepOn();
     const Deviations left = deviations(measured, m_wanted);
     for (std::size_t group = 0; group < kGroups; ++group)
-        m_curves[group].values.push_back(left[group]);
+        m_context.curve(titleOf(static_cast<Group>(group)), left[group]);
     m_context.progress((iteration + 1.0) / m_settings.iterations);
 }
 

@@ -51,7 +51,6 @@ private:
     Statistics m_wanted;
     Image m_image, m_components; ///< channels and components of the canvas
     Image m_result;              ///< of the last iteration; m_image is a step ahead of it
-    std::vector<Curve> m_curves;
 };
 
 } // namespace texloom::portilla_simoncelli

@@ -1,7 +1,7 @@
 #include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
-#include "core/methods/quilting/quilter.h"
+#include "core/methods/quilting/settings.h"
 
 namespace texloom::quilting {
 
@@ -10,13 +10,21 @@ namespace {
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     Estimate need =
         growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
-    need.bytes +=
-        PositionMap::bytesFor({request.size.width + settings.patch, request.size.height + settings.patch});
+    need.bytes += PatchQuilter::mapBytesFor(request.size, settings.patch);
     return need;
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return Quilter(request, settings, context).run();
+    const std::vector<PatchSource> exemplars = patchSources(request);
+    const QuiltOptions options = settings.quiltOptions(request);
+    Quilt quilt = PatchQuilter(exemplars, options, context).run();
+    Synthesis result;
+    result.image = std::move(quilt.image);
+    result.map = std::move(quilt.map);
+    result.mapKind = settings.stitch == Stitch::Cut ? MapKind::Exact : MapKind::Dominant;
+    result.figures = {{TR("Patches"), static_cast<double>(quilt.patches)},
+                      {TR("Mean error along a cut"), quilt.meanCutError}};
+    return result;
 }
 
 } // namespace
@@ -28,12 +36,9 @@ const Method self = method<Settings>(
          TR("Sews square patches of the exemplar together along the cuts where they differ least. Fast and "
             "faithful to structure such as bricks or leaves; copies larger areas verbatim."),
      .citation = "Efros & Freeman, SIGGRAPH 2001; Raad & Galerne, IPOL 2017",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true,
-     .weighsExemplars = true,
-     .copiesPixels = true},
+     .category = Category::Patches,
+     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage(), ports::map()}},
     {patchField(&Settings::patch, 0.16)
          .range(4, 512)
          .symbol("w_p")

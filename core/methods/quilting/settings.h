@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/match/patch_grid.h"
+#include "core/match/patch_quilter.h"
+#include "core/methods/synthesis.h"
 
 namespace texloom::quilting {
 
@@ -18,6 +20,19 @@ struct Settings {
 
     /// w_o in pixels.
     int overlapPixels() const { return overlapFor(patch, overlap); }
+    /// What the quilter is told; refers to the request.
+    QuiltOptions quiltOptions(const Request& request) const {
+        QuiltOptions options;
+        options.size = request.size;
+        options.wrap = request.wrap;
+        options.patch = patch;
+        options.overlap = overlapPixels();
+        options.tolerance = tolerance;
+        options.contrast = contrast;
+        options.softness = stitch == Stitch::SmoothCut ? softness : 0;
+        options.initial = request.initial();
+        return options;
+    }
 };
 
 } // namespace texloom::quilting

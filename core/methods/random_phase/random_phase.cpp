@@ -1,11 +1,11 @@
 #include "core/base/text.h"
 #include "core/math/fft.h"
+#include "core/math/phase_spot.h"
 #include "core/methods/method.h"
-#include "core/methods/random_phase/spot.h"
+#include "core/methods/random_phase/settings.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace texloom::random_phase {
 
@@ -40,10 +40,8 @@ public:
     Synthesis run();
 
 private:
-    void drawFactors(int column);
-    Complex factor(int column, int row, bool real) const;
-    void fill(const Spot& spot, int channel);
-    void finishRows(const Spot& spot, int channel);
+    void fill(const PhaseSpot& spot, int channel);
+    void finishRows(const PhaseSpot& spot, int channel);
     void show(int channel, double share);
 
     const Request& m_request;
@@ -58,9 +56,13 @@ private:
 Synthesis Field::run() {
     m_context.stage(0.1, TR("Preparing the exemplar"));
     const ImageView exemplar = *m_request.exemplars.front().image;
-    const Spot spot(exemplar, m_fft.size(), m_settings, [this] { m_context.check(); });
+    const PhaseSpot spot(exemplar, m_fft.size(), {m_settings.periodic, m_settings.transition},
+                         [this] { m_context.check(); });
     m_context.stage(0.2, TR("Drawing phases"));
-    m_context.parallel(0, m_fft.columns(), [this](int column) { drawFactors(column); });
+    const RandomPhases phases(m_settings.model, m_fft.size(), m_context.random());
+    m_context.parallel(0, m_fft.columns(), [&](int column) {
+        phases.draw(column, m_factors.data() + column * m_fft.columnStride());
+    });
     m_context.stage(0.7, TR("Filtering"));
     for (int c = 0; c < m_image.channels(); ++c)
         fill(spot, c);
@@ -71,35 +73,7 @@ Synthesis Field::run() {
     return result;
 }
 
-/// A phase of modulus 1, or white Gaussian noise's transform of mean square 1.
-Complex Field::factor(int column, int row, bool real) const {
-    const Random& random = m_context.random();
-    if (m_settings.model == Model::SpotNoise) {
-        const auto first = static_cast<float>(random.normal(column, row, 0));
-        const auto second = static_cast<float>(random.normal(column, row, 1));
-        return real ? Complex(first, 0) : Complex(first, second) * std::numbers::sqrt2_v<float> * 0.5F;
-    }
-    if (real)
-        return random.below(2, column, row) == 0 ? Complex(1, 0) : Complex(-1, 0);
-    const auto angle = static_cast<float>(2 * std::numbers::pi * random.uniform(column, row));
-    return {std::cos(angle), std::sin(angle)};
-}
-
-/// The first column, and the last one of an even width, hold both of each pair of conjugate frequencies.
-void Field::drawFactors(int column) {
-    const Size size = m_fft.size();
-    Complex* factors = m_factors.data() + column * m_fft.columnStride();
-    const bool paired = column == 0 || 2 * column == size.width;
-    for (int row = 0; row < size.height; ++row) {
-        const int opposite = (size.height - row) % size.height;
-        factors[row] = paired && opposite < row ? std::conj(factors[opposite])
-                                                : factor(column, row, paired && opposite == row);
-    }
-    if (column == 0)
-        factors[0] = 0;
-}
-
-void Field::fill(const Spot& spot, int channel) {
+void Field::fill(const PhaseSpot& spot, int channel) {
     const PlaneSpan plane = m_image.plane(channel);
     spot.write(channel, plane);
     for (int column = 0; column < m_fft.columns(); ++column)
@@ -130,7 +104,7 @@ void Field::fill(const Spot& spot, int channel) {
     finishRows(spot, channel);
 }
 
-void Field::finishRows(const Spot& spot, int channel) {
+void Field::finishRows(const PhaseSpot& spot, int channel) {
     const PlaneSpan plane = m_image.plane(channel);
     const auto mean = static_cast<float>(spot.mean(channel));
     for (int top = 0; top < plane.height; top += kRowsAtOnce) {
@@ -158,7 +132,7 @@ Estimate estimate(const Request& request, const Settings&, int) {
     const RealFft2d fft(torus);
     Estimate need;
     need.bytes = Image::bytesFor(torus, request.channels()) + 2 * fft.spectrumSize() * sizeof(Complex) +
-                 Spot::bytesFor(request.exemplars.front().image->size(), request.channels());
+                 PhaseSpot::bytesFor(request.exemplars.front().image->size(), request.channels());
     need.bytes += need.bytes / 16; // plans, threads and what the allocator keeps back
     const auto pixels = static_cast<double>(torus.area());
     need.seconds = pixels * (3e-8 + request.channels() * (1e-8 + 6e-10 * std::log2(pixels)));
@@ -178,7 +152,9 @@ const Method self = method<Settings>(
                    "Instant, and without any repetition; suits fine-grained textures such as sand, plaster "
                    "or cloth, and loses edges and objects."),
      .citation = "Galerne, Gousseau & Morel, IEEE TIP 2011; Moisan, J. Math. Imaging Vis. 2011",
-     .wraps = true},
+     .category = Category::Statistics,
+     .takes = {ports::exemplar()},
+     .gives = {ports::wrappingImage()}},
     {field(&Settings::model, "model", TR("Model"))
          .choices({{"phase-noise", TR("Random phase noise")}, {"spot-noise", TR("Asymptotic spot noise")}})
          .help(

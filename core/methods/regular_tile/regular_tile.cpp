@@ -117,7 +117,7 @@ private:
             const ValueRange range = valueRange(costs);
             if (std::isinf(range.smallest) && border > 1)
                 continue;
-            if (std::isinf(range.smallest) && m_request.exemplars.front().mask)
+            if (std::isinf(range.smallest) && m_request.exemplars.front().mask())
                 failUsage("The mask leaves no whole tile of {:.0f} × {:.0f} px to copy; mask less.",
                           m_lattice.extent().x, m_lattice.extent().y);
             m_tile = drawTile(costs, m_settings.tolerance, m_context.random());
@@ -128,7 +128,7 @@ private:
     }
 
     void forbid(Image& costs) {
-        if (const auto& mask = m_request.exemplars.front().mask)
+        if (const Image* const mask = m_request.exemplars.front().mask())
             forbidTiles(costs, mask->view().plane(0), m_lattice, [this] { m_context.check(); });
     }
 
@@ -186,7 +186,7 @@ void check(const Request& request, const Settings& settings) {
         failUsage("{} is {} × {} px; a tile is looked for in exemplars of at least {} × {} px.",
                   exemplar.name, size.width, size.height, kSmallest, kSmallest);
     checkLattice(settings, exemplar.name, size);
-    if (exemplar.mask && valueRange(*exemplar.mask).largest == 0)
+    if (exemplar.mask() && valueRange(*exemplar.mask()).largest == 0)
         failUsage("The mask hides all of {}; mask less.", exemplar.name);
     if (settings.tile == Choice::Given && (settings.tileX >= size.width || settings.tileY >= size.height))
         failUsage("The tile's corner ({}, {}) lies outside {} with {} × {} px.", numberText(settings.tileX),
@@ -251,10 +251,9 @@ const Method self = method<Settings>(
          "Finds the lattice of a regular texture and repeats the one tile that joins itself best: strictly "
          "regular, without the variety of near-regular synthesis."),
      .citation = "López Recas, diploma thesis 2011, section 4.1",
-     .wraps = true,
-     .usesMask = true,
-     .copiesPixels = true,
-     .makesRegions = true},
+     .category = Category::NearRegular,
+     .takes = {ports::exemplar(), ports::mask()},
+     .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
     params(), run, check, estimate);
 
 } // namespace texloom::regular_tile

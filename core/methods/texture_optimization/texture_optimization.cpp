@@ -33,7 +33,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     }
     if (settings.bidirectional)
         need.bytes += patches * 96;
-    if (request.initial)
+    if (request.initial())
         need.bytes += Image::bytesFor(request.size, channels) * 3 / 2;
     const double each = settings.search == Search::Exact ? 3e-6 + 2e-10 * candidates : 6e-6;
     need.seconds = 1.6 * settings.iterations * static_cast<double>(patches) * each;
@@ -55,11 +55,9 @@ const Method self = method<Settings>(
             "is irregular."),
      .citation =
          "Kwatra et al., SIGGRAPH 2005; Kopf et al., SIGGRAPH 2007; Wei et al. 2008; Kaspar et al. 2015",
-     .wraps = true,
-     .startsFromImage = true,
-     .usesMask = true,
-     .severalExemplars = true,
-     .copiesPixels = true},
+     .category = Category::Optimisation,
+     .takes = {ports::exemplars(), ports::mask(), ports::initial()},
+     .gives = {ports::wrappingImage(), ports::map()}},
     {scalesField(&Settings::scales),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 100)

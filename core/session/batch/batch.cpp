@@ -136,14 +136,10 @@ void set(Recipe& recipe, const std::string& name, const Json& value) {
         return;
     }
     const std::size_t stop = name.find('.');
-    const std::string method = stop == std::string::npos ? recipe.method : name.substr(0, stop);
+    const std::string method = stop == std::string::npos ? recipe.steps.front().method : name.substr(0, stop);
     const std::string param = stop == std::string::npos ? name : name.substr(stop + 1);
     const Value checked = findMethod(method).param(param).checked(field.value());
-    if (method == recipe.method) {
-        recipe.parameters[param] = checked;
-        return;
-    }
-    for (RecipeStep& step : recipe.then)
+    for (RecipeStep& step : recipe.steps)
         if (step.method == method) {
             step.parameters[param] = checked;
             return;
@@ -152,13 +148,10 @@ void set(Recipe& recipe, const std::string& name, const Json& value) {
 }
 
 NameWords wordsFor(const Recipe& recipe, std::size_t index) {
-    std::string methods = recipe.method;
-    for (const RecipeStep& step : recipe.then)
-        methods += "_" + step.method;
     const Size size = recipe.region ? recipe.region->size : recipe.size;
     const std::string width = std::to_string(size.width), height = std::to_string(size.height);
     return {{"name", recipe.exemplars.empty() ? "" : recipe.exemplars.front().image.path.stem().string()},
-            {"method", methods},
+            {"method", methodIds(recipe.steps, "_")},
             {"seed", std::to_string(recipe.seed)},
             {"w", width},
             {"h", height},

@@ -87,11 +87,9 @@ SweepCell::Part apply(const SweepAxis& axis, const Value& value, RunInput& input
         input.seed = static_cast<std::uint64_t>(std::get<int>(value));
         return {TR("Seed"), std::to_string(input.seed), ""};
     }
-    const bool first = axis.step == 0;
-    Values& settings = first ? input.settings : input.then.at(axis.step - 1).parameters;
-    settings[axis.parameter] = value;
-    const std::string& method = first ? input.method : input.then.at(axis.step - 1).method;
-    return partOf(findMethod(method).param(axis.parameter), value);
+    RecipeStep& step = input.steps.at(axis.step);
+    step.parameters[axis.parameter] = value;
+    return partOf(findMethod(step.method).param(axis.parameter), value);
 }
 
 } // namespace

@@ -400,6 +400,8 @@ std::string reportJson(const Result& result, const fs::path& folder) {
     json["recipe"] = Json::parse(result.plan.recipe.toJson(folder));
     json["threads"] = result.plan.threads;
     json["seconds"] = result.seconds;
+    if (result.stoppedAt)
+        json["stoppedAt"] = *result.stoppedAt;
     for (const StageTime& stage : result.stages)
         json["stages"].push_back({{"name", stage.name.text()}, {"seconds", stage.seconds}});
     json["peakMemoryBytes"] = peakMemory();

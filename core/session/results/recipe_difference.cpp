@@ -3,6 +3,7 @@
 #include "core/session/results/result_store.h"
 
 #include <algorithm>
+#include <set>
 
 namespace texloom {
 
@@ -84,10 +85,31 @@ void compareSteps(Table& table, const RecipeStep& first, const RecipeStep& secon
     }
 }
 
-std::vector<RecipeStep> stepsOf(const Recipe& recipe) {
-    std::vector<RecipeStep> steps = {{recipe.method, recipe.parameters}};
-    steps.insert(steps.end(), recipe.then.begin(), recipe.then.end());
-    return steps;
+/// The title of a port of one of the recipe's methods, or its id.
+Message portTitle(const Recipe& recipe, const std::string& id) {
+    for (const RecipeStep& step : recipe.steps)
+        if (const Method* method = knownMethod(step.method))
+            if (const Port* port = method->info().input(id))
+                return Message(port->title);
+    return Message::verbatim(id);
+}
+
+Message inputText(const Recipe& recipe, const std::string& port) {
+    std::vector<std::string> names;
+    if (const auto found = recipe.inputs.find(port); found != recipe.inputs.end())
+        for (const RecipeFile& file : found->second)
+            names.push_back(file.path.filename().string());
+    return listOf(names);
+}
+
+void compareInputs(Table& table, const Recipe& first, const Recipe& second) {
+    std::set<std::string> ports;
+    for (const Recipe* recipe : {&first, &second})
+        for (const auto& [port, files] : recipe->inputs)
+            ports.insert(port);
+    for (const std::string& port : ports)
+        table.add(portTitle(first.inputs.contains(port) ? first : second, port), inputText(first, port),
+                  inputText(second, port));
 }
 
 /// Names of the exemplars' files; with the beginning of their hashes where names alone do not tell them
@@ -149,12 +171,9 @@ std::vector<RecipeDifference> differences(const Recipe& first, const Recipe& sec
     table.add(TR("Wraps"), wrapText(first.wrap), wrapText(second.wrap));
     table.add(TR("Seed"), Message::verbatim(std::to_string(first.seed)),
               Message::verbatim(std::to_string(second.seed)));
-    const auto startOf = [](const Recipe& recipe) {
-        return Message::verbatim(recipe.initial ? recipe.initial->path.filename().string() : "");
-    };
-    table.add(TR("Start from"), startOf(first), startOf(second));
-    const std::vector<RecipeStep> a = stepsOf(first);
-    const std::vector<RecipeStep> b = stepsOf(second);
+    compareInputs(table, first, second);
+    const std::vector<RecipeStep>& a = first.steps;
+    const std::vector<RecipeStep>& b = second.steps;
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
         if (i < a.size() && i < b.size())
             compareSteps(table, a[i], b[i]);

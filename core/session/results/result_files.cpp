@@ -81,23 +81,25 @@ Json stagesJson(const std::vector<StageTime>& stages) {
 }
 
 std::string entryText(const ResultEntry& entry, const fs::path& folder) {
-    const Json json = {{"texloomResult", kFormat},
-                       {"title", entry.title},
-                       {"pinned", entry.pinned},
-                       {"quick", entry.quick},
-                       {"finished", entry.finished},
-                       {"recipe", Json::parse(entry.recipe.toJson(folder))},
-                       {"seconds", entry.seconds},
-                       {"estimateSeconds", entry.estimateSeconds},
-                       {"threads", entry.threads},
-                       {"bytes", entry.bytes},
-                       {"mapKind", kMapKinds.at(static_cast<std::size_t>(entry.mapKind))},
-                       {"figures", figuresJson(entry.figures)},
-                       {"curves", curvesJson(entry.curves)},
-                       {"notes", toJson(entry.notes)},
-                       {"stages", stagesJson(entry.stages)},
-                       {"pictures", toJson(entry.pictures)},
-                       {"companions", entry.companions}};
+    Json json = {{"texloomResult", kFormat},
+                 {"title", entry.title},
+                 {"pinned", entry.pinned},
+                 {"quick", entry.quick},
+                 {"finished", entry.finished},
+                 {"recipe", Json::parse(entry.recipe.toJson(folder))},
+                 {"seconds", entry.seconds},
+                 {"estimateSeconds", entry.estimateSeconds},
+                 {"threads", entry.threads},
+                 {"bytes", entry.bytes},
+                 {"mapKind", kMapKinds.at(static_cast<std::size_t>(entry.mapKind))},
+                 {"figures", figuresJson(entry.figures)},
+                 {"curves", curvesJson(entry.curves)},
+                 {"notes", toJson(entry.notes)},
+                 {"stages", stagesJson(entry.stages)},
+                 {"pictures", toJson(entry.pictures)},
+                 {"companions", entry.companions}};
+    if (entry.stoppedAt)
+        json["stoppedAt"] = *entry.stoppedAt;
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -144,6 +146,8 @@ ResultEntry entryIn(const Json& json, const fs::path& folder) {
     entry.seconds = json.at("seconds").get<double>();
     entry.estimateSeconds = json.at("estimateSeconds").get<double>();
     entry.threads = json.at("threads").get<int>();
+    if (json.contains("stoppedAt"))
+        entry.stoppedAt = json.at("stoppedAt").get<double>();
     entry.bytes = json.at("bytes").get<std::uint64_t>();
     entry.mapKind = mapKindIn(json.at("mapKind"));
     entry.figures = figuresIn(json.at("figures"));
@@ -174,13 +178,13 @@ bool brokeOffLongAgo(const fs::path& folder) {
 /// name with one pixel each.
 RunPlan planWithoutExemplars(const ResultEntry& entry, int channels) {
     RunPlan plan;
-    for (const RecipeStep& step : entry.steps()) {
+    for (const RecipeStep& step : entry.recipe.steps) {
         const Method& method = findMethod(step.method);
         plan.steps.push_back({&method, step.parameters, {}});
     }
     const auto pixel = std::make_shared<const Image>(Size{1, 1}, channels);
     for (const RecipeExemplar& exemplar : entry.recipe.exemplars)
-        plan.request.exemplars.push_back({exemplar.image.path.stem().string(), pixel, nullptr});
+        plan.request.exemplars.push_back({exemplar.image.path.stem().string(), pixel});
     plan.companions.resize(plan.request.exemplars.size());
     plan.request.size = entry.recipe.size;
     plan.request.wrap = entry.recipe.wrap;
@@ -233,17 +237,8 @@ std::uint64_t bytesOf(const Image& image) {
 
 } // namespace
 
-std::vector<RecipeStep> ResultEntry::steps() const {
-    std::vector<RecipeStep> steps = {{recipe.method, recipe.parameters}};
-    steps.insert(steps.end(), recipe.then.begin(), recipe.then.end());
-    return steps;
-}
-
 std::string ResultEntry::methodIds() const {
-    std::string ids = recipe.method;
-    for (const RecipeStep& step : recipe.then)
-        ids += " + " + step.method;
-    return ids;
+    return texloom::methodIds(recipe.steps, " + ");
 }
 
 ResultEntry entryFor(const Result& result, bool quick) {
@@ -255,6 +250,7 @@ ResultEntry entryFor(const Result& result, bool quick) {
     entry.seconds = result.seconds;
     entry.estimateSeconds = result.plan.estimate.seconds;
     entry.threads = result.plan.threads;
+    entry.stoppedAt = result.stoppedAt;
     entry.bytes = memoryOf(result);
     entry.mapKind = result.synthesis.map.size().empty() ? MapKind::None : result.synthesis.mapKind;
     entry.figures = result.figures;
@@ -334,6 +330,8 @@ StoredResult ResultFolder::read(const ResultEntry& entry) const {
     result->figures = entry.figures;
     result->stages = entry.stages;
     result->seconds = entry.seconds;
+    result->stoppedAt = entry.stoppedAt;
+    leaveOutCompanions(*result);
     stored.result = std::move(result);
     return stored;
 }

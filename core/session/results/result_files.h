@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct ResultEntry {
     double seconds = 0;         ///< of work, on `threads` threads
     double estimateSeconds = 0; ///< what the methods' rough estimate said, for one thread
     int threads = 0;
-    std::uint64_t bytes = 0; ///< that the result takes in memory
+    std::optional<double> stoppedAt; ///< see Result::stoppedAt
+    std::uint64_t bytes = 0;         ///< that the result takes in memory
     MapKind mapKind = MapKind::None;
     std::vector<Figure> figures;
     std::vector<Curve> curves;
@@ -31,7 +33,6 @@ struct ResultEntry {
     std::vector<Message> pictures; ///< names of the pictures beside the result
     std::size_t companions = 0;    ///< number of companion maps made with it
 
-    std::vector<RecipeStep> steps() const;
     /// The methods' ids with " + " between them.
     std::string methodIds() const;
 };

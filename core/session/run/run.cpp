@@ -67,11 +67,16 @@ void unstack(Result& result, const RunPlan& plan) {
     }
 }
 
-/// What a method that takes all exemplars alike gets to see.
-Request withoutWeights(Request request) {
-    for (Exemplar& exemplar : request.exemplars)
-        exemplar.weight = 1;
-    return request;
+/// Gives a method what it takes up of what the one before it made.
+void handOver(const MethodInfo& first, Synthesis made, const MethodInfo& second, Request& request) {
+    for (const PortLink& link : linksBetween(first, second)) {
+        if (link.from == kImagePort)
+            request.inputs.set(link.to, std::make_shared<const Image>(std::move(made.image)));
+        else if (link.from == kMapPort)
+            request.inputs.set(link.to, std::make_shared<const PositionMap>(std::move(made.map)));
+        for (const Asset& asset : made.outputs.at(link.from))
+            request.inputs.add(link.to, asset);
+    }
 }
 
 bool weighed(const Request& request) {
@@ -104,6 +109,15 @@ std::vector<Figure> distanceFigures(const TextureDistance& distance) {
             {TR("Patches apart, sliced Wasserstein at quarter scale"), distance.wasserstein[2]}};
 }
 
+bool leaveOutCompanions(Result& result) {
+    const bool laidOut = !result.companions.empty() || result.synthesis.mapKind != MapKind::None;
+    if (!result.stoppedAt || laidOut || result.plan.companions.front().empty())
+        return false;
+    for (std::vector<ExemplarFile>& files : result.plan.companions)
+        files.clear();
+    return true;
+}
+
 Image Result::companion(std::size_t index) const {
     if (!companions.empty())
         return companions[index];
@@ -129,34 +143,100 @@ std::string Result::fileName() const {
                        plan.request.seed, extent, place);
 }
 
-Result runPlan(const RunPlan& plan, JobContext& context) {
-    Result result;
-    Request request = plan.request;
+namespace {
+
+/// Runs all steps; `result` has what the last one begun made.
+void runSteps(const RunPlan& plan, JobContext& context, Result& result) {
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const RunStep& step = plan.steps[i];
+        const MethodInfo& info = step.method->info();
         context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
+        Request request = plan.requestFor(i, info);
         if (i > 0)
-            request.initial = std::make_shared<const Image>(std::move(result.synthesis.image));
-        const bool ignores = weighed(request) && !step.method->info().weighsExemplars;
-        result.synthesis =
-            step.method->run(ignores ? withoutWeights(request) : request, step.settings, context);
-        if (ignores)
+            handOver(plan.steps[i - 1].method->info(), std::move(result.synthesis), info, request);
+        result.synthesis = step.method->run(request, step.settings, context);
+        if (weighed(plan.request) && !info.heedsWeights())
             result.synthesis.notes.emplace_back(
                 TR("The method treats all exemplars alike, so their weights had no effect."));
+    }
+}
+
+bool covers(Size whole, Size part) {
+    return whole.width >= part.width && whole.height >= part.height;
+}
+
+/// Work on a coarse scale at the output's size, each pixel many times.
+Image enlarged(const ImageView& image, Size size) {
+    Image large(size, image.channels);
+    for (int c = 0; c < image.channels; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                large(x, y, c) = image(static_cast<int>(std::int64_t{x} * image.width / size.width),
+                                       static_cast<int>(std::int64_t{y} * image.height / size.height), c);
+    return large;
+}
+
+/// Whether the map's pixels of the exemplars are those of the image wherever it has any.
+bool copies(const PositionMap& map, const Request& request, const ImageView& image) {
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; map.at(x, y).valid() && c < image.channels; ++c) {
+                const Source& source = map.at(x, y);
+                if ((*request.exemplars[source.exemplar].image)(source.x, source.y, c) != image(x, y, c))
+                    return false;
+            }
+    return true;
+}
+
+/// What a run that was stopped had made, as a result: pixels of another scale are enlarged, and whether they
+/// are copies is found by looking.
+Synthesis partialSynthesis(const RunPlan& plan, PartialWork work, const std::vector<Curve>& curves) {
+    Synthesis partial;
+    partial.curves = curves;
+    const Size size = plan.request.part().size;
+    if (!covers(work.image.size(), size)) {
+        partial.image = enlarged(work.image, size);
+        return partial;
+    }
+    work.image.shrink(size);
+    partial.image = std::move(work.image);
+    if (!covers(work.map.size(), size))
+        return partial;
+    work.map.shrink(size);
+    partial.map = std::move(work.map);
+    partial.mapKind = copies(partial.map, plan.request, partial.image) ? MapKind::Exact : MapKind::Dominant;
+    return partial;
+}
+
+} // namespace
+
+Result runPlan(const RunPlan& plan, JobContext& context) {
+    Result result;
+    try {
+        runSteps(plan, context, result);
+    } catch (const StoppedEarly&) {
+        PartialWork work = context.takePartial();
+        result.stoppedAt = work.progress;
+        result.synthesis = partialSynthesis(plan, std::move(work), context.curves());
     }
     unstack(result, plan);
     for (const StageTime& stage : context.stageTimes())
         result.seconds += stage.seconds;
     context.stage(0, TR("Judging the result"));
-    result.figures =
-        measure(result.synthesis, plan.judged ? exemplarViews(request) : std::vector<ImageView>(), context);
+    result.figures = measure(result.synthesis,
+                             plan.judged ? exemplarViews(plan.request) : std::vector<ImageView>(), context);
     result.plan = plan;
+    if (leaveOutCompanions(result))
+        result.synthesis.notes.emplace_back(TR("The run was stopped before it knew where its pixels come "
+                                               "from, so there are no companion maps."));
     result.stages = context.stageTimes();
     return result;
 }
 
-std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished) {
-    const JobOptions options{plan.request.seed, plan.threads, previews};
+std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished,
+                                       Checkpoints checkpoints) {
+    const JobOptions options{plan.request.seed, plan.threads, previews, std::move(checkpoints.keep),
+                             std::move(checkpoints.resumed)};
     auto shared = std::make_shared<const RunPlan>(std::move(plan));
     return std::make_unique<SynthesisJob>(
         options, [shared](JobContext& context) { return runPlan(*shared, context); }, std::move(onFinished));

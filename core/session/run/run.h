@@ -5,6 +5,7 @@
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/session/run/exemplar_file.h"
+#include "core/session/run/input_file.h"
 
 #include <functional>
 #include <memory>
@@ -19,6 +20,7 @@ struct RunExemplar {
     ExemplarFile image;
     std::optional<ExemplarFile> mask;
     std::vector<ExemplarFile> companions; ///< of the exemplar's size; they get the result's layout
+    InputFiles inputs = {};               ///< further pictures of the exemplar's size, by port
     /// What was done to the files' pixels to make the images here; see edited().
     ExemplarEdits edits = {};
     double weight = 1; ///< see Exemplar::weight
@@ -31,11 +33,11 @@ struct RunExemplar {
 
 /// What someone asked for.
 struct RunInput {
-    std::string method;
-    Values settings;              ///< what was set; the rest gets defaults
-    std::vector<RecipeStep> then; ///< methods that follow, each starting from the image of the one before
+    /// The methods in order, at least one, with what was set; the rest gets defaults. Each takes up what the
+    /// one before it made.
+    std::vector<RecipeStep> steps = {{}};
     std::vector<RunExemplar> exemplars;
-    std::optional<ExemplarFile> initial;
+    InputFiles inputs; ///< what else goes into the methods' ports, such as an image to start from
     Size size;
     Wrap wrap;
     std::uint64_t seed = 0;
@@ -55,7 +57,7 @@ struct RunStep {
 /// that makes it again, and what it will need.
 struct RunPlan {
     std::vector<RunStep> steps; ///< at least one
-    Request request; ///< the first step's; companions are channels of it if the last step copies no pixels
+    Request request; ///< with all inputs; companions are channels of it if the last step copies no pixels
     std::vector<std::vector<ExemplarFile>> companions; ///< for each exemplar
     Recipe recipe;
     Estimate estimate; ///< of all steps together
@@ -70,6 +72,9 @@ struct RunPlan {
     const Method& lastMethod() const { return *steps.back().method; }
     /// The methods' ids with `separator` between them.
     std::string methodIds(const std::string& separator) const;
+    /// What the method of one step is given: of the plan's request what it has ports for, and all exemplars
+    /// alike if it heeds no weights. @param info of that method, which may not be among `steps` yet.
+    Request requestFor(std::size_t step, const MethodInfo& info) const;
     /// The same run for one strip of the output, from row `y` on.
     RunPlan strip(int y) const;
 };
@@ -88,9 +93,20 @@ void checkMemory(const RunPlan& plan);
 RunExemplar loadFiles(const RecipeExemplar& entry,
                       const std::function<void(const std::filesystem::path&)>& changed = {});
 
+/// The port of this id that one of the methods has: the first to have it. Only the first method of a run
+/// can be given an image to start from.
+/// @throws UsageError if there is none, or a method is not known.
+const Port& portOf(const std::vector<RecipeStep>& steps, std::string_view id);
+
+/// Loads what goes into the ports of a run's methods. `changed` as in loadRecipe(). @throws Error, UsageError
+InputFiles loadInputs(const RecipeInputs& wanted, const std::vector<RecipeStep>& steps,
+                      const std::vector<RunExemplar>& exemplars,
+                      const std::function<void(const std::filesystem::path&)>& changed = {});
+
 /// What recipes say of an exemplar.
 RecipeExemplar recipeExemplar(const RunExemplar& exemplar);
 RecipeFile recipeFile(const ExemplarFile& file);
+RecipeInputs recipeInputs(const InputFiles& inputs);
 
 /// Loads what a recipe names. `changed` is told of each file whose bytes are not those that the recipe was
 /// made with.
@@ -106,6 +122,8 @@ struct Result {
     std::vector<Figure> figures;   ///< the method's, and the quality figures that every result gets
     std::vector<StageTime> stages;
     double seconds = 0; ///< of the methods' work, on plan.threads threads; judging the result is not in it
+    /// Of a run that was stopped and kept: how far it had come, 0 to 1. Its image is as it was then.
+    std::optional<double> stoppedAt = {};
 
     /// Companion map `index` of the plan's exemplars in the result's layout. There must be one, and either a
     /// map of the result or companions made with it.
@@ -115,6 +133,10 @@ struct Result {
     /// "bark_quilting_s1_512x512": the name of an exported file, without its extension.
     std::string fileName() const;
 };
+
+/// Takes companion maps off a run that was stopped before there was a map to lay them out by.
+/// @return whether there were any.
+bool leaveOutCompanions(Result& result);
 
 /// What a map says of a result, under the names that reports and the window show.
 /// @param occurrences as occurrencesOf() gives them.
@@ -128,8 +150,15 @@ using SynthesisJob = Job<Result>;
 /// Runs a plan to its end: what startRun() does on the job's thread. @throws Error, Cancelled
 Result runPlan(const RunPlan& plan, JobContext& context);
 
+/// What becomes of a run's checkpoints, and the one that it goes on from.
+struct Checkpoints {
+    std::function<void(const Checkpoint&)> keep = {}; ///< see JobOptions::keep
+    std::shared_ptr<const Checkpoint> resumed = nullptr;
+};
+
 /// Starts a planned run, with the plan's seed and threads.
 /// @param previews whether anyone will look at them. @param onFinished called on the job's thread.
-std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {});
+std::unique_ptr<SynthesisJob> startRun(RunPlan plan, bool previews, std::function<void()> onFinished = {},
+                                       Checkpoints checkpoints = {});
 
 } // namespace texloom

@@ -22,18 +22,16 @@ RecipeFile companionFile(const ExemplarFile& file) {
 Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
     Recipe recipe;
     recipe.version = kVersion;
-    recipe.method = steps.front().method->id();
-    recipe.parameters = steps.front().settings;
-    for (std::size_t i = 1; i < steps.size(); ++i)
-        recipe.then.push_back({steps[i].method->id(), steps[i].settings});
+    recipe.steps.clear();
+    for (const RunStep& step : steps)
+        recipe.steps.push_back({step.method->id(), step.settings});
     recipe.size = input.size;
     recipe.wrap = input.wrap;
     recipe.seed = input.seed;
     recipe.region = input.region;
     for (const RunExemplar& exemplar : input.exemplars)
         recipe.exemplars.push_back(recipeExemplar(exemplar));
-    if (input.initial)
-        recipe.initial = recipeFile(*input.initial);
+    recipe.inputs = recipeInputs(input.inputs);
     return recipe;
 }
 
@@ -60,18 +58,28 @@ std::shared_ptr<const Image> withMeans(const Image& initial, const Image& exempl
     return std::make_shared<const Image>(stacked(parts));
 }
 
+Assets assetsOf(const InputFiles& inputs) {
+    Assets assets;
+    for (const auto& [port, files] : inputs)
+        for (const InputFile& file : files)
+            assets.add(port, file.asset);
+    return assets;
+}
+
 Request requestFor(const RunInput& input, bool stacks) {
     Request request;
     for (const RunExemplar& exemplar : input.exemplars) {
-        request.exemplars.push_back({exemplar.image.name(),
-                                     stacks ? withCompanions(exemplar) : exemplar.image.image,
-                                     exemplar.mask ? exemplar.mask->image : nullptr, exemplar.weight});
+        Exemplar given{exemplar.image.name(), stacks ? withCompanions(exemplar) : exemplar.image.image,
+                       assetsOf(exemplar.inputs), exemplar.weight};
+        if (exemplar.mask)
+            given.inputs.set(kMaskPort, exemplar.mask->image);
+        request.exemplars.push_back(std::move(given));
     }
     if (stacks)
         request.companionChannels = request.channels() - input.exemplars.front().image.image->channels();
-    if (input.initial)
-        request.initial = stacks ? withMeans(*input.initial->image, *request.exemplars.front().image)
-                                 : input.initial->image;
+    request.inputs = assetsOf(input.inputs);
+    if (const Image* initial = request.initial(); initial && stacks)
+        request.inputs.set(kInitialPort, withMeans(*initial, *request.exemplars.front().image));
     request.size = input.size;
     request.wrap = input.wrap;
     request.seed = input.seed;
@@ -113,7 +121,7 @@ Estimate estimateForRows(const RunPlan& plan, int rows) {
 /// spare, unless hardly any do.
 void planStrips(RunPlan& plan, std::uint64_t limit) {
     constexpr int kFewest = 64, kStep = 64;
-    if (plan.steps.size() > 1 || !plan.lastMethod().info().makesRegions)
+    if (plan.steps.size() > 1 || !plan.lastMethod().info().makesParts())
         return;
     int fitting = 0;
     // Doubling, then halving the steps: estimates only grow with the rows.
@@ -126,24 +134,18 @@ void planStrips(RunPlan& plan, std::uint64_t limit) {
     plan.estimate = estimateForRows(plan, fitting);
 }
 
-/// Every method of the input, in order, with what was set.
-std::vector<RecipeStep> stepsOf(const RunInput& input) {
-    std::vector<RecipeStep> steps = {{input.method, input.settings}};
-    steps.insert(steps.end(), input.then.begin(), input.then.end());
-    return steps;
-}
-
 /// Checks each step and adds it with its estimate. A later step finds the image of the one before it in
 /// memory, too.
 void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
     const Size exemplar = plan.request.exemplars.front().image->size();
     const std::uint64_t between = Image::bytesFor(plan.request.size, plan.request.channels());
-    Request request = plan.request;
     for (const RecipeStep& step : steps) {
         RunStep planned{&findMethod(step.method), {}, {}};
-        if (!plan.steps.empty() && !planned.method->info().startsFromImage)
-            failUsage("{} cannot start from an image, so it cannot follow {}.",
-                      Message(planned.method->info().title), Message(plan.lastMethod().info().title));
+        const MethodInfo& info = planned.method->info();
+        if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
+            failUsage("{} takes up nothing that {} makes, so that it cannot follow it.", Message(info.title),
+                      Message(plan.lastMethod().info().title));
+        const Request request = plan.requestFor(plan.steps.size(), info);
         planned.settings = planned.method->resolved(step.parameters, exemplar);
         planned.method->check(request, planned.settings);
         planned.estimate = planned.method->estimate(request, planned.settings, plan.threads);
@@ -151,7 +153,6 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
             std::max(plan.estimate.bytes, planned.estimate.bytes + (plan.steps.empty() ? 0 : between));
         plan.estimate.seconds += planned.estimate.seconds;
         plan.steps.push_back(std::move(planned));
-        request.initial = nullptr; // what the first step starts from is not there for the next
     }
 }
 
@@ -172,11 +173,12 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     plan.threads = threadCount(input.threads);
     plan.judged = input.judged;
     plan.memoryBefore = residentMemory();
-    const std::vector<RecipeStep> steps = stepsOf(input);
-    const bool stacks =
-        !input.exemplars.front().companions.empty() && !findMethod(steps.back().method).info().copiesPixels;
+    for (const auto& [port, files] : input.inputs)
+        portOf(input.steps, port);
+    const bool stacks = !input.exemplars.front().companions.empty() &&
+                        !findMethod(input.steps.back().method).info().copiesPixels();
     plan.request = requestFor(input, stacks);
-    planSteps(plan, steps);
+    planSteps(plan, input.steps);
     const std::uint64_t limit = memoryLimit > 0 ? memoryLimit : availableMemory();
     if (strips && plan.estimate.bytes > limit)
         planStrips(plan, limit);
@@ -187,8 +189,33 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     return plan;
 }
 
+const Port& portOf(const std::vector<RecipeStep>& steps, std::string_view id) {
+    const MethodInfo& first = findMethod(steps.front().method).info();
+    if (const Port* port = first.input(id))
+        return *port;
+    if (id == kInitialPort) // methods that follow start from what the one before them made
+        failUsage("{} cannot start from an image.", Message(first.title));
+    for (const RecipeStep& step : steps)
+        if (const Port* port = findMethod(step.method).info().input(id))
+            return *port;
+    failUsage("{} has no input {}.", Message(first.title), id);
+}
+
 void checkMemory(const RunPlan& plan) {
     checkMemory(plan.estimate, plan.request, availableMemory());
+}
+
+Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
+    Request own = request;
+    if (step > 0)
+        own.inputs.clear(kInitialPort); // what the first starts from is not there for the next
+    for (const auto& [port, given] : request.inputs.byPort())
+        if (!info.input(port))
+            own.inputs.clear(port);
+    if (!info.heedsWeights())
+        for (Exemplar& exemplar : own.exemplars)
+            exemplar.weight = 1;
+    return own;
 }
 
 RunPlan RunPlan::strip(int y) const {
@@ -198,6 +225,14 @@ RunPlan RunPlan::strip(int y) const {
     one.stripRows = 0;
     one.judged = false;
     return one;
+}
+
+RecipeInputs recipeInputs(const InputFiles& inputs) {
+    RecipeInputs entries;
+    for (const auto& [port, files] : inputs)
+        for (const InputFile& file : files)
+            entries[port].push_back(recipeFile(file.file));
+    return entries;
 }
 
 RecipeFile recipeFile(const ExemplarFile& file) {
@@ -211,6 +246,7 @@ RecipeExemplar recipeExemplar(const RunExemplar& exemplar) {
         entry.mask = recipeFile(*exemplar.mask);
     for (const ExemplarFile& companion : exemplar.companions)
         entry.companions.push_back(companionFile(companion));
+    entry.inputs = recipeInputs(exemplar.inputs);
     entry.edits = exemplar.edits;
     entry.weight = exemplar.weight;
     return entry;
@@ -233,10 +269,8 @@ RunExemplar loadFiles(const RecipeExemplar& entry,
 
 RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::filesystem::path&)>& changed) {
     RunInput input;
-    input.method = recipe.method;
-    input.settings = recipe.parameters;
-    input.then = recipe.then;
-    for (const RecipeStep& step : stepsOf(input))
+    input.steps = recipe.steps;
+    for (const RecipeStep& step : input.steps)
         findMethod(step.method).resolved(step.parameters, {});
     input.size = recipe.size;
     input.wrap = recipe.wrap;
@@ -244,10 +278,27 @@ RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::fi
     input.region = recipe.region;
     for (const RecipeExemplar& entry : recipe.exemplars)
         input.exemplars.push_back(edited(loadFiles(entry, changed), entry.edits));
-    if (recipe.initial)
-        input.initial =
-            loadNamed(*recipe.initial, loadExemplar(recipe.initial->path, recipe.initial->space), changed);
+    input.inputs = loadInputs(recipe.inputs, input.steps, input.exemplars, changed);
     return input;
+}
+
+InputFiles loadInputs(const RecipeInputs& wanted, const std::vector<RecipeStep>& steps,
+                      const std::vector<RunExemplar>& exemplars,
+                      const std::function<void(const std::filesystem::path&)>& changed) {
+    std::vector<Size> sizes;
+    for (const RunExemplar& exemplar : exemplars)
+        sizes.push_back(exemplar.image.image->size());
+    InputFiles inputs;
+    for (const auto& [id, files] : wanted) {
+        const Port& port = portOf(steps, id);
+        for (const RecipeFile& file : files) {
+            InputFile loaded = loadInput(port, file, sizes);
+            if (changed && !file.hash.empty() && file.hash != loaded.file.hash)
+                changed(file.path);
+            inputs[id].push_back(std::move(loaded));
+        }
+    }
+    return inputs;
 }
 
 std::string RunPlan::methodIds(const std::string& separator) const {

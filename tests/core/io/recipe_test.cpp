@@ -21,9 +21,11 @@ const fs::path kFolder = "/project/recipes";
 Recipe fullRecipe() {
     Recipe recipe;
     recipe.version = "1.2.3";
-    recipe.method = "quilting";
-    recipe.parameters = {{"patch", 40}, {"overlap", 0.1}, {"mirror", true}, {"stitch", std::string("cut")}};
-    recipe.then = {{"random-phase", {{"model", std::string("spot-noise")}}}, {"quilting", {}}};
+    recipe.steps.front().method = "quilting";
+    recipe.steps.front().parameters = {
+        {"patch", 40}, {"overlap", 0.1}, {"mirror", true}, {"stitch", std::string("cut")}};
+    recipe.steps.push_back({"random-phase", {{"model", std::string("spot-noise")}}});
+    recipe.steps.push_back({"quilting", {}});
     RecipeExemplar bark;
     bark.image = {"/project/images/bark ü.png", "srgb", "A0B1"};
     bark.mask = RecipeFile{"/project/recipes/mask.png", "raw", "C2"};
@@ -40,7 +42,7 @@ Recipe fullRecipe() {
     moss.image = {"/project/images/moss.exr", "linear", ""};
     moss.weight = 2.5;
     recipe.exemplars = {bark, moss};
-    recipe.initial = RecipeFile{"/project/start.png", "acescg", "E4"};
+    recipe.inputs["initial"] = {RecipeFile{"/project/start.png", "acescg", "E4"}};
     recipe.size = {640, 480};
     recipe.wrap = {true, false};
     recipe.seed = 18446744073709551615ULL;
@@ -57,12 +59,10 @@ void expectSame(const RecipeFile& a, const RecipeFile& b) {
 
 void expectSame(const Recipe& a, const Recipe& b) {
     EXPECT_EQ(a.version, b.version);
-    EXPECT_EQ(a.method, b.method);
-    EXPECT_EQ(a.parameters, b.parameters);
-    ASSERT_EQ(a.then.size(), b.then.size());
-    for (std::size_t i = 0; i < a.then.size(); ++i) {
-        EXPECT_EQ(a.then[i].method, b.then[i].method);
-        EXPECT_EQ(a.then[i].parameters, b.then[i].parameters);
+    ASSERT_EQ(a.steps.size(), b.steps.size());
+    for (std::size_t i = 0; i < a.steps.size(); ++i) {
+        EXPECT_EQ(a.steps[i].method, b.steps[i].method);
+        EXPECT_EQ(a.steps[i].parameters, b.steps[i].parameters);
     }
     EXPECT_EQ(a.size, b.size);
     EXPECT_EQ(a.wrap, b.wrap);
@@ -80,9 +80,12 @@ void expectSame(const Recipe& a, const Recipe& b) {
         for (std::size_t k = 0; k < a.exemplars[i].companions.size(); ++k)
             expectSame(a.exemplars[i].companions[k], b.exemplars[i].companions[k]);
     }
-    ASSERT_EQ(a.initial.has_value(), b.initial.has_value());
-    if (a.initial)
-        expectSame(*a.initial, *b.initial);
+    ASSERT_EQ(a.inputs.size(), b.inputs.size());
+    for (const auto& [port, files] : a.inputs) {
+        ASSERT_EQ(files.size(), b.inputs.at(port).size());
+        for (std::size_t i = 0; i < files.size(); ++i)
+            expectSame(files[i], b.inputs.at(port)[i]);
+    }
 }
 
 /// The full recipe as JSON with one place changed.
@@ -110,11 +113,13 @@ TEST(Recipe, ComesBackWhole) {
 
 TEST(Recipe, KeepsEveryDoubleAndWhetherItIsWhole) {
     Recipe recipe = fullRecipe();
-    recipe.parameters = {{"a", 0.1}, {"b", 1e-300}, {"c", 1.0 / 3}, {"d", -2147483647}, {"e", 2.0}};
+    recipe.steps.front().parameters = {
+        {"a", 0.1}, {"b", 1e-300}, {"c", 1.0 / 3}, {"d", -2147483647}, {"e", 2.0}};
     const Recipe back = parsed(recipe.toJson(kFolder));
     for (const char* name : {"a", "b", "c", "e"})
-        EXPECT_EQ(std::get<double>(back.parameters.at(name)), std::get<double>(recipe.parameters.at(name)));
-    EXPECT_EQ(back.parameters.at("d"), Value(-2147483647));
+        EXPECT_EQ(std::get<double>(back.steps.front().parameters.at(name)),
+                  std::get<double>(recipe.steps.front().parameters.at(name)));
+    EXPECT_EQ(back.steps.front().parameters.at("d"), Value(-2147483647));
 }
 
 TEST(Recipe, WritesPathsRelativeToItsFolder) {
@@ -232,7 +237,7 @@ TEST(ReadRecipe, FindsItInEveryFormatThatEmbedsOne) {
         writeImage(folder / name, noise({8, 8}, 3), as(depthsFor(name).front(), "srgb", text));
         const Recipe back = readRecipe(folder / name);
         EXPECT_EQ(back.seed, fullRecipe().seed) << name;
-        EXPECT_EQ(back.parameters, fullRecipe().parameters) << name;
+        EXPECT_EQ(back.steps.front().parameters, fullRecipe().steps.front().parameters) << name;
         EXPECT_EQ(back.toJson(folder.path()), Recipe::fromJson(text, folder.path()).toJson(folder.path()))
             << name;
     }

@@ -142,6 +142,20 @@ TEST(Random, DoesNotDependOnTheThread) {
     EXPECT_EQ(here, there);
 }
 
+TEST(Random, NumbersByCoordinateKeepTheirBits) {
+    // Every result of every method depends on these.
+    const Random random(20261128, 3);
+    std::uint32_t sum = 0;
+    for (int y = -2; y < 30; ++y)
+        for (int x = -2; x < 30; ++x)
+            for (std::uint32_t n = 0; n < 9; ++n)
+                sum = sum * 31 + random.bits(x, y, n) + random.below(1000, x, y, n);
+    EXPECT_EQ(sum, 3306636801U);
+    EXPECT_EQ(random.bits(5, 6, 7), 2944811106U);
+    EXPECT_EQ(random.uniform(5, 6, 7), 0.6856422652490437);
+    EXPECT_EQ(random.normal(5, 6, 7), 0.65985615310429735);
+}
+
 TEST(Random, NormalHasTheMomentsAndTailsOfTheNormalDistribution) {
     const Random random(5);
     constexpr int kSide = 400;

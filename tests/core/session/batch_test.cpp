@@ -64,7 +64,7 @@ TEST(Batch, SweepsThroughEveryCombination) {
     }
     EXPECT_EQ(cells.size(), 4U);
     EXPECT_EQ(batch.items[1].cell, "patch=8, stitch=smooth-cut, size=32x32");
-    EXPECT_EQ(std::get<int>(batch.items[2].recipe.parameters.at("patch")), 16);
+    EXPECT_EQ(std::get<int>(batch.items[2].recipe.steps.front().parameters.at("patch")), 16);
 }
 
 TEST(Batch, VariesTheSeedsOfASweepWhenAsked) {

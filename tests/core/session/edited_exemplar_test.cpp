@@ -62,8 +62,8 @@ TEST(EditedExemplar, TheRoleInARecipeOverrulesTheName) {
 TEST(EditedExemplar, NormalsOfStatisticalMethodsAreMadeOneLong) {
     SampleRun sample;
     sample.addCompanion("bark_normal", {48, 44});
-    sample.input.method = "random-phase";
-    sample.input.settings = {};
+    sample.input.steps.front().method = "random-phase";
+    sample.input.steps.front().parameters = {};
     const Result result = sample.run();
     Image unit = result.companions.front();
     renormalize(unit);

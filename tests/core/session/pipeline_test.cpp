@@ -15,9 +15,9 @@ namespace {
 /// Random phase, then quilting on what it made.
 struct PipelineRun : SampleRun {
     PipelineRun() {
-        input.method = "random-phase";
-        input.settings = {};
-        input.then = {{"quilting", {{"patch", 12}}}};
+        input.steps.front().method = "random-phase";
+        input.steps.front().parameters = {};
+        input.steps.push_back({"quilting", {{"patch", 12}}});
     }
 };
 
@@ -25,7 +25,7 @@ struct PipelineRun : SampleRun {
 Image alone(const SampleRun& sample, std::size_t step, std::shared_ptr<const Image> initial) {
     const RunPlan plan = planRun(sample.input);
     Request request = plan.request;
-    request.initial = std::move(initial);
+    request.inputs.set(kInitialPort, std::move(initial));
     Job<Image> job({plan.request.seed, 1, false}, [&](JobContext& context) {
         context.step(static_cast<std::uint32_t>(step), 1);
         return plan.steps[step].method->run(request, plan.steps[step].settings, context).image;
@@ -56,9 +56,9 @@ TEST(Pipeline, RunsAgainFromItsRecipe) {
     const Result first = sample.run();
     const Recipe recipe =
         Recipe::fromJson(first.plan.recipe.toJson(sample.folder.path()), sample.folder.path());
-    ASSERT_EQ(recipe.then.size(), 1U);
-    EXPECT_EQ(recipe.then[0].method, "quilting");
-    EXPECT_EQ(recipe.then[0].parameters, first.plan.steps[1].settings);
+    ASSERT_EQ(recipe.steps.size(), 2U);
+    EXPECT_EQ(recipe.steps[1].method, "quilting");
+    EXPECT_EQ(recipe.steps[1].parameters, first.plan.steps[1].settings);
     SampleRun again;
     again.input = loadRecipe(recipe);
     EXPECT_TRUE(samePixels(again.run().synthesis.image, first.synthesis.image));
@@ -81,16 +81,16 @@ TEST(Pipeline, IsNamedAfterAllItsMethods) {
 
 TEST(Pipeline, RefusesAMethodThatCannotStartFromAnImage) {
     SampleRun sample;
-    sample.input.then = {{"random-phase", {}}};
+    sample.input.steps.push_back({"random-phase", {}});
     EXPECT_THAT([&] { planRun(sample.input); },
-                usageRefusal("Random phase", "start from an image", "Image quilting"));
+                usageRefusal("Random phase", "takes up nothing", "Image quilting"));
 }
 
 TEST(Pipeline, RefusesAWrongSettingOfALaterStep) {
     PipelineRun sample;
-    sample.input.then[0].parameters["patch"] = 1;
+    sample.input.steps[1].parameters["patch"] = 1;
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("patch", "1", "4"));
-    sample.input.then[0] = {"quiting", {}};
+    sample.input.steps[1] = {"quiting", {}};
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("Did you mean quilting?"));
 }
 
@@ -115,7 +115,7 @@ TEST(Pipeline, ProgressCoversAllSteps) {
 
 TEST(Companions, AreMadeWithTheResultWhereNoPixelsAreCopied) {
     PipelineRun sample;
-    sample.input.then.clear();
+    sample.input.steps.pop_back();
     sample.addCompanion("bark_height", {48, 44});
     const Result result = sample.run();
     EXPECT_EQ(result.synthesis.image.channels(), 3);
@@ -163,9 +163,7 @@ TEST(Preset, NamesTheWrongField) {
 TEST(Preset, EveryShippedOneCanBeUsed) {
     for (const Preset& preset : presets()) {
         SampleRun sample;
-        sample.input.method = preset.steps.front().method;
-        sample.input.settings = {};
-        sample.input.then.assign(preset.steps.begin() + 1, preset.steps.end());
+        sample.input.steps = preset.steps;
         sample.input.exemplars.front() = {loadExemplar(sample.write("sand", {96, 96}, 3)), {}, {}};
         EXPECT_NO_THROW(planRun(sample.input)) << preset.id;
         EXPECT_EQ(findPreset(preset.id), &preset);

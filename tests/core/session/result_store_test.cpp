@@ -205,7 +205,7 @@ TEST(ExpectedSeconds, FollowsRunsOfTheSameMethodsOnAsManyThreads) {
     other.threads = plan.threads + 1;
     EXPECT_FALSE(expectedSeconds(plan, {other}));
     other = earlier;
-    other.recipe.then.push_back({"quilting", {}});
+    other.recipe.steps.push_back({"quilting", {}});
     EXPECT_FALSE(expectedSeconds(plan, {other}));
 }
 
@@ -213,7 +213,7 @@ TEST(RecipeDifferences, NameWhatDiffersAndNothingElse) {
     SampleRun sample;
     const Recipe first = planRun(sample.input).recipe;
     EXPECT_TRUE(differences(first, first).empty());
-    sample.input.settings["patch"] = 20;
+    sample.input.steps.front().parameters["patch"] = 20;
     sample.input.seed = 4;
     sample.input.wrap = {true, false};
     const auto rows = differences(first, planRun(sample.input).recipe);
@@ -231,9 +231,9 @@ TEST(RecipeDifferences, NameWhatDiffersAndNothingElse) {
     ASSERT_EQ(files.size(), 1U);
     EXPECT_EQ(files.front().second.text(), "bark.png (0123456)");
     other = first;
-    other.method = "random-phase";
-    other.parameters.clear();
-    other.then.push_back({"quilting", {}});
+    other.steps.front().method = "random-phase";
+    other.steps.front().parameters.clear();
+    other.steps.push_back({"quilting", {}});
     const auto methods = differences(first, other);
     EXPECT_EQ(methods.front().what, "Method");
     EXPECT_EQ(methods.back().what, "Then");

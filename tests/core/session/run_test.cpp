@@ -22,7 +22,7 @@ TEST(PlanRun, CompletesTheSettings) {
     const RunStep& step = plan.steps.front();
     EXPECT_EQ(step.settings.size(), step.method->params().size());
     EXPECT_EQ(step.settings.at("patch"), Value(12));
-    EXPECT_EQ(plan.recipe.parameters, step.settings);
+    EXPECT_EQ(plan.recipe.steps.front().parameters, step.settings);
 }
 
 TEST(PlanRun, RefusesMoreMemoryThanThereIsWithBothFigures) {
@@ -57,19 +57,19 @@ TEST(PlanRun, RefusesUnequalNumbersOfCompanions) {
 
 TEST(PlanRun, SuggestsTheMethodThatWasMeant) {
     SampleRun sample;
-    sample.input.method = "quiting";
+    sample.input.steps.front().method = "quiting";
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("quiting", "Did you mean quilting?"));
 }
 
 TEST(PlanRun, SuggestsTheParameterThatWasMeant) {
     SampleRun sample;
-    sample.input.settings["tolerence"] = 0.5;
+    sample.input.steps.front().parameters["tolerence"] = 0.5;
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("tolerence", "Did you mean tolerance?"));
 }
 
 TEST(PlanRun, RefusesASettingOutOfRange) {
     SampleRun sample;
-    sample.input.settings["patch"] = 1;
+    sample.input.steps.front().parameters["patch"] = 1;
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("patch = 1", "4 to 512 px"));
 }
 
@@ -93,7 +93,7 @@ TEST(PlanRun, RefusesAMaskOfAnotherSize) {
 
 TEST(PlanRun, RefusesAnInitialImageOfAnotherSize) {
     SampleRun sample;
-    sample.input.initial = loadExemplar(sample.write("start", {20, 20}, 3));
+    sample.input.inputs["initial"] = {loadExemplar(sample.write("start", {20, 20}, 3))};
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("20 × 20", "64 × 60"));
 }
 
@@ -123,8 +123,8 @@ TEST(StartRun, NotesWhereWeightsHaveNoEffect) {
     sample.input.exemplars.push_back(sample.input.exemplars.front());
     sample.input.exemplars.back().weight = 4;
     EXPECT_TRUE(sample.run().synthesis.notes.empty());
-    sample.input.method = "patchmatch";
-    sample.input.settings = {};
+    sample.input.steps.front().method = "patchmatch";
+    sample.input.steps.front().parameters = {};
     const Result weighed = sample.run();
     EXPECT_THAT(weighed.synthesis.notes, ::testing::Contains(says("weights")));
     EXPECT_EQ(weighed.plan.recipe.exemplars.back().weight, 4);
@@ -162,7 +162,7 @@ TEST(LoadRecipe, RefusesAnUnknownParameterBeforeItOpensAnyFile) {
     const SampleRun sample;
     Recipe recipe = planRun(sample.input).recipe;
     std::filesystem::remove(sample.folder / "bark.png");
-    recipe.parameters["pach"] = 12;
+    recipe.steps.front().parameters["pach"] = 12;
     EXPECT_THAT([&] { loadRecipe(recipe); }, usageRefusal("pach", "Did you mean patch?"));
 }
 

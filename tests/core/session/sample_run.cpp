@@ -7,8 +7,8 @@
 namespace texloom::test {
 
 SampleRun::SampleRun() {
-    input.method = "quilting";
-    input.settings = {{"patch", 12}};
+    input.steps.front().method = "quilting";
+    input.steps.front().parameters = {{"patch", 12}};
     input.exemplars.push_back({loadExemplar(write("bark", {48, 44}, 3)), {}, {}});
     input.size = {64, 60};
     input.seed = 3;

@@ -20,8 +20,8 @@ struct SampleSession : SampleRun {
         bark = edited(bark, {CropEdit{{0, 0, {40, 40}}}});
         input.exemplars.push_back({loadExemplar(write("moss", {40, 40}, 3)), {}, {}});
         Recipe& recipe = session.settings;
-        recipe.method = "quilting";
-        recipe.parameters = {{"patch", 12}};
+        recipe.steps.front().method = "quilting";
+        recipe.steps.front().parameters = {{"patch", 12}};
         recipe.size = {64, 60};
         recipe.seed = 7;
         for (const RunExemplar& exemplar : input.exemplars)
@@ -67,8 +67,8 @@ TEST(Session, RunsWithTheExemplarsInUse) {
     ASSERT_EQ(several.exemplars.size(), 1U);
     EXPECT_EQ(several.exemplars.front().image.path, sample.folder / "bark.png");
     EXPECT_TRUE(several.exemplars.front().mask);
-    sample.session.settings.method = "random-phase";
-    sample.session.settings.parameters = {};
+    sample.session.settings.steps.front().method = "random-phase";
+    sample.session.settings.steps.front().parameters = {};
     const Recipe one = runOf(sample.session);
     ASSERT_EQ(one.exemplars.size(), 1U);
     EXPECT_EQ(one.exemplars.front().image.path, sample.folder / "moss.png");
@@ -78,7 +78,7 @@ TEST(Session, RunsWithTheExemplarsInUse) {
 
 TEST(Session, MayHoldNothingYet) {
     Session empty;
-    empty.settings.method = "quilting";
+    empty.settings.steps.front().method = "quilting";
     empty.settings.size = {64, 64};
     EXPECT_TRUE(Session::fromJson(empty.toJson("/"), "/").settings.exemplars.empty());
 }

@@ -35,9 +35,9 @@ TEST(Sweep, MakesEveryCombinationWithTheFirstAxisAcross) {
     const SweepAxis overlap{0, "overlap", {0.2, 0.3}};
     const auto held = sweepCells(sample.input, {patch, overlap}, false);
     ASSERT_EQ(held.size(), 6U);
-    EXPECT_EQ(toText(held[1].input.settings.at("patch")), "12");
-    EXPECT_EQ(toText(held[3].input.settings.at("patch")), "8");
-    EXPECT_EQ(toText(held[3].input.settings.at("overlap")), "0.3");
+    EXPECT_EQ(toText(held[1].input.steps.front().parameters.at("patch")), "12");
+    EXPECT_EQ(toText(held[3].input.steps.front().parameters.at("patch")), "8");
+    EXPECT_EQ(toText(held[3].input.steps.front().parameters.at("overlap")), "0.3");
     EXPECT_EQ(held[5].input.seed, sample.input.seed);
     EXPECT_EQ(held[1].parts[0].title + held[1].parts[0].value + held[1].parts[0].unit, "Patch size12px");
     const auto varied = sweepCells(sample.input, {patch}, true);
@@ -48,10 +48,10 @@ TEST(Sweep, MakesEveryCombinationWithTheFirstAxisAcross) {
 
 TEST(Sweep, VariesLaterMethodsAndTheSeed) {
     test::SampleRun sample;
-    sample.input.then.push_back({"quilting", {}});
+    sample.input.steps.push_back({"quilting", {}});
     const auto cells = sweepCells(sample.input, {{1, "patch", {9, 10}}, {0, "", {5, 6}}}, false);
     ASSERT_EQ(cells.size(), 4U);
-    EXPECT_EQ(toText(cells[1].input.then.front().parameters.at("patch")), "10");
+    EXPECT_EQ(toText(cells[1].input.steps[1].parameters.at("patch")), "10");
     EXPECT_EQ(cells[2].input.seed, 6U);
     EXPECT_EQ(cells[2].parts[0].value, "9");
     EXPECT_EQ(cells[2].parts[1].title + cells[2].parts[1].value, "Seed6");

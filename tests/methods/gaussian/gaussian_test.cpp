@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 Request requestFor(const Image& exemplar, Size output, Wrap wrap = {}) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar)});
     request.size = output;
     request.wrap = wrap;
     request.seed = 3;

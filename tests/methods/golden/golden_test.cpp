@@ -51,7 +51,7 @@ const std::map<std::string, std::shared_ptr<const Image>>& exemplars() {
 
 Request requestFor(const std::string& exemplar, bool wraps, std::uint64_t seed) {
     Request request;
-    request.exemplars.push_back({exemplar, exemplars().at(exemplar), nullptr});
+    request.exemplars.push_back({exemplar, exemplars().at(exemplar)});
     request.size = kOutput;
     request.wrap = {wraps, wraps};
     request.seed = seed;
@@ -117,7 +117,7 @@ std::vector<Request> fullerRequests() {
     for (int y = 60; y < kExemplar.height; ++y)
         for (int x = 0; x < 30; ++x)
             mask(x, y, 0) = 0;
-    masked.exemplars.front().mask = shared(std::move(mask));
+    masked.exemplars.front().inputs.set(kMaskPort, shared(std::move(mask)));
     several.exemplars.push_back({"paving", exemplars().at("paving"), nullptr});
     several.exemplars.back().weight = 3;
     initial.initial = shared(blobs(kOutput, 3, 9));

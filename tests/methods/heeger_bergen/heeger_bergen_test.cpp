@@ -14,11 +14,11 @@ namespace {
 Synthesis run(const Image& exemplar, Size size, const Values& settings = {},
               std::shared_ptr<const Image> initial = nullptr, Wrap wrap = {}) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar)});
     request.size = size;
     request.seed = 4;
     request.wrap = wrap;
-    request.initial = std::move(initial);
+    request.inputs.set(kInitialPort, std::move(initial));
     const Method& method = findMethod("heeger-bergen");
     const Values complete = method.resolved(settings, exemplar.size());
     Job<Synthesis> job({request.seed, 2, false},

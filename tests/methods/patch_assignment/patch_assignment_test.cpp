@@ -22,7 +22,7 @@ Synthesis made(const Request& request, const Values& settings) {
 
 Request requestFor(Image exemplar, Size size) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar)), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
     request.size = size;
     request.seed = 3;
     return request;
@@ -96,7 +96,7 @@ TEST(PatchAssignment, maskSaysHowOftenPatchesAreUsed) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             mask(x, y, 0) = x < 20 ? 0.0F : x < 40 ? 0.2F : 1.0F;
-    request.exemplars.front().mask = std::make_shared<const Image>(mask);
+    request.exemplars.front().inputs.set(kMaskPort, std::make_shared<const Image>(mask));
     const Synthesis result = made(request, kShort);
     const Image use = occurrence(result.map, 0);
     const auto mean = [&](int left, int right) {

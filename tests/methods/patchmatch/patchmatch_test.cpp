@@ -22,7 +22,7 @@ Synthesis made(const Request& request, const Values& settings = {}) {
 
 Request requestFor(Image exemplar, Size size) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar)), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
     request.size = size;
     request.seed = 3;
     return request;
@@ -45,7 +45,7 @@ TEST(PatchMatchSynthesis, sourcesAreWhereTheMaskAllows) {
     for (int y = 0; y < 64; ++y)
         for (int x = 30; x < 45; ++x)
             mask(x, y, 0) = 0;
-    request.exemplars.front().mask = std::make_shared<const Image>(mask);
+    request.exemplars.front().inputs.set(kMaskPort, std::make_shared<const Image>(mask));
     const Synthesis result = made(request);
     for (int y = 0; y < 130; ++y)
         for (int x = 0; x < 150; ++x) {
@@ -56,7 +56,7 @@ TEST(PatchMatchSynthesis, sourcesAreWhereTheMaskAllows) {
 
 TEST(PatchMatchSynthesis, everyExemplarIsUsed) {
     Request request = requestFor(blobs({64, 64}, 3), {200, 200});
-    request.exemplars.push_back({"second", std::make_shared<const Image>(blobs({80, 48}, 3, 4)), nullptr});
+    request.exemplars.push_back({"second", std::make_shared<const Image>(blobs({80, 48}, 3, 4))});
     const Synthesis result = made(request);
     const std::vector<Image> use = occurrencesOf(result.map);
     for (const Image& image : use)
@@ -66,7 +66,7 @@ TEST(PatchMatchSynthesis, everyExemplarIsUsed) {
 TEST(PatchMatchSynthesis, startsFromWhatTheInitialImageShows) {
     const Image exemplar = blobs({96, 96}, 3);
     Request request = requestFor(exemplar, {96, 96});
-    request.initial = std::make_shared<const Image>(exemplar);
+    request.inputs.set(kInitialPort, std::make_shared<const Image>(exemplar));
     EXPECT_LT(meanDifference(made(request).image, exemplar),
               0.25 * meanDifference(blobs({96, 96}, 3, 9), exemplar));
 }

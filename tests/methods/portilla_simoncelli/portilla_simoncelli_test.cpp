@@ -21,7 +21,7 @@ void uninterrupted() {}
 
 Request requestFor(const Image& exemplar, Size size, Wrap wrap = {}) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar)});
     request.size = size;
     request.wrap = wrap;
     request.seed = 4;
@@ -185,7 +185,7 @@ TEST(ImposeMoments, givesTheWantedMomentsAndRange) {
 TEST(PortillaSimoncelli, itsOwnStatisticsLeaveAnImageAsItIs) {
     const Image exemplar = blobs({64, 64}, 3);
     Request request = requestFor(exemplar, {64, 64}, {true, true});
-    request.initial = std::make_shared<const Image>(exemplar);
+    request.inputs.set(kInitialPort, std::make_shared<const Image>(exemplar));
     Settings settings = brief(2);
     settings.periodic = false;
     const Synthesis result = run(request, settings);
@@ -243,7 +243,7 @@ TEST(PortillaSimoncelli, goesBetweenTwoExemplars) {
         for (int x = 0; x < 64; ++x)
             pale(x, y, 0) += 2;
     Request request = requestFor(pale, {64, 64});
-    request.exemplars.push_back({"dark", std::make_shared<const Image>(dark), nullptr});
+    request.exemplars.push_back({"dark", std::make_shared<const Image>(dark)});
     const double first = channelMeans(pale).front(), second = channelMeans(dark).front();
     for (const double weight : {0.0, 0.25, 1.0}) {
         Settings settings = brief(5);

@@ -1,7 +1,8 @@
 #include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
-#include "core/methods/quilting/quilter.h"
+#include "core/methods/patch_request.h"
+#include "core/methods/quilting/settings.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +13,6 @@
 namespace texloom::test {
 namespace {
 
-using quilting::Quilter;
 using quilting::Settings;
 using quilting::Stitch;
 
@@ -22,18 +22,21 @@ std::shared_ptr<const Image> shared(Image image) {
 
 Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
     Request request;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar)), nullptr});
+    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
     request.size = output;
     request.wrap = wrap;
     request.seed = 3;
     return request;
 }
 
-Synthesis quilt(const Request& request, const Settings& settings, int threads = 2,
-                Quilter::Order order = Quilter::Order::Wavefront) {
-    Job<Synthesis> job({request.seed, threads, false},
-                       [&](JobContext& context) { return Quilter(request, settings, context).run(order); });
-    return std::get<Synthesis>(job.take());
+Quilt quilt(const Request& request, const Settings& settings, int threads = 2,
+            PatchQuilter::Order order = PatchQuilter::Order::Wavefront) {
+    const std::vector<PatchSource> exemplars = patchSources(request);
+    const QuiltOptions options = settings.quiltOptions(request);
+    Job<Quilt> job({request.seed, threads, false}, [&](JobContext& context) {
+        return PatchQuilter(exemplars, options, context).run(1, order);
+    });
+    return std::get<Quilt>(job.take());
 }
 
 /// A tile of noise repeated over an image.
@@ -53,9 +56,9 @@ TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
             for (const Size size : {Size{90, 77}, Size{20, 60}, Size{16, 16}, Size{150, 31}}) {
                 const Request request = requestFor(blobs({40, 40}, 3), size, wrap);
                 const Settings settings{16, overlap, 0.3, Stitch::Cut, 3};
-                const Synthesis raster = quilt(request, settings, 1, Quilter::Order::Raster);
+                const Quilt raster = quilt(request, settings, 1, PatchQuilter::Order::Raster);
                 for (const int threads : {1, 2, 5}) {
-                    const Synthesis wavefront = quilt(request, settings, threads);
+                    const Quilt wavefront = quilt(request, settings, threads);
                     EXPECT_TRUE(samePixels(raster.image, wavefront.image));
                     EXPECT_EQ(raster.map, wavefront.map);
                 }
@@ -89,7 +92,7 @@ TEST(Quilting, startingFromAPartOfTheExemplarGivesItBack) {
     for (const Size size : {Size{64, 52}, Size{61, 50}}) {
         const Image part(exemplar.view().crop(0, 0, size));
         Request request = requestFor(exemplar, size);
-        request.initial = shared(part);
+        request.inputs.set(kInitialPort, shared(part));
         EXPECT_TRUE(samePixels(quilt(request, {16, 0.25, 0, Stitch::Cut, 3}).image, part));
     }
 }
@@ -101,8 +104,8 @@ TEST(Quilting, initialImageIsComparedOverWholePatches) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             blurredHalves(x, y, 0) = 0.5F * (exemplar(x, y, 0) + exemplar(std::min(63, x + 1), y, 0));
-    request.initial = shared(blurredHalves);
-    const Synthesis result = quilt(request, {16, 0.25, 0, Stitch::Cut, 3});
+    request.inputs.set(kInitialPort, shared(blurredHalves));
+    const Quilt result = quilt(request, {16, 0.25, 0, Stitch::Cut, 3});
     int near = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
@@ -116,8 +119,8 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
     for (int y = 20; y < 30; ++y)
         for (int x = 25; x < 40; ++x)
             mask(x, y, 0) = 0;
-    request.exemplars.front().mask = shared(mask);
-    const Synthesis result = quilt(request, {12, 0.25, 0.1, Stitch::Cut, 3});
+    request.exemplars.front().inputs.set(kMaskPort, shared(mask));
+    const Quilt result = quilt(request, {12, 0.25, 0.1, Stitch::Cut, 3});
     for (int y = 0; y < 150; ++y)
         for (int x = 0; x < 150; ++x) {
             const Source source = result.map.at(x, y);
@@ -127,8 +130,8 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
 
 TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
     Request request = requestFor(blobs({40, 40}, 3, 1), {200, 200});
-    request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1)), nullptr});
-    const Synthesis result = quilt(request, {12, 0.25, 0.5, Stitch::Cut, 3});
+    request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1))});
+    const Quilt result = quilt(request, {12, 0.25, 0.5, Stitch::Cut, 3});
     std::set<int> used;
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 200; ++x)
@@ -142,7 +145,7 @@ TEST(Quilting, zeroToleranceAlwaysTakesTheNearestPatch) {
     // The second patch of the first row, from the definition of the distance.
     const Image exemplar = blobs({40, 40}, 2);
     const Settings settings{16, 0.25, 0, Stitch::Cut, 3};
-    const Synthesis result = quilt(requestFor(exemplar, {28, 16}), settings, 1);
+    const Quilt result = quilt(requestFor(exemplar, {28, 16}), settings, 1);
     const Source first = result.map.at(0, 0);
     double best = HUGE_VAL;
     Source nearest;

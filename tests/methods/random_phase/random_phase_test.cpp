@@ -17,7 +17,7 @@ using Complex = std::complex<float>;
 
 Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar)), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
     request.size = output;
     request.wrap = wrap;
     request.seed = seed;

@@ -22,7 +22,7 @@ Synthesis made(const Request& request, const Values& settings) {
 
 Request requestFor(Image exemplar, Size size) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar)), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
     request.size = size;
     request.seed = 3;
     return request;

@@ -1,0 +1,152 @@
+#include "core/match/patch_quilter.h"
+
+#include "core/base/text.h"
+#include "core/match/patch_stitch.h"
+
+#include <numeric>
+
+namespace texloom {
+
+namespace {
+
+std::vector<Size> sizesOf(const std::vector<PatchSource>& exemplars) {
+    std::vector<Size> sizes;
+    for (const PatchSource& exemplar : exemplars)
+        sizes.push_back(exemplar.image.size());
+    return sizes;
+}
+
+/// Pixels of a patch on which it is compared.
+double pixelsOf(const Footprint& shape, int patch) {
+    int count = 0;
+    for (int y = 0; y < patch; ++y)
+        for (int x = 0; x < patch; ++x)
+            count += shape.contains(x, y, patch) ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const QuiltOptions& options,
+                           JobContext& context)
+    : m_options(options), m_context(context),
+      m_search(
+          exemplars, options.patch, [&context] { context.check(); }, options.contrast),
+      m_canvas(options.size, options.wrap, exemplars.front().image.channels, options.patch, options.overlap),
+      m_map(m_canvas.image().size(), sizesOf(exemplars)),
+      m_cutCosts(static_cast<std::size_t>(m_canvas.grid().count()), 0.0) {
+    if (!options.guide || !(options.guide->weight > 0))
+        return;
+    const QuiltGuide& guide = *options.guide;
+    m_guide.emplace(
+        Guide{PatchSearch(guide.exemplars, options.patch, [&context] { context.check(); }),
+              PatchCanvas(options.size, options.wrap, guide.output.channels, options.patch, options.overlap),
+              guide.weight});
+    m_guide->canvas.fill(guide.output);
+}
+
+void PatchQuilter::prepareExemplars() {
+    for (const PatchCell& cell : m_canvas.grid().cells())
+        m_search.prepare(compared(cell));
+    if (m_guide)
+        m_guide->search.prepare(Footprint::filled({m_options.patch, m_options.patch}));
+}
+
+Footprint PatchQuilter::compared(const PatchCell& cell) const {
+    // The last patches reach beyond the output, where the initial image says nothing.
+    return m_options.initial ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
+}
+
+/// Adds the guide's distances to those of what is known, both as means over their pixels, up to a factor.
+void PatchQuilter::follow(const PatchCell& cell, bool known, Workspace& work) const {
+    const Footprint whole = Footprint::filled({m_options.patch, m_options.patch});
+    m_guide->canvas.read(cell, work.guide);
+    m_guide->search.compute(work.guide, whole, work.guideScratch, [this] { m_context.check(); });
+    if (!known) {
+        std::swap(work.scratch, work.guideScratch);
+        return;
+    }
+    const double pixels = static_cast<double>(m_options.patch) * m_options.patch;
+    m_search.add(work.guideScratch, pixels / (pixelsOf(compared(cell), m_options.patch) * m_guide->weight),
+                 work.scratch);
+}
+
+PatchPosition PatchQuilter::choose(const PatchCell& cell, Workspace& work) const {
+    const bool known = !cell.overlap.none() || m_options.initial;
+    if (!known && !m_guide)
+        return m_search.drawn(m_context.random().uniform(cell.column, cell.row));
+    if (known)
+        m_search.compute(work.known, compared(cell), work.scratch, [this] { m_context.check(); });
+    if (m_guide)
+        follow(cell, known, work);
+    return m_search.drawn(m_search.within(m_options.tolerance, work.scratch), m_context.random(), cell.column,
+                          cell.row);
+}
+
+void PatchQuilter::trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight) {
+    for (int y = 0; y < m_options.patch; ++y) {
+        const int toY = (cell.y + y) % m_map.height();
+        for (int x = 0; x < m_options.patch; ++x)
+            if (weight(x, y) < 0.5F)
+                m_map.at((cell.x + x) % m_map.width(), toY) = {static_cast<std::uint16_t>(source.x + x),
+                                                               static_cast<std::uint16_t>(source.y + y),
+                                                               static_cast<std::uint16_t>(source.exemplar)};
+    }
+}
+
+PatchQuilter::Workspace PatchQuilter::workspace() const {
+    const Size patch{m_options.patch, m_options.patch};
+    Workspace work{Image(patch, m_canvas.image().channels()),
+                   Image(patch, 1),
+                   Image(patch, 1),
+                   m_search.scratch(),
+                   {},
+                   {}};
+    if (m_guide) {
+        work.guide = Image(patch, m_guide->canvas.image().channels());
+        work.guideScratch = m_guide->search.scratch();
+    }
+    return work;
+}
+
+void PatchQuilter::place(int index) {
+    const PatchCell& cell = m_canvas.grid().cell(index);
+    const auto work = m_pool.borrow([this] { return workspace(); });
+    m_canvas.read(cell, work->known);
+    const PatchPosition source = choose(cell, *work);
+    const ImageView fresh = m_search.pixels(source);
+    m_cutCosts[static_cast<std::size_t>(index)] = cutWeights(
+        work->known, fresh, cell.overlap, m_options.softness, work->error.plane(0), work->weight.plane(0));
+    const PlaneView weight = work->weight.plane(0);
+    m_canvas.place(cell, work->known, fresh, weight);
+    trace(cell, source, weight);
+}
+
+Quilt PatchQuilter::run(double weight, Order order) {
+    m_context.stage(0.05 * weight, TR("Preparing the exemplar"));
+    prepareExemplars();
+    if (m_options.initial)
+        m_canvas.fill(*m_options.initial);
+    m_context.stage(0.95 * weight, TR("Placing patches"));
+    const auto body = [this](int index) { place(index); };
+    const auto show = [this] { m_context.preview(m_canvas.image(), &m_map); };
+    const int count = m_canvas.grid().count();
+    if (order == Order::Wavefront)
+        m_canvas.grow(m_context, body, show);
+    else
+        for (int index = 0; index < count; ++index)
+            body(index);
+    Quilt quilt;
+    quilt.image = m_canvas.take();
+    m_map.shrink(m_options.size);
+    quilt.map = std::move(m_map);
+    quilt.patches = count;
+    quilt.meanCutError = std::accumulate(m_cutCosts.begin(), m_cutCosts.end(), 0.0) / count;
+    return quilt;
+}
+
+std::uint64_t PatchQuilter::mapBytesFor(Size size, int patch) {
+    return PositionMap::bytesFor({size.width + patch, size.height + patch});
+}
+
+} // namespace texloom

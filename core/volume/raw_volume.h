@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/volume/volume_file.h"
+
+namespace texloom {
+
+/// A volume as one file of numbers and one that says what they are: see writeVolume() and readVolume().
+void writeRawVolume(const std::filesystem::path& path, const VolumeSource& source, const Box& box,
+                    const VolumeWriteOptions& options, JobContext& context);
+LoadedVolume readRawVolume(const std::filesystem::path& path, JobContext& context,
+                           std::int64_t largestVoxels);
+
+} // namespace texloom

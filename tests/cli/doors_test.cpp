@@ -1,0 +1,123 @@
+// Methods of kinds that no shipped method has, through the command line.
+
+#include "core/io/image_file.h"
+#include "core/session/run/checkpoint_file.h"
+#include "tests/cli/program.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <thread>
+
+namespace texloom::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+class Doors : public ::testing::Test {
+protected:
+    Doors() {
+        writeImage(m_folder / "bark.png", blobs({48, 44}, 3), {});
+        writeImage(m_folder / "face.png", blobs({70, 50}, 3, 5), {});
+    }
+
+    Ended ended(const std::vector<std::string>& arguments) const {
+        return runCli(arguments, m_folder.path(), TEXLOOM_CLI_DOORS);
+    }
+    std::string run(const std::vector<std::string>& arguments) const {
+        const Ended end = ended(arguments);
+        EXPECT_EQ(end.status, 0) << end.err;
+        return end.out;
+    }
+    void expectRefusal(const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& words) const {
+        const Ended end = ended(arguments);
+        EXPECT_EQ(end.status, 2);
+        EXPECT_EQ(end.complaints(), 1);
+        for (const std::string& word : words)
+            EXPECT_THAT(end.err, HasSubstr(word));
+    }
+    Image image(const std::string& name) const { return readImage(m_folder / name).image; }
+    Json json(const std::string& name) const { return Json::parse(readText(m_folder / name)); }
+
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(Doors, MethodsSayWhatTheyTakeAndGive) {
+    const Json stipple = Json::parse(run({"methods", "stipple", "--json"})).front();
+    EXPECT_EQ(stipple.at("category"), "tools");
+    EXPECT_EQ(stipple.at("takes").at(1).at("id"), "target");
+    EXPECT_EQ(stipple.at("takes").at(1).at("extent"), "output");
+    EXPECT_THAT(run({"methods", "stipple"}), HasSubstr("--input target=FILE"));
+}
+
+TEST_F(Doors, ATargetGoesInByNameGivesTheSizeAndIsInTheRecipe) {
+    run({"synth", "stipple", "bark.png", "--input", "target=face.png", "-o", "out.exr", "--map", "map.exr"});
+    EXPECT_EQ(image("out.exr").size(), (Size{70, 50}));
+    EXPECT_EQ(json("out.json").at("inputs").at("target").at(0).at("file"), "face.png");
+    EXPECT_FALSE(json("out.json").at("inputs").at("target").at(0).at("sha1").get<std::string>().empty());
+    run({"run", "out.json", "-o", "again.exr"});
+    EXPECT_TRUE(samePixels(image("out.exr"), image("again.exr")));
+    run({"apply", "map.exr", "bark.png", "-o", "applied.png"});
+    EXPECT_EQ(image("applied.png").size(), (Size{70, 50}));
+}
+
+TEST_F(Doors, PortsThatAreEmptyGivenTwiceUnknownOrOfAnotherSizeAreRefused) {
+    const std::vector<std::string> base = {"synth", "stipple", "bark.png", "-o", "out.png"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), base.begin(), base.end());
+        return more;
+    };
+    expectRefusal(base, {"Stipple", "target"});
+    expectRefusal(with({"--input", "target=face.png", "--input", "target=face.png"}), {"Stipple", "1", "2"});
+    expectRefusal(with({"--input", "tarket=face.png"}), {"Stipple", "tarket"});
+    expectRefusal(with({"--input", "face.png"}), {"NAME=FILE"});
+    expectRefusal(with({"--input", "target=face.png", "--size", "80"}), {"70 × 50", "80 × 80"});
+    expectRefusal(with({"--init", "face.png"}), {"Stipple", "start from an image"});
+    EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+}
+
+TEST_F(Doors, WhatTakesNothingUpCannotFollow) {
+    expectRefusal({"synth", "quilting", "bark.png", "--then", "slow-diffusion", "-o", "out.png"},
+                  {"Slow diffusion", "Image quilting"});
+}
+
+TEST_F(Doors, ARunThatWasKilledGoesOnAsThoughItHadNotBeen) {
+    const std::vector<std::string> whole = {"synth", "slow-diffusion", "bark.png", "--size",
+                                            "64",    "--set",          "rounds=40"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), whole.begin(), whole.end());
+        return more;
+    };
+    run(with({"-o", "uninterrupted.exr"}));
+    {
+        Program slow(with({"--set", "pause=50", "-o", "out.exr"}), m_folder.path(), TEXLOOM_CLI_DOORS);
+        while (slow.running() && !fs::exists(m_folder / "out.exr.checkpoint"))
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        slow.signal(SIGKILL);
+        slow.wait();
+    }
+    ASSERT_TRUE(fs::exists(m_folder / "out.exr.checkpoint"));
+    EXPECT_FALSE(fs::exists(m_folder / "out.exr"));
+    expectRefusal(with({"-o", "out.exr", "--resume"}), {"checkpoint", "other settings"});
+    run(with({"--set", "pause=50", "-o", "out.exr", "--resume", "--report", "report.json"}));
+    EXPECT_TRUE(samePixels(image("uninterrupted.exr"), image("out.exr")));
+    EXPECT_LT(json("report.json").at("curves").at("Round").size(), 40U) << "it must not have begun anew";
+    EXPECT_FALSE(fs::exists(m_folder / "out.exr.checkpoint"));
+}
+
+TEST_F(Doors, ADamagedCheckpointOrAnotherFileOfItsNameIsLeftAlone) {
+    const std::vector<std::string> arguments = {"synth", "slow-diffusion", "bark.png", "-o", "out.exr"};
+    writeText(m_folder / "out.exr.checkpoint", "my notes");
+    expectRefusal(arguments, {"out.exr.checkpoint", "damaged"});
+    EXPECT_EQ(readText(m_folder / "out.exr.checkpoint"), "my notes");
+}
+
+} // namespace texloom::test

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/session/run/run.h"
+
+#include <QObject>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class QAction;
+class QWidget;
+
+namespace texloom::ui {
+
+class Comparisons;
+class ExemplarStore;
+class GridRun;
+class RunDesk;
+
+/// Runs made many at a time to be compared: one with each method, or one for each combination of some values.
+class Tries : public QObject {
+    Q_OBJECT
+
+public:
+    using Input = std::function<RunInput()>;
+
+    /// @param input what a run would be given now. @param window that actions and dialogs belong to.
+    Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons, Input input, QWidget* window);
+
+    QAction* allAction() const { return m_all; }
+    QAction* someAction() const { return m_some; }
+    QAction* sweepAction() const { return m_sweep; }
+    /// Enables the actions as there is an exemplar to run methods on, and a run that can start.
+    void updateActions();
+    /// Makes a preview with every method and its default settings, the quickest first.
+    void tryAll();
+
+private:
+    void trySome();
+    void tryMethods(const std::vector<std::string>& ids, bool quick);
+    void startSweep();
+
+    RunDesk* m_desk;
+    const ExemplarStore* m_store;
+    Comparisons* m_comparisons;
+    Input m_input;
+    QWidget* m_window;
+    GridRun* m_grid;
+    QAction* m_all;
+    QAction* m_some;
+    QAction* m_sweep;
+};
+
+} // namespace texloom::ui

@@ -1,0 +1,97 @@
+#include "ui/runs/result_text.h"
+
+#include "core/base/text.h"
+#include "ui/common/text.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace texloom::ui {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("texloom::ui", text);
+}
+
+/// A method's title; its id where this version does not have it.
+QString methodTitle(const std::string& id) {
+    for (const Method& method : methods())
+        if (method.id() == id)
+            return translated(method.info().title);
+    return QString::fromStdString(id);
+}
+
+QString exemplarsText(const ResultEntry& entry) {
+    QStringList names;
+    for (const RecipeExemplar& exemplar : entry.recipe.exemplars)
+        names += toQString(exemplar.image.path.filename());
+    return names.join(QStringLiteral(", "));
+}
+
+QString row(const QString& name, const QString& value) {
+    return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+        .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+}
+
+QString finishedText(const ResultEntry& entry) {
+    return QLocale().toString(QDateTime::fromMSecsSinceEpoch(entry.finished), QLocale::ShortFormat);
+}
+
+} // namespace
+
+QString methodsText(const ResultEntry& entry) {
+    QStringList titles;
+    for (const RecipeStep& step : entry.recipe.steps)
+        titles += methodTitle(step.method);
+    return titles.join(QStringLiteral(" + "));
+}
+
+QString titleText(const ResultEntry& entry) {
+    return entry.title.empty() ? methodsText(entry) : QString::fromStdString(entry.title);
+}
+
+QString labelText(const ResultEntry& entry) {
+    return tr("%1 · seed %2 · %3")
+        .arg(methodsText(entry))
+        .arg(entry.recipe.seed)
+        .arg(sizeText(entry.recipe.size));
+}
+
+QStringList chipsOf(const ResultEntry& entry) {
+    QStringList chips = {tr("seed %1").arg(entry.recipe.seed), sizeText(entry.recipe.size),
+                         QString::fromStdString(durationText(entry.seconds))};
+    if (entry.quick)
+        chips += tr("preview");
+    return chips;
+}
+
+QString detailsText(const ResultEntry& entry) {
+    QString html = QStringLiteral("<b>%1</b><table>").arg(titleText(entry).toHtmlEscaped());
+    if (!entry.title.empty())
+        html += row(tr("Method"), methodsText(entry));
+    html += row(tr("Exemplars"), exemplarsText(entry));
+    html += row(tr("Size"), sizeText(entry.recipe.size));
+    html += row(tr("Seed"), QString::number(entry.recipe.seed));
+    html += row(tr("Made"), finishedText(entry));
+    html += row(tr("Time"), QString::fromStdString(durationText(entry.seconds)));
+    for (const Figure& figure : entry.figures)
+        html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
+    html += QStringLiteral("</table>");
+    for (const Message& note : entry.notes)
+        html += QStringLiteral("<p>%1</p>").arg(translated(note).toHtmlEscaped());
+    return html;
+}
+
+QString searchText(const ResultEntry& entry) {
+    QStringList parts = {titleText(entry), methodsText(entry), QString::fromStdString(entry.methodIds()),
+                         exemplarsText(entry), chipsOf(entry).join(QLatin1Char(' '))};
+    for (const Message& note : entry.notes)
+        parts += translated(note);
+    return parts.join(QLatin1Char('\n'));
+}
+
+} // namespace texloom::ui

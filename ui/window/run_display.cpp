@@ -1,0 +1,97 @@
+#include "ui/window/run_display.h"
+
+#include "core/base/text.h"
+#include "ui/common/message_bar.h"
+#include "ui/common/text.h"
+#include "ui/jobs/run_panel.h"
+#include "ui/maps/result_view.h"
+#include "ui/plots/figures_panel.h"
+
+namespace texloom::ui {
+
+namespace {
+
+/// "Image quilting · seed 1 · 512 × 512 · 2.1 s".
+QString titleOf(const Result& result) {
+    const RunPlan& plan = result.plan;
+    return QStringLiteral("%1 · %2").arg(labelOf(plan), QString::fromStdString(durationText(result.seconds)));
+}
+
+} // namespace
+
+RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
+    : QObject(parent), m_desk(desk), m_to(places) {
+    connectPanel();
+    connect(m_desk, &RunDesk::watching, this, &RunDisplay::announce);
+    connect(m_desk, &RunDesk::previewed, this, &RunDisplay::showPreview);
+    connect(m_desk, &RunDesk::shown, this, &RunDisplay::showResult);
+    connect(m_desk, &RunDesk::stopped, this, &RunDisplay::sayStopped);
+    connect(m_desk, &RunDesk::emptied, this, &RunDisplay::clear);
+    connect(m_desk, &RunDesk::endedUnseen, this, &RunDisplay::offer);
+    connect(m_desk, &RunDesk::accepted, m_to.messages, &MessageBar::dismiss);
+    connect(m_desk, &RunDesk::refused, this,
+            [this](const QString& sentence) { m_to.messages->say(MessageBar::Kind::Error, sentence); });
+}
+
+void RunDisplay::connectPanel() {
+    connect(m_desk->controller(), &RunController::progressed, m_to.panel, &RunPanel::showProgress);
+    connect(m_desk->queue(), &JobQueue::changed, this,
+            [this] { m_to.panel->setRunning(m_desk->running(), m_desk->queue()->waiting()); });
+    connect(m_desk, &RunDesk::outlookChanged, this, [this](const Outlook& outlook) {
+        if (outlook.estimate)
+            m_to.panel->setEstimate(*outlook.estimate, outlook.seconds);
+        else if (!outlook.refusal.isEmpty())
+            m_to.panel->setRefusal(outlook.refusal);
+    });
+}
+
+void RunDisplay::announce(const QueuedJob& job) {
+    m_to.results->setNotes({});
+    m_to.results->setTitle(
+        (job.quick ? tr("Quick preview under way: %1") : tr("Under way: %1")).arg(job.label));
+}
+
+void RunDisplay::showPreview(const RunPictures& pictures) {
+    m_to.results->showPictures(pictures);
+    if (m_desk->running())
+        m_to.results->setBadge(m_desk->controller()->quick() ? tr("Quick preview")
+                               : pictures.step > 1           ? tr("Preview 1:%1").arg(pictures.step)
+                                                             : QString());
+}
+
+void RunDisplay::showResult(const ShownResult& shown) {
+    m_to.results->showPictures(shown.pictures);
+    m_to.results->setBadge(shown.quick ? tr("Quick preview") : QString());
+    const QString title = titleOf(*shown.result);
+    m_to.results->setTitle(shown.quick ? tr("Quick preview: %1").arg(title) : title);
+    QStringList notes;
+    for (const std::string& note : shown.result->synthesis.notes)
+        notes += translated(note);
+    m_to.results->setNotes(notes);
+    m_to.figures->setResult(shown.result);
+}
+
+void RunDisplay::clear() {
+    m_to.results->showPictures({});
+    m_to.results->setBadge({});
+    m_to.results->setTitle({});
+    m_to.results->setNotes({});
+    m_to.figures->setResult(nullptr);
+}
+
+void RunDisplay::sayStopped(const QueuedJob& job, double fraction) {
+    const QString text = tr("Stopped at %1").arg(percentText(fraction));
+    m_to.results->setTitle(tr("%1: %2").arg(text, job.label));
+    m_to.results->setBadge(text);
+    if (m_desk->result())
+        m_to.messages->say(MessageBar::Kind::Information,
+                           tr("%1. The picture is as far as it got.").arg(text),
+                           tr("Back to the last result"), [this] { m_desk->showLast(); });
+}
+
+void RunDisplay::offer(const QueuedJob& job, const std::string& key) {
+    m_to.messages->say(MessageBar::Kind::Information, tr("Finished: %1.").arg(job.label), tr("Show"),
+                       [this, key] { m_desk->show(key); });
+}
+
+} // namespace texloom::ui
