@@ -11,7 +11,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/param_row.h"
 #include "ui/jobs/run_panel.h"
-#include "ui/results/result_text.h"
+#include "ui/runs/result_text.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -129,7 +129,7 @@ private Q_SLOTS:
 
     void whatWasStoredIsShownInTheLanguageOfToday() {
         ResultEntry entry;
-        entry.recipe.method = "quilting";
+        entry.recipe.steps = {{"quilting", {}}};
         entry.notes = {message("{} was not straightened, since too little of it would be left.", "bark"),
                        Message("A sentence of an earlier version about 3 px.")};
         entry.figures = {{message("Deviation, {}", Message(TR("Marginals"))), 0.5}};

@@ -155,7 +155,7 @@ void RunDesk::keep(const QueuedJob& job, const std::shared_ptr<const Result>& re
     const std::string key = m_history->add(result, job.quick, smallPicture(*pictures.result));
     Q_EMIT noted(
         tr("Finished in %1: %2").arg(QString::fromStdString(durationText(result->seconds)), job.label));
-    for (const std::string& note : result->synthesis.notes)
+    for (const Message& note : result->synthesis.notes)
         Q_EMIT noted(tr("Note: %1").arg(translated(note)));
     Q_EMIT kept(job, key, pictures);
     if (job.id == m_live)

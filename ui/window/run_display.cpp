@@ -65,7 +65,7 @@ void RunDisplay::showResult(const ShownResult& shown) {
     const QString title = titleOf(*shown.result);
     m_to.results->setTitle(shown.quick ? tr("Quick preview: %1").arg(title) : title);
     QStringList notes;
-    for (const std::string& note : shown.result->synthesis.notes)
+    for (const Message& note : shown.result->synthesis.notes)
         notes += translated(note);
     m_to.results->setNotes(notes);
     m_to.figures->setResult(shown.result);

@@ -92,10 +92,9 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     result.pictures.push_back(
         {TR("Regular part"), Image(regular.view().channelRange(0, request.resultChannels()))});
     if (model.share < kLeastShare)
-        result.notes.push_back(fmt::format("Only {:.1f} % of {} is regular, so that hardly anything guides "
-                                           "the patches; lower the threshold, "
-                                           "or use image quilting.",
-                                           100 * std::max(0.0, model.share), exemplar.name));
+        result.notes.push_back(message("Only {:.1f} % of {} is regular, so hardly anything guides the "
+                                       "patches; lower the threshold, or use image quilting.",
+                                       100 * std::max(0.0, model.share), exemplar.name));
     return result;
 }
 

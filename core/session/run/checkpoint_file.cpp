@@ -59,7 +59,7 @@ CheckpointFile readCheckpoint(const fs::path& path) {
     if (end == std::string::npos)
         damaged(path);
     try {
-        return checkpointFrom(parseJson("checkpoint", std::string_view(text).substr(0, end)),
+        return checkpointFrom(parseJson(TR("checkpoint"), std::string_view(text).substr(0, end)),
                               text.substr(end + 1), path);
     } catch (const Json::exception&) {
         damaged(path);
