@@ -182,10 +182,6 @@
         <translation>Daten (nie umgerechnet)</translation>
     </message>
     <message>
-        <source>Deviation, </source>
-        <translation>Abweichung, </translation>
-    </message>
-    <message>
         <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
         <translation>Differenzen halten die Helligkeit zwischen Blöcken gleich; Korrelation passt Kanten besser an, wo die Helligkeit verschieden ist.</translation>
     </message>
@@ -326,10 +322,6 @@
         <translation>Wie viel schlechter als der beste ein Patch passen darf, um noch gezogen zu werden: größer variiert mehr.</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
-        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
-    </message>
-    <message>
         <source>How often the exemplar is halved, plus one: more keep larger structures.</source>
         <translation>Wie oft die Vorlage halbiert wird, plus eins: mehr erhalten größere Strukturen.</translation>
     </message>
@@ -372,10 +364,6 @@
     <message>
         <source>Join</source>
         <translation>Anschluss</translation>
-    </message>
-    <message>
-        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
-        <translation>Behält die Stärke jeder Frequenz der Vorlage und zieht ihre Phase zufällig. Im Nu und ohne jede Wiederholung; gut für feinkörnige Texturen wie Sand, Putz oder Stoff, verliert Kanten und Gegenstände.</translation>
     </message>
     <message>
         <source>Kept (CLG)</source>
@@ -564,10 +552,6 @@
     <message>
         <source>Octaves that the pyramid takes apart: more keep larger features. Small images use fewer.</source>
         <translation>Oktaven, in die die Pyramide zerlegt: mehr erhalten größere Merkmale. Kleine Bilder nutzen weniger.</translation>
-    </message>
-    <message>
-        <source>One slope over all</source>
-        <translation>Ein Verlauf über alles</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -1014,26 +998,6 @@
         <translation>Zusammenfassung</translation>
     </message>
     <message>
-        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
-        <translation>Höchstens so viele je Patchgröße und Skala: mehr schließen besser an, dauern aber länger.</translation>
-    </message>
-    <message>
-        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
-        <translation>Höchstens so viele auf jeder Skala außer der feinsten: mehr schließen besser an, dauern aber länger.</translation>
-    </message>
-    <message>
-        <source>At most so many on the finest scale, where most of the time is spent.</source>
-        <translation>Höchstens so viele auf der feinsten Skala, auf der die meiste Zeit vergeht.</translation>
-    </message>
-    <message>
-        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
-        <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
-    </message>
-    <message>
-        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
-        <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
-    </message>
-    <message>
         <source>Avoids colours that there are too many of already, so that all colours of the exemplar show.</source>
         <translation>Meidet Farben, von denen es schon zu viele gibt, sodass alle Farben der Vorlage vorkommen.</translation>
     </message>
@@ -1354,10 +1318,6 @@
         <translation>Eine Ausgabe von {} × {} px lässt sich mit einer Kachel von {} × {} px nicht kacheln; machen Sie sie mindestens so groß.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
-        <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, für die keine Positions- oder Begleitkarten geschrieben werden; wählen Sie dafür einen Teil oder eine kleinere Größe.</translation>
-    </message>
-    <message>
         <source>An output of {} × {} px would need {} of memory, more than the {} that are free; choose a smaller size.</source>
         <translation>Eine Ausgabe von {} × {} px bräuchte {} Speicher, mehr als die {}, die frei sind; wählen Sie eine kleinere Größe.</translation>
     </message>
@@ -1418,10 +1378,6 @@
         <translation>Der Ordner {} lässt sich nicht anlegen: {}.</translation>
     </message>
     <message>
-        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
-        <translation>Die vier Ecken der Entzerrung müssen von links oben im Uhrzeigersinn um eine Fläche ohne Delle gehen.</translation>
-    </message>
-    <message>
         <source>The image is {} × {} px, but the map was made from an exemplar of {} × {} px.</source>
         <translation>Das Bild ist {} × {} px groß, die Karte wurde aber aus einer Vorlage von {} × {} px gemacht.</translation>
     </message>
@@ -1430,36 +1386,16 @@
         <translation>Die Bilder haben {} und {} Kanäle; eine Karte braucht in allen gleich viele.</translation>
     </message>
     <message>
-        <source>The initial image is {} × {} px with {} channels; the output is {} × {} px with {}.</source>
-        <translation>Das Anfangsbild ist {} × {} px mit {} Kanälen; die Ausgabe {} × {} px mit {}.</translation>
-    </message>
-    <message>
         <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than {} with {} × {} px; give shorter vectors, or set lattice=none.</source>
         <translation>Die Masche des Gitters von {} × {} px ist größer als {} mit {} × {} px; geben Sie kürzere Vektoren an, oder setzen Sie lattice=none.</translation>
-    </message>
-    <message>
-        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
-        <translation>Die Vektoren {} des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Geraden liegen.</translation>
-    </message>
-    <message>
-        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
-        <translation>Das Licht von {} ändert sich so stark von Ort zu Ort, dass Flicken auffielen; darum wurde es ausgeglichen. flatten=no behält es.</translation>
     </message>
     <message>
         <source>The map needs the images that it was made from, but none was given.</source>
         <translation>Die Karte braucht die Bilder, aus denen sie gemacht wurde, es wurde aber keines gegeben.</translation>
     </message>
     <message>
-        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
-        <translation>Die Karte wurde aus {} Vorlage(n) gemacht, gegeben wurden aber {} Bild(er).</translation>
-    </message>
-    <message>
         <source>The mask hides all of {}; mask less.</source>
         <translation>Die Maske verdeckt alles von {}; maskieren Sie weniger.</translation>
-    </message>
-    <message>
-        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
-        <translation>Die Maske ist {} × {} px groß, {} aber {} × {} px; sie müssen gleich sein.</translation>
     </message>
     <message>
         <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
@@ -1472,14 +1408,6 @@
     <message>
         <source>The mask leaves no whole tile of {:.0f} × {:.0f} px to copy; mask less.</source>
         <translation>Die Maske lässt keine ganze Kachel von {} × {} px zum Kopieren; maskieren Sie weniger.</translation>
-    </message>
-    <message>
-        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
-        <translation>Das Verfahren nimmt alle Vorlagen gleich, sodass ihre Gewichte nichts bewirkten.</translation>
-    </message>
-    <message>
-        <source>The name {} holds ${}, which is not known here; there is {}.</source>
-        <translation>Der Name {} enthält ${}, was hier nicht bekannt ist; es gibt {}.</translation>
     </message>
     <message>
         <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
@@ -1542,10 +1470,6 @@
         <translation>Das Gewicht von {} ist {}; es geht von {} bis {}.</translation>
     </message>
     <message>
-        <source>The {} has a field {} that is not known here; there is {}.</source>
-        <translation>{}: das Feld {} ist hier nicht bekannt; es gibt {}.</translation>
-    </message>
-    <message>
         <source>The {} has no {}.</source>
         <translation>{}: {} fehlt.</translation>
     </message>
@@ -1562,10 +1486,6 @@
         <translation>{}: kein JSON; es bricht bei Byte {} ab oder ist dort falsch.</translation>
     </message>
     <message>
-        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
-        <translation>{1} ({0}) ist {2} × {3} px groß, {4} aber {5} × {6} px; sie müssen gleich sein.</translation>
-    </message>
-    <message>
         <source>The {}&apos;s {} is {}; it must be {}.</source>
         <translation>{}: {} ist {}; verlangt ist {}.</translation>
     </message>
@@ -1574,24 +1494,12 @@
         <translation>Für {} gibt es keine Werte.</translation>
     </message>
     <message>
-        <source>There is no colour space {}; there is {}.</source>
-        <translation>Es gibt keinen Farbraum {}; es gibt {}.</translation>
-    </message>
-    <message>
         <source>There is no exemplar to learn from.</source>
         <translation>Es gibt keine Vorlage zum Lernen.</translation>
     </message>
     <message>
-        <source>There is no export preset {}; there is {}.</source>
-        <translation>Es gibt keine Exportvorgabe {}; es gibt {}.</translation>
-    </message>
-    <message>
         <source>There is no file {}.</source>
         <translation>Es gibt keine Datei {}.</translation>
-    </message>
-    <message>
-        <source>There is no kind of map {}; there is {}.</source>
-        <translation>Es gibt keine Kartenart {}; es gibt {}.</translation>
     </message>
     <message>
         <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
@@ -1662,10 +1570,6 @@
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>{} = {}: it is {}.</source>
-        <translation>{} = {}: {} ist nötig.</translation>
-    </message>
-    <message>
         <source>{} cannot be read: this build has no reader for {}.</source>
         <translation>{} lässt sich nicht lesen: dieser Version fehlt ein Leser für {}.</translation>
     </message>
@@ -1714,20 +1618,12 @@
         <translation>{} kann keine kachelbare Ausgabe machen.</translation>
     </message>
     <message>
-        <source>{} cannot start from an image, so that it cannot follow {}.</source>
-        <translation>{} kann nicht mit einem Bild beginnen und darum nicht auf {} folgen.</translation>
-    </message>
-    <message>
         <source>{} cannot start from an image.</source>
         <translation>{} kann nicht mit einem Bild beginnen.</translation>
     </message>
     <message>
         <source>{} changed since this result was made.</source>
         <translation>{} hat sich geändert, seit dieses Ergebnis gemacht wurde.</translation>
-    </message>
-    <message>
-        <source>{} copies no pixels, so that it has no position map.</source>
-        <translation>{} kopiert keine Pixel und hat darum keine Positionskarte.</translation>
     </message>
     <message>
         <source>{} could not be copied to {}: {}.</source>
@@ -1738,36 +1634,16 @@
         <translation>{} sagt nicht, wie groß die Vorlage ist; geben Sie auch die Vorlage an.</translation>
     </message>
     <message>
-        <source>{} does not use an exemplar mask.</source>
-        <translation>{} verwendet keine Maske der Vorlage.</translation>
-    </message>
-    <message>
-        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
-        <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
-    </message>
-    <message>
         <source>{} has no pixels.</source>
         <translation>{} hat keine Pixel.</translation>
-    </message>
-    <message>
-        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
-        <translation>{} hat {} Kanäle und {} hat {}; alle Vorlagen brauchen gleich viele.</translation>
     </message>
     <message>
         <source>{} has {} channels; images with up to {} can be opened.</source>
         <translation>{} hat {} Kanäle; geöffnet werden Bilder mit bis zu {}.</translation>
     </message>
     <message>
-        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
-        <translation>{} hat {} Begleitkarten und {} hat {}; jede Vorlage braucht dieselben.</translation>
-    </message>
-    <message>
         <source>{} holds no recipe.</source>
         <translation>{} enthält kein Rezept.</translation>
-    </message>
-    <message>
-        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
-        <translation>{} enthält {} Werte, die keine endlichen Zahlen sind, den ersten bei Pixel ({}, {}); Texloom braucht endliche.</translation>
     </message>
     <message>
         <source>{} is a {} image; only flat ones can be opened.</source>
@@ -1776,18 +1652,6 @@
     <message>
         <source>{} is empty (0 bytes).</source>
         <translation>{} ist leer (0 Byte).</translation>
-    </message>
-    <message>
-        <source>{} is longer than {}, too long for what it should be.</source>
-        <translation>{} ist länger als {}, zu lang für das, was es sein soll.</translation>
-    </message>
-    <message>
-        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
-        <translation>{} ist keine Positionskarte: eine STMap hat 2 bis 4 Kanäle mit 32-Bit-Gleitkomma, diese Datei {} mit {}.</translation>
-    </message>
-    <message>
-        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
-        <translation>{} ist keine Positionskarte: als PNG hat sie 3 Kanäle mit 16 Bit, diese Datei {} mit {}.</translation>
     </message>
     <message>
         <source>{} is not an image that Texloom reads (PNG, JPEG, TIFF, EXR or HDR).</source>
@@ -1822,20 +1686,8 @@
         <translation>{} ist {} × {} px groß; die fast regelmäßige Synthese braucht Vorlagen von mindestens {} × {} px.</translation>
     </message>
     <message>
-        <source>{} is {}, not an image.</source>
-        <translation>{} ist {}, kein Bild.</translation>
-    </message>
-    <message>
-        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
-        <translation>{} größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden; {}.</translation>
-    </message>
-    <message>
         <source>{} learns from one exemplar, but {} were given.</source>
         <translation>{} lernt von einer Vorlage, gegeben wurden aber {}.</translation>
-    </message>
-    <message>
-        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
-        <translation>{} nennt eine Vorlage von {} × {} px; Seiten gehen von 1 bis {} px.</translation>
     </message>
     <message>
         <source>{} says it is {} × {} px; an EXR&apos;s sides can go up to {} px.</source>
@@ -1844,10 +1696,6 @@
     <message>
         <source>{} takes {}, of which only {} are free; make a smaller result.</source>
         <translation>{} braucht {}, wovon nur {} frei sind; machen Sie ein kleineres Ergebnis.</translation>
-    </message>
-    <message>
-        <source>{} was not straightened: too little of it would be left.</source>
-        <translation>{} wurde nicht gerade gerichtet: es bliebe zu wenig übrig.</translation>
     </message>
     <message>
         <source>{}: output pixel ({}, {}) comes from {:.2f}, between two pixels; a position map addresses whole ones (was it resampled, or is it for an exemplar of another size?).</source>
@@ -1860,22 +1708,6 @@
     <message>
         <source>“{}” is not from:to:count, such as 8:64:5, with a count of 2 to {}.</source>
         <translation>„{}“ ist nicht von:bis:Anzahl wie 8:64:5 mit einer Anzahl von 2 bis {}.</translation>
-    </message>
-    <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
-        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; wiederholt es sich doch, entzerren Sie es im Fenster (Strg+D), wo es schräg gesehen ist, oder geben Sie seine Vektoren mit lattice=given an.</translation>
-    </message>
-    <message>
-        <source>{} is what the result is made from and would be lost; name another file.</source>
-        <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
     </message>
     <message>
         <source>A box of {} voxels is empty; each side must be at least 1.</source>
@@ -2160,6 +1992,986 @@
     <message>
         <source>{}: vertex {} lies at ({}, {}, {}); coordinates must be numbers of up to {}.</source>
         <translation>{}: Ecke {} liegt bei ({}, {}, {}); Koordinaten müssen Zahlen bis {} sein.</translation>
+    </message>
+    <message>
+        <source>&quot;&quot;, &quot;x&quot;, &quot;y&quot; or &quot;xy&quot;</source>
+        <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; oder &quot;xy&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
+        <translation>&quot;horizontal&quot; oder &quot;vertical&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
+        <translation>&quot;smooth&quot; oder &quot;polynomial&quot;</translation>
+    </message>
+    <message>
+        <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
+        <translation>--shard {}: als I/N zu schreiben, mit I von 1 bis N, etwa 3/8.</translation>
+    </message>
+    <message>
+        <source>1 to {}</source>
+        <translation>1 bis {}</translation>
+    </message>
+    <message>
+        <source>A compact set of {} tiles need not close over a border; choose a full set for outputs that wrap.</source>
+        <translation>Ein kompakter Satz von {} Kacheln schließt sich nicht unbedingt über den Rand; wählen Sie für kachelbare Ausgaben einen vollständigen Satz.</translation>
+    </message>
+    <message>
+        <source>A full set has a tile for every combination of colours and can wrap; a compact one has two for each pair above and to the left.</source>
+        <translation>Ein vollständiger Satz hat für jede Kombination von Farben eine Kachel und kann sich schließen; ein kompakter hat zwei für jedes Paar von oben und links.</translation>
+    </message>
+    <message>
+        <source>An image of the result&apos;s size that the method begins with.</source>
+        <translation>Ein Bild in der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
+        <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, für die keine Positions- oder Begleitkarten geschrieben werden; wählen Sie dafür einen Teil oder eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
+        <translation>Je Skala: mehr bringen die Patches näher an die der Vorlage.</translation>
+    </message>
+    <message>
+        <source>At most so many waves, the strongest: more follow finer regularity and take longer.</source>
+        <translation>Höchstens so viele Wellen, die stärksten: mehr folgen feinerer Regelmäßigkeit und dauern länger.</translation>
+    </message>
+    <message>
+        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
+        <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
+    </message>
+    <message>
+        <source>Blocks of {} px hold whole ones.</source>
+        <translation>Blöcke von {} px fassen ganze.</translation>
+    </message>
+    <message>
+        <source>Both ways</source>
+        <translation>In beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Changes noise, or an initial image, from coarse to fine until its patches are distributed as the exemplar&apos;s are. New pixels rather than copies; keeps all the exemplar&apos;s patches in use, and mixes several exemplars by their weights.</source>
+        <translation>Ändert Rauschen oder ein Startbild von grob nach fein, bis seine Patches so verteilt sind wie die der Vorlage. Neue Pixel statt Kopien; benutzt alle Patches der Vorlage und mischt mehrere Vorlagen nach ihren Gewichten.</translation>
+    </message>
+    <message>
+        <source>Changing low frequencies</source>
+        <translation>Tiefe Frequenzen ändern</translation>
+    </message>
+    <message>
+        <source>Chaos</source>
+        <translation>Chaos</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Kompakt</translation>
+    </message>
+    <message>
+        <source>Companion maps</source>
+        <translation>Begleitkarten</translation>
+    </message>
+    <message>
+        <source>Cost of all seams</source>
+        <translation>Kosten aller Nähte</translation>
+    </message>
+    <message>
+        <source>Cut-off</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
+        <translation>Zerschneidet die Vorlagen in Stücke, mischt sie so, dass jedes einmal vorkommt, und gleicht die Fugen aus. So wiederholen sich große natürliche Texturen wie Stein und Metall nicht; lange Strukturen über Stücke hinweg gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Cutting tiles</source>
+        <translation>Kacheln schneiden</translation>
+    </message>
+    <message>
+        <source>Detail patch</source>
+        <translation>Patch der Details</translation>
+    </message>
+    <message>
+        <source>Deviation of the Gaussian that parts the bands: larger changes only what is slower, 0 changes everything.</source>
+        <translation>Standardabweichung der Gaußfunktion, die die Bänder trennt: Größer ändert nur, was langsamer ist, 0 ändert alles.</translation>
+    </message>
+    <message>
+        <source>Deviation, {}</source>
+        <translation>Abweichung, {}</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Distance of patches</source>
+        <translation>Abstand der Patches</translation>
+    </message>
+    <message>
+        <source>Drawing the regular part</source>
+        <translation>Der regelmäßige Teil wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing the tile set</source>
+        <translation>Kachelsatz zeichnen</translation>
+    </message>
+    <message>
+        <source>Draws of samples</source>
+        <translation>Ziehungen der Proben</translation>
+    </message>
+    <message>
+        <source>Drift over the output, in cycles</source>
+        <translation>Abweichung über die Ausgabe, in Perioden</translation>
+    </message>
+    <message>
+        <source>Edge colours</source>
+        <translation>Kantenfarben</translation>
+    </message>
+    <message>
+        <source>Entire patch</source>
+        <translation>Ganze Vorlage</translation>
+    </message>
+    <message>
+        <source>Error of the worst cut</source>
+        <translation>Fehler des schlechtesten Schnitts</translation>
+    </message>
+    <message>
+        <source>Error of the worst cut at which no more samples are drawn, over the error of unlike pixels: smaller searches longer.</source>
+        <translation>Fehler des schlechtesten Schnitts, bei dem keine Proben mehr gezogen werden, im Verhältnis zu dem ungleicher Pixel: Kleiner sucht länger.</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Finding waves</source>
+        <translation>Wellen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Finds the waves that a near-regular exemplar is made of, to a fraction of a cycle, continues them over the output, and quilts patches that follow them. Suits weaves, bricks and tiles that are seen straight on.</source>
+        <translation>Findet die Wellen, aus denen eine fast regelmäßige Vorlage besteht, auf den Bruchteil einer Periode genau, setzt sie über die Ausgabe fort und fügt Patches aneinander, die ihnen folgen. Gut für Gewebe, Ziegel und Fliesen, die gerade von vorn zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Flips pieces and turns them by 180° at random: varies more, but light then comes from several sides, also in companion normal maps.</source>
+        <translation>Spiegelt Stücke und dreht sie um 180°, zufällig: mehr Abwechslung, aber das Licht kommt dann von mehreren Seiten, auch in begleitenden Normalenkarten.</translation>
+    </message>
+    <message>
+        <source>Fourier mask</source>
+        <translation>Fourier-Maske</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Vollständig</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Gut genug</translation>
+    </message>
+    <message>
+        <source>Graph cut</source>
+        <translation>Graphenschnitt</translation>
+    </message>
+    <message>
+        <source>How much the regular part counts beside the fit of overlaps: larger keeps the order, 0 quilts without it.</source>
+        <translation>Wie viel der regelmäßige Teil neben der Passung der Überlappungen zählt: mehr hält die Ordnung, 0 quiltet ohne ihn.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a place may fit and still be likely: larger varies more, smaller fits better.</source>
+        <translation>Wie viel schlechter als die beste eine Stelle passen und noch wahrscheinlich sein darf: Größer variiert mehr, kleiner passt besser.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
+        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
+    </message>
+    <message>
+        <source>How often the samples are drawn anew, at most, until the worst cut is good enough; the best are kept.</source>
+        <translation>Wie oft die Proben höchstens neu gezogen werden, bis der schlechteste Schnitt gut genug ist; die besten bleiben.</translation>
+    </message>
+    <message>
+        <source>Keeps the detail of the exemplar, or of an initial image, and draws the phase of its slow changes at random, so that stains and shades lie elsewhere. Suits metal and stone seen from afar; where detail follows the shades, as in wood, the two part.</source>
+        <translation>Behält die Details der Vorlage oder eines Anfangsbilds und zieht die Phase ihrer langsamen Änderungen zufällig, sodass Flecken und Schattierungen woanders liegen. Passt zu Metall und Stein aus der Ferne; wo Details den Schattierungen folgen, wie bei Holz, gehen beide auseinander.</translation>
+    </message>
+    <message>
+        <source>Keeps the strength of each frequency of the exemplar and draws its phase at random. Instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <translation>Behält die Stärke jeder Frequenz der Vorlage und zieht ihre Phase zufällig. Im Nu und ohne jede Wiederholung; gut für feinkörnige Texturen wie Sand, Putz oder Stoff, verliert Kanten und Gegenstände.</translation>
+    </message>
+    <message>
+        <source>Kinds of edges on each axis: more make more tiles, which repeat less and are harder to cut well.</source>
+        <translation>Arten von Kanten je Achse: Mehr ergeben mehr Kacheln, die sich weniger wiederholen und schwerer gut zu schneiden sind.</translation>
+    </message>
+    <message>
+        <source>Largest move to close, in cycles</source>
+        <translation>Größte Verschiebung zum Schließen, in Perioden</translation>
+    </message>
+    <message>
+        <source>Laying pieces</source>
+        <translation>Stücke legen</translation>
+    </message>
+    <message>
+        <source>Laying tiles</source>
+        <translation>Kacheln legen</translation>
+    </message>
+    <message>
+        <source>Lets seams cost less where the pictures change anyway, so that they follow edges.</source>
+        <translation>Lässt Nähte dort weniger kosten, wo sich die Bilder ohnehin ändern, sodass sie Kanten folgen.</translation>
+    </message>
+    <message>
+        <source>Levelling joints</source>
+        <translation>Fugen ausgleichen</translation>
+    </message>
+    <message>
+        <source>Makes a small set of tiles whose edges match by colour, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
+        <translation>Macht einen kleinen Satz von Kacheln, deren Kanten nach Farben passen, und legt sie ohne Periode. Ausgaben jeder Größe entstehen im Nu, auch jeder Teil für sich; der Satz lässt sich auch allein verwenden. Passt zu allem ohne große Objekte.</translation>
+    </message>
+    <message>
+        <source>Maps of the exemplar&apos;s size, such as normals or heights, that get the result&apos;s layout.</source>
+        <translation>Karten in der Größe der Vorlage, etwa Normalen oder Höhen, die die Anordnung des Ergebnisses bekommen.</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Matching patches</source>
+        <translation>Patches werden zugeordnet</translation>
+    </message>
+    <message>
+        <source>Mended seams</source>
+        <translation>Ausgebesserte Nähte</translation>
+    </message>
+    <message>
+        <source>Mending seams</source>
+        <translation>Nähte ausbessern</translation>
+    </message>
+    <message>
+        <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
+        <translation>Höchstens so viele je Patchgröße und Skala: mehr schließen besser an, dauern aber länger.</translation>
+    </message>
+    <message>
+        <source>Most rounds on each scale but the finest: more join better, but take longer.</source>
+        <translation>Höchstens so viele auf jeder Skala außer der feinsten: mehr schließen besser an, dauern aber länger.</translation>
+    </message>
+    <message>
+        <source>Most rounds on the finest scale, where most of the time is spent.</source>
+        <translation>Höchstens so viele auf der feinsten Skala, auf der die meiste Zeit vergeht.</translation>
+    </message>
+    <message>
+        <source>Most scales, each half the size of the one before: more keep larger structures.</source>
+        <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
+    </message>
+    <message>
+        <source>Moving blocks</source>
+        <translation>Blöcke versetzen</translation>
+    </message>
+    <message>
+        <source>Near-regular</source>
+        <translation>Fast regelmäßig</translation>
+    </message>
+    <message>
+        <source>Networks</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
+        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; wiederholt es sich doch, entzerren Sie es im Fenster (Strg+D), wo es schräg gesehen ist, oder geben Sie seine Vektoren mit lattice=given an.</translation>
+    </message>
+    <message>
+        <source>Occurrence {}</source>
+        <translation>Häufigkeit {}</translation>
+    </message>
+    <message>
+        <source>One slope over the whole</source>
+        <translation>Ein Verlauf über alles</translation>
+    </message>
+    <message>
+        <source>Optimisation</source>
+        <translation>Optimierung</translation>
+    </message>
+    <message>
+        <source>Pastes the whole exemplar again and again, each time along the cheapest seam of any shape, and mends the worst seams at the end. Keeps objects such as stones and leaves whole; copies large areas verbatim.</source>
+        <translation>Klebt die ganze Vorlage wieder und wieder auf, jedes Mal entlang der billigsten Naht beliebiger Form, und bessert am Ende die schlechtesten Nähte aus. Lässt Objekte wie Steine und Blätter ganz; kopiert große Flächen wörtlich.</translation>
+    </message>
+    <message>
+        <source>Pasting along cuts</source>
+        <translation>Entlang von Schnitten kleben</translation>
+    </message>
+    <message>
+        <source>Patch distribution</source>
+        <translation>Patchverteilung</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of them, and takes chance for rule.</source>
+        <translation>So hohe Spitzen des Spektrums, gemessen an der höchsten, zählen als Wellen: weniger findet mehr und hält Zufall für Regel.</translation>
+    </message>
+    <message>
+        <source>Piece size</source>
+        <translation>Stückgröße</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Pixel by pixel</source>
+        <translation>Pixel für Pixel</translation>
+    </message>
+    <message>
+        <source>Pixels of the exemplar where it is black are never used.</source>
+        <translation>Pixel der Vorlage, an denen sie schwarz ist, werden nie benutzt.</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Platzierung</translation>
+    </message>
+    <message>
+        <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
+        <translation>Poisson gleicht die Fugen aus und behält die Details; ein Schnitt kopiert jedes Pixel, wie es ist; Überblenden verwischt, wo sich Stücke überlappen; ohne zeigt die Stücke.</translation>
+    </message>
+    <message>
+        <source>Position map</source>
+        <translation>Positionskarte</translation>
+    </message>
+    <message>
+        <source>Random directions along which patches are compared in one iteration: more make each iteration surer and longer.</source>
+        <translation>Zufällige Richtungen, in denen Patches in einem Durchlauf verglichen werden: mehr machen jeden Durchlauf sicherer und länger.</translation>
+    </message>
+    <message>
+        <source>Random low frequencies</source>
+        <translation>Zufällige tiefe Frequenzen</translation>
+    </message>
+    <message>
+        <source>Random mosaic</source>
+        <translation>Zufallsmosaik</translation>
+    </message>
+    <message>
+        <source>Random placement looks at nothing, so it cannot follow the initial image; choose entire or sub-patch.</source>
+        <translation>Zufällige Platzierung sieht nichts an und kann dem Anfangsbild nicht folgen; wählen Sie „entire“ oder „sub-patch“.</translation>
+    </message>
+    <message>
+        <source>Regular part</source>
+        <translation>Regelmäßiger Teil</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}</source>
+        <translation>Skala 1/{}</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}, patches of {} px</source>
+        <translation>Skala 1/{}, Patches von {} px</translation>
+    </message>
+    <message>
+        <source>Seam cost per pixel</source>
+        <translation>Nahtkosten je Pixel</translation>
+    </message>
+    <message>
+        <source>Seams along edges</source>
+        <translation>Nähte entlang von Kanten</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Satz</translation>
+    </message>
+    <message>
+        <source>Share of a piece over which neighbours overlap, for cuts and feathering: larger joins better.</source>
+        <translation>Anteil eines Stücks, über den sich Nachbarn überlappen, für Schnitte und Überblenden: Größer fügt besser.</translation>
+    </message>
+    <message>
+        <source>Share of the variance in the regular part</source>
+        <translation>Anteil der Varianz im regelmäßigen Teil</translation>
+    </message>
+    <message>
+        <source>Shuffling pieces</source>
+        <translation>Stücke mischen</translation>
+    </message>
+    <message>
+        <source>Side of a piece, or width of a slice: larger keeps larger structures whole, smaller makes outputs differ more.</source>
+        <translation>Seite eines Stücks oder Breite eines Streifens: Größer lässt größere Strukturen ganz, kleiner macht Ausgaben verschiedener.</translation>
+    </message>
+    <message>
+        <source>Side of a tile: larger repeats less and keeps larger structures, smaller has more edges.</source>
+        <translation>Seite einer Kachel: Größer wiederholt sich weniger und behält größere Strukturen, kleiner hat mehr Kanten.</translation>
+    </message>
+    <message>
+        <source>Side of the compared patches at each scale: larger keeps larger structures whole and takes longer.</source>
+        <translation>Seite der verglichenen Patches je Skala: größere halten größere Strukturen zusammen und dauern länger.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared for sub-patches and for mending: larger keeps larger structures whole.</source>
+        <translation>Seite des Quadrats, das für Teilstücke und beim Ausbessern verglichen wird: Größer lässt größere Strukturen ganz.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller follows the waves more closely.</source>
+        <translation>Seite der kopierten Quadrate: größere halten größere Strukturen zusammen, kleinere folgen den Wellen genauer.</translation>
+    </message>
+    <message>
+        <source>Slices keep what runs along them, as the grain of wood; pieces cut both ways suit what looks alike in all directions; chaos throws blocks over copies of the exemplar.</source>
+        <translation>Streifen behalten, was an ihnen entlangläuft, wie die Maserung von Holz; in beide Richtungen geschnittene Stücke passen zu dem, was in alle Richtungen gleich aussieht; Chaos wirft Blöcke über Kopien der Vorlage.</translation>
+    </message>
+    <message>
+        <source>So many times the worst seam is pasted over, where that makes it better: more takes longer and hides more.</source>
+        <translation>So oft wird die schlechteste Naht überklebt, wo das besser ist: Mehr dauert länger und verdeckt mehr.</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Sparse</source>
+        <translation>Dünn besetzt</translation>
+    </message>
+    <message>
+        <source>Sub-patch</source>
+        <translation>Teilstück</translation>
+    </message>
+    <message>
+        <source>The angle in degrees</source>
+        <translation>Der Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>The checkpoint is of a run with other settings or exemplars; begin the run anew.</source>
+        <translation>Der Zwischenstand gehört zu einem Lauf mit anderen Einstellungen oder Vorlagen; beginnen Sie den Lauf neu.</translation>
+    </message>
+    <message>
+        <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the run anew, or use that version.</source>
+        <translation>Der Zwischenstand ist von Texloom {}; dies ist {}, das anders weiterrechnen kann. Beginnen Sie den Lauf neu, oder nehmen Sie jene Version.</translation>
+    </message>
+    <message>
+        <source>The earlier result in {} is left out: {}</source>
+        <translation>Das frühere Ergebnis in {} bleibt weg: {}</translation>
+    </message>
+    <message>
+        <source>The exemplar&apos;s pixel that each pixel of the result was copied from.</source>
+        <translation>Das Pixel der Vorlage, von dem jedes Pixel des Ergebnisses kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>The flattening&apos;s strength</source>
+        <translation>Die Stärke des Ausgleichs</translation>
+    </message>
+    <message>
+        <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
+        <translation>Die vier Ecken der Entzerrung müssen von links oben im Uhrzeigersinn um eine Fläche ohne Delle gehen.</translation>
+    </message>
+    <message>
+        <source>The image to learn from.</source>
+        <translation>Das Bild, von dem gelernt wird.</translation>
+    </message>
+    <message>
+        <source>The image to start from has {} channels, the output {}; they need the same number.</source>
+        <translation>Das Startbild hat {} Kanäle, die Ausgabe {}; beide brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>The input {} of {} takes {}.</source>
+        <translation>Der Eingang {} von {} nimmt: {}.</translation>
+    </message>
+    <message>
+        <source>The input {} takes {}; no file of that kind can be read yet.</source>
+        <translation>Der Eingang {} nimmt: {}; eine solche Datei lässt sich noch nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>Die Masche des Gitters von {} × {} px ist größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie on one line.</source>
+        <translation>Die Vektoren ({}, {}) und ({}, {}) px des Gitters spannen keine Masche auf; geben Sie zwei an, die nicht auf einer Linie liegen.</translation>
+    </message>
+    <message>
+        <source>The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <translation>Das Licht von {} ändert sich so stark von Ort zu Ort, dass Flicken auffielen; darum wurde es ausgeglichen. flatten=no behält es.</translation>
+    </message>
+    <message>
+        <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
+        <translation>Die Karte braucht ein Bild je Vorlage, aus der sie gemacht wurde: {}, nicht {}.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave at least 1 px to copy.</source>
+        <translation>Die Maske verdeckt die ganze Vorlage; lassen Sie mindestens 1 px zum Kopieren frei.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave some of it to lay, at least {} px.</source>
+        <translation>Die Maske verdeckt die ganze Vorlage; lassen Sie etwas davon frei, mindestens {} px.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole block of {} px to lay; choose smaller blocks or mask less.</source>
+        <translation>Die Maske lässt keinen ganzen Block von {} px zum Legen frei; wählen Sie kleinere Blöcke oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole piece of {} px to lay; choose smaller pieces or mask less.</source>
+        <translation>Die Maske lässt kein ganzes Stück von {} px zum Legen frei; wählen Sie kleinere Stücke oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole sample of {} px for tiles of {} px; choose smaller tiles or mask less.</source>
+        <translation>Die Maske lässt keine ganze Probe von {} px für Kacheln von {} px frei; wählen Sie kleinere Kacheln oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The method treats all exemplars alike, so their weights had no effect.</source>
+        <translation>Das Verfahren nimmt alle Vorlagen gleich, sodass ihre Gewichte nichts bewirkten.</translation>
+    </message>
+    <message>
+        <source>The name {} holds ${}, which stands for nothing here; use {}.</source>
+        <translation>Der Name {} enthält ${}, das hier für nichts steht; nehmen Sie {}.</translation>
+    </message>
+    <message>
+        <source>The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.</source>
+        <translation>Das Bild für „{}“ ist {} × {} px groß, {} aber {} × {} px; es muss so groß sein.</translation>
+    </message>
+    <message>
+        <source>The polynomial&apos;s order</source>
+        <translation>Der Grad des Polynoms</translation>
+    </message>
+    <message>
+        <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>Die Reihen im Abstand von {} px sind größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
+    </message>
+    <message>
+        <source>The run was stopped before it knew where its pixels come from, so there are no companion maps.</source>
+        <translation>Der Lauf wurde angehalten, bevor feststand, woher seine Pixel kommen; darum gibt es keine Begleitkarten.</translation>
+    </message>
+    <message>
+        <source>The texture that was made.</source>
+        <translation>Die Textur, die entstanden ist.</translation>
+    </message>
+    <message>
+        <source>The window&apos;s width</source>
+        <translation>Die Breite des Fensters</translation>
+    </message>
+    <message>
+        <source>The work ended for an unknown reason; try again.</source>
+        <translation>Die Arbeit endete aus unbekanntem Grund; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The {} has an unknown field {}; the known ones are {}.</source>
+        <translation>{}: das Feld {} ist hier nicht bekannt; bekannt sind {}.</translation>
+    </message>
+    <message>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
+        <translation>{1} ({0}) ist {2} × {3} px groß, {4} aber {5} × {6} px; sie müssen gleich sein.</translation>
+    </message>
+    <message>
+        <source>There is no colour space {}; choose one of {}.</source>
+        <translation>Es gibt keinen Farbraum {}; wählen Sie einen von {}.</translation>
+    </message>
+    <message>
+        <source>There is no export preset {}; choose one of {}.</source>
+        <translation>Es gibt keine Exportvorgabe {}; wählen Sie eine von {}.</translation>
+    </message>
+    <message>
+        <source>There is no kind of map {}; the kinds are {}.</source>
+        <translation>Es gibt keine Kartenart {}; die Arten sind {}.</translation>
+    </message>
+    <message>
+        <source>There is no method {}; the methods are {}.</source>
+        <translation>Es gibt kein Verfahren {}; die Verfahren sind {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; try a smaller output.</source>
+        <translation>Dafür reicht der Speicher nicht; versuchen Sie eine kleinere Ausgabe.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Tile set</source>
+        <translation>Kachelsatz</translation>
+    </message>
+    <message>
+        <source>Tile size</source>
+        <translation>Kachelgröße</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>Kacheln</translation>
+    </message>
+    <message>
+        <source>Tiles of {} px take samples of {} × {} px, but {} is {} × {} px; choose smaller tiles or less overlap.</source>
+        <translation>Kacheln von {} px brauchen Proben von {} × {} px, aber {} hat {} × {} px; wählen Sie kleinere Kacheln oder weniger Überlappung.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Turn pieces</source>
+        <translation>Stücke drehen</translation>
+    </message>
+    <message>
+        <source>Wang tiles</source>
+        <translation>Wang-Kacheln</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Wellen</translation>
+    </message>
+    <message>
+        <source>Weight of the waves</source>
+        <translation>Gewicht der Wellen</translation>
+    </message>
+    <message>
+        <source>Where the exemplar is pasted next: anywhere, where all of it fits what is there, or where a square of it does, which suits what has no clear structure.</source>
+        <translation>Wo die Vorlage als Nächstes aufgeklebt wird: irgendwo, dort, wo sie ganz zum Vorhandenen passt, oder dort, wo ein Quadrat von ihr passt, was für Texturen ohne klare Struktur gut ist.</translation>
+    </message>
+    <message>
+        <source>Where the output has another size and there is no initial image, detail is quilted from patches of this side: larger keeps larger structures whole.</source>
+        <translation>Wo die Ausgabe eine andere Größe hat und es kein Anfangsbild gibt, werden Details aus Patches dieser Seite zusammengefügt: Größer lässt größere Strukturen ganz.</translation>
+    </message>
+    <message>
+        <source>Width of the zone along the diagonals in which the cuts may run, as a share of the tile: wider joins better.</source>
+        <translation>Breite der Zone entlang der Diagonalen, in der die Schnitte verlaufen dürfen, als Anteil der Kachel: Breiter fügt besser.</translation>
+    </message>
+    <message>
+        <source>Works on the periodic component, without which the borders draw horizontal and vertical streaks. Outputs that wrap always need it.</source>
+        <translation>Arbeitet mit der periodischen Komponente, ohne die die Ränder waagerechte und senkrechte Streifen zeichnen. Kachelbare Ausgaben brauchen sie immer.</translation>
+    </message>
+    <message>
+        <source>a list of at least one method</source>
+        <translation>eine Liste mit mindestens einem Verfahren</translation>
+    </message>
+    <message>
+        <source>a list of {} to {}</source>
+        <translation>eine Liste mit {} bis {} Einträgen</translation>
+    </message>
+    <message>
+        <source>a mask</source>
+        <translation>eine Maske</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>ein Polygonnetz</translation>
+    </message>
+    <message>
+        <source>a model</source>
+        <translation>ein Modell</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number, text, true or false</source>
+        <translation>eine Zahl, ein Text, true oder false</translation>
+    </message>
+    <message>
+        <source>a position map</source>
+        <translation>eine Positionskarte</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>ein Volumen</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 18446744073709551615</source>
+        <translation>eine ganze Zahl von 0 bis 18446744073709551615</translation>
+    </message>
+    <message>
+        <source>a whole number that is not too large</source>
+        <translation>eine ganze Zahl, die nicht zu groß ist</translation>
+    </message>
+    <message>
+        <source>an image</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>eine beliebige Zahl</translation>
+    </message>
+    <message>
+        <source>any whole number</source>
+        <translation>eine beliebige ganze Zahl</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>companion</source>
+        <translation>Begleitkarte</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>Deep</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>Eintrag</translation>
+    </message>
+    <message>
+        <source>it was made by another version.</source>
+        <translation>eine andere Version hat es gemacht.</translation>
+    </message>
+    <message>
+        <source>its entry is damaged.</source>
+        <translation>sein Eintrag ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its kind of map is not known.</source>
+        <translation>die Art seiner Karte ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation>ein oder aus</translation>
+    </message>
+    <message>
+        <source>one of crop, rotate, flip, rectify and flatten</source>
+        <translation>eines von crop, rotate, flip, rectify und flatten</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>eines von {}</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>vielleicht ist der Datenträger voll</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>the output</source>
+        <translation>die Ausgabe</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>{} (other ones)</source>
+        <translation>{} (andere)</translation>
+    </message>
+    <message>
+        <source>{} = {}: it goes from {} to {}.</source>
+        <translation>{} = {}: geht von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} goes from {}.</source>
+        <translation>{} = {}: {} geht von {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is one of {}.</source>
+        <translation>{} = {}: {} ist eines von {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is {}.</source>
+        <translation>{} = {}: {} ist {}.</translation>
+    </message>
+    <message>
+        <source>{} Did you mean {}?</source>
+        <translation>{} Meinten Sie {}?</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of channels, {} and {}; all exemplars need the same.</source>
+        <translation>{} und {} haben verschieden viele Kanäle, {} und {}; alle Vorlagen brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of companion maps, {} and {}; every exemplar needs the same ones.</source>
+        <translation>{} und {} haben verschieden viele Begleitkarten, {} und {}; jede Vorlage braucht dieselben.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
+        <translation>{} lässt sich nicht schreiben: der Name nennt am Ende kein Format; Texloom schreibt .png, .jpg, .tif, .exr und .hdr.</translation>
+    </message>
+    <message>
+        <source>{} copies no pixels, so it has no position map.</source>
+        <translation>{} kopiert keine Pixel und hat darum keine Positionskarte.</translation>
+    </message>
+    <message>
+        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
+        <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
+    </message>
+    <message>
+        <source>{} has no input {}.</source>
+        <translation>{} hat keinen Eingang {}.</translation>
+    </message>
+    <message>
+        <source>{} has no input {}; it takes {}.</source>
+        <translation>{} hat keinen Eingang {}; es nimmt {}.</translation>
+    </message>
+    <message>
+        <source>{} has no parameter {}; it has {}.</source>
+        <translation>{} hat keinen Parameter {}; es hat {}.</translation>
+    </message>
+    <message>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without them.</source>
+        <translation>{} enthält {} Werte, die keine endlichen Zahlen sind, den ersten bei Pixel ({}, {}); Texloom braucht endliche.</translation>
+    </message>
+    <message>
+        <source>{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Begin the run anew.</source>
+        <translation>{} ist ein Zwischenstand im Format {}; dieses Texloom ({}) liest Format {}. Beginnen Sie den Lauf neu.</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not an image.</source>
+        <translation>{} ist ein Ordner, kein Bild.</translation>
+    </message>
+    <message>
+        <source>{} is longer than {}, too long for a file of this kind.</source>
+        <translation>{} ist länger als {}, zu lang für eine Datei dieser Art.</translation>
+    </message>
+    <message>
+        <source>{} is not a checkpoint, or it is damaged; begin the run anew.</source>
+        <translation>{} ist kein Zwischenstand oder beschädigt; beginnen Sie den Lauf neu.</translation>
+    </message>
+    <message>
+        <source>{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} of {}.</source>
+        <translation>{} ist keine Positionskarte: eine STMap hat 2 bis 4 Kanäle mit 32-Bit-Gleitkomma, diese Datei {} mit {}.</translation>
+    </message>
+    <message>
+        <source>{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.</source>
+        <translation>{} ist keine Positionskarte: als PNG hat sie 3 Kanäle mit 16 Bit, diese Datei {} mit {}.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file, so it is not an image.</source>
+        <translation>{} ist keine gewöhnliche Datei und kein Bild.</translation>
+    </message>
+    <message>
+        <source>{} is not part of this build. {}</source>
+        <translation>{} gehört nicht zu dieser Ausgabe von Texloom. {}</translation>
+    </message>
+    <message>
+        <source>{} is what the result is made from and would be overwritten; name another file.</source>
+        <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than a piece of {} px; choose pieces of at most {} px.</source>
+        <translation>{} hat {} × {} px, weniger als ein Stück von {} px; wählen Sie Stücke von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
+        <translation>{} hat {} × {} px, weniger als das verglichene Quadrat von {} px; wählen Sie eines von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <translation>{} nennt eine Vorlage von {} × {} px; Seiten gehen von 1 bis {} px.</translation>
+    </message>
+    <message>
+        <source>{} needs {} for its input {}, but {} were given.</source>
+        <translation>{} braucht {} für den Eingang {}, gegeben wurden aber {}.</translation>
+    </message>
+    <message>
+        <source>{} takes no exemplar.</source>
+        <translation>{} nimmt keine Vorlage.</translation>
+    </message>
+    <message>
+        <source>{} takes up nothing that {} makes, so that it cannot follow it.</source>
+        <translation>{} kann nichts aufnehmen, was {} macht, und darum nicht darauf folgen.</translation>
+    </message>
+    <message>
+        <source>{} takes {} for its input {}, but {} were given.</source>
+        <translation>{} nimmt {} für den Eingang {}, gegeben wurden aber {}.</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>{} to {} {}</source>
+        <translation>{} bis {} {}</translation>
+    </message>
+    <message>
+        <source>{} was not straightened, since too little of it would be left.</source>
+        <translation>{} wurde nicht gerade gerichtet: es bliebe zu wenig übrig.</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>{} × {} px</source>
+        <translation>{} × {} px</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
+    </message>
+    <message>
+        <source>“Regular tile” repeats whole ones.</source>
+        <translation>„Regelmäßige Kachel“ wiederholt ganze.</translation>
+    </message>
+    <message>
+        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
+        <translation>Nur {} % von {} sind regelmäßig, sodass die Patches kaum geführt werden; senken Sie die Schwelle, oder nehmen Sie das Bild-Quilting.</translation>
+    </message>
+    <message>
+        <source>The worst cut&apos;s error is {:.2f} of that of unlike pixels, more than the {} wished for; more tries, larger tiles or fewer colours may help.</source>
+        <translation>Der Fehler des schlechtesten Schnitts beträgt {} des Fehlers ungleicher Pixel, mehr als die gewünschten {}; mehr Versuche, größere Kacheln oder weniger Farben können helfen.</translation>
+    </message>
+    <message>
+        <source>a whole number from −{} to {}</source>
+        <translation>eine ganze Zahl von −{} bis {}</translation>
+    </message>
+    <message>
+        <source>checkpoint</source>
+        <translation>Zwischenstand</translation>
+    </message>
+    <message>
+        <source>file {}</source>
+        <translation>Datei {}</translation>
+    </message>
+    <message>
+        <source>the name of a file in the same folder</source>
+        <translation>der Name einer Datei im selben Ordner</translation>
+    </message>
+    <message>
+        <source>{} is a folder.</source>
+        <translation>{} ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file.</source>
+        <translation>{} ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>{} or more</source>
+        <translation>{} oder mehr</translation>
     </message>
 </context>
 <context>
@@ -3046,30 +3858,6 @@
         <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
     <message>
-        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
-    </message>
-    <message>
-        <source>Recover a session</source>
-        <translation>Sitzung wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
-        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Recover</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Throw away</source>
-        <translation>Ver&amp;werfen</translation>
-    </message>
-    <message>
-        <source>&amp;Later</source>
-        <translation>&amp;Später</translation>
-    </message>
-    <message>
         <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
         <translation>Die Vorlagen wurden bearbeitet, und noch keine Sitzung enthält das. Ergebnisse bleiben auf jeden Fall.</translation>
     </message>
@@ -3450,10 +4238,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Begleit&amp;karten</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
         <source>What the files are called, which maps share one, and where green points in normal maps.</source>
         <translation>Wie die Dateien heißen, welche Karten sich eine teilen und wohin Grün in Normalenkarten zeigt.</translation>
     </message>
@@ -3632,6 +4416,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Depth of %1</source>
         <translation>Tiefe von %1</translation>
+    </message>
+    <message>
+        <source>Export “%1”</source>
+        <translation>„%1“ exportieren</translation>
     </message>
 </context>
 <context>
@@ -4134,12 +4922,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>%1
-%2</source>
-        <translation>%1
-%2</translation>
-    </message>
-    <message>
         <source>Exemplars</source>
         <translation>Vorlagen</translation>
     </message>
@@ -4450,10 +5232,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Startwe&amp;rt</translation>
     </message>
     <message>
-        <source>Start from</source>
-        <translation>Beginnen mit</translation>
-    </message>
-    <message>
         <source>&amp;Threads</source>
         <translation>&amp;Threads</translation>
     </message>
@@ -4510,18 +5288,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>&lt;b&gt;Startwert behalten&lt;/b&gt; Ein: jeder Vorgang benutzt diesen Startwert. Aus: jeder zieht einen neuen.</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Wählen …</translation>
-    </message>
-    <message>
-        <source>Choose an image to start from</source>
-        <translation>Startbild wählen</translation>
-    </message>
-    <message>
-        <source>Start without an image</source>
-        <translation>Ohne Startbild beginnen</translation>
-    </message>
-    <message>
         <source>left and right edges</source>
         <translation>linker und rechter Rand</translation>
     </message>
@@ -4536,22 +5302,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&lt;b&gt;Wraps&lt;/b&gt; %1 cannot make a result that wraps.</source>
         <translation>&lt;b&gt;Kachelbar&lt;/b&gt; %1 kann kein kachelbares Ergebnis erzeugen.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result&apos;s size that the method begins with.</source>
-        <translation>&lt;b&gt;Beginnen mit&lt;/b&gt; Ein Bild von der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Start from&lt;/b&gt; %1 cannot start from an image.</source>
-        <translation>&lt;b&gt;Beginnen mit&lt;/b&gt; %1 kann nicht mit einem Bild beginnen.</translation>
-    </message>
-    <message>
-        <source>Start from an image</source>
-        <translation>Mit einem Bild beginnen</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nichts</translation>
     </message>
     <message>
         <source>Make</source>
@@ -4664,6 +5414,33 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::PortRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Take the result that is shown: %1</source>
+        <translation>Das gezeigte Ergebnis nehmen: %1</translation>
+    </message>
+    <message>
+        <source>Go without: %1</source>
+        <translation>Weglassen: %1</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::PresetMenu</name>
     <message>
         <source>Pre&amp;sets</source>
@@ -4739,6 +5516,33 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RecoveryCopy</name>
+    <message>
+        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
+    </message>
+    <message>
+        <source>Recover a session</source>
+        <translation>Sitzung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
+        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
     </message>
 </context>
 <context>
@@ -4838,14 +5642,6 @@ Ziehen Sie ein Bild hierher.</translation>
 <context>
     <name>texloom::ui::ResultHistory</name>
     <message>
-        <source>%1, %2, pinned</source>
-        <translation>%1, %2, angeheftet</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>A result stays in memory only and is lost when the window closes: %1</source>
         <translation>Ein Ergebnis bleibt nur im Speicher und geht beim Schließen des Fensters verloren: %1</translation>
     </message>
@@ -4856,6 +5652,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>The oldest results that are not pinned were removed, %1 in number, to keep the rest within %2.</source>
         <translation>Die ältesten nicht angehefteten Ergebnisse wurden entfernt, %1 an der Zahl, damit der Rest in %2 passt.</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>angeheftet</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>angezeigt</translation>
     </message>
 </context>
 <context>
@@ -4915,6 +5719,38 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>No result is of the kind chosen above; “All” shows the others.</source>
         <translation>Kein Ergebnis ist von der oben gewählten Art; „Alle“ zeigt die übrigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Pin %1 results</source>
+        <translation>%1 Ergebnisse an&amp;heften</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>An&amp;heften</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete %1 results</source>
+        <translation>%1 Ergebnisse &amp;löschen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Pin “%1”</source>
+        <translation>„%1“ an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Re&amp;name “%1”</source>
+        <translation>„%1“ umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete “%1”</source>
+        <translation>„%1“ &amp;löschen</translation>
     </message>
 </context>
 <context>
@@ -5547,10 +6383,6 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <translation>Kachelbar</translation>
     </message>
     <message>
-        <source>Start from</source>
-        <translation>Beginnen mit</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -5561,6 +6393,18 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>&amp;Redo</source>
         <translation>Wiede&amp;rholen</translation>
+    </message>
+    <message>
+        <source>Delete result</source>
+        <translation>Ergebnis löschen</translation>
+    </message>
+    <message>
+        <source>Delete results</source>
+        <translation>Ergebnisse löschen</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
     </message>
 </context>
 <context>

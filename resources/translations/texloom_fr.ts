@@ -182,10 +182,6 @@
         <translation>Données (jamais converties)</translation>
     </message>
     <message>
-        <source>Deviation, </source>
-        <translation>Écart, </translation>
-    </message>
-    <message>
         <source>Differences keep brightness even between blocks; correlation fits edges better where brightness differs.</source>
         <translation>Les différences gardent une luminosité égale entre blocs ; la corrélation ajuste mieux les contours où elle varie.</translation>
     </message>
@@ -326,10 +322,6 @@
         <translation>De combien un patch peut convenir moins bien que le meilleur et être tiré quand même : plus varie davantage.</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more different tiles for different seeds.</source>
-        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
-    </message>
-    <message>
         <source>How often the exemplar is halved, plus one: more keep larger structures.</source>
         <translation>Nombre de réductions de moitié de l’échantillon, plus une : davantage garde de plus grandes structures.</translation>
     </message>
@@ -372,10 +364,6 @@
     <message>
         <source>Join</source>
         <translation>Jonction</translation>
-    </message>
-    <message>
-        <source>Keeps how strong each frequency of the exemplar is and draws its phase at random. In an instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
-        <translation>Garde la force de chaque fréquence de l’échantillon et tire sa phase au hasard. Instantané et sans répétition ; convient aux textures fines comme le sable, l’enduit ou le tissu, perd contours et objets.</translation>
     </message>
     <message>
         <source>Kept (CLG)</source>
@@ -564,10 +552,6 @@
     <message>
         <source>Octaves that the pyramid takes apart: more keep larger features. Small images use fewer.</source>
         <translation>Octaves séparées par la pyramide : davantage garde de plus grands motifs. Les petites images en utilisent moins.</translation>
-    </message>
-    <message>
-        <source>One slope over all</source>
-        <translation>Une pente sur l’ensemble</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -1014,26 +998,6 @@
         <translation>Agrégation</translation>
     </message>
     <message>
-        <source>At most so many for each patch size on each scale: more join better, but take longer.</source>
-        <translation>Au plus autant par taille de patch et par échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
-    </message>
-    <message>
-        <source>At most so many on each scale but the finest: more join better, but take longer.</source>
-        <translation>Au plus autant à chaque échelle sauf la plus fine : davantage raccorde mieux, mais prend plus de temps.</translation>
-    </message>
-    <message>
-        <source>At most so many on the finest scale, where most of the time is spent.</source>
-        <translation>Au plus autant à l’échelle la plus fine, où passe l’essentiel du temps.</translation>
-    </message>
-    <message>
-        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
-        <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
-    </message>
-    <message>
-        <source>At this size every patch chose among a few that suit it, so that some are used a little more often than others.</source>
-        <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
-    </message>
-    <message>
         <source>Avoids colours that there are too many of already, so that all colours of the exemplar show.</source>
         <translation>Évite les couleurs déjà trop nombreuses, pour que toutes celles de l’échantillon paraissent.</translation>
     </message>
@@ -1354,10 +1318,6 @@
         <translation>Une sortie de {} × {} px ne peut se raccorder avec un carreau de {} × {} px ; donnez-lui au moins cette taille.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px is made in strips of {} rows, for which no position or companion maps are written; choose a region or a smaller size for those.</source>
-        <translation>Une sortie de {} × {} px se fait par bandes de {} lignes, sans cartes de position ni cartes associées ; pour celles-ci, choisissez une partie ou une taille plus petite.</translation>
-    </message>
-    <message>
         <source>An output of {} × {} px would need {} of memory, more than the {} that are free; choose a smaller size.</source>
         <translation>Une sortie de {} × {} px demanderait {} de mémoire, plus que les {} disponibles ; choisissez une taille plus petite.</translation>
     </message>
@@ -1418,10 +1378,6 @@
         <translation>Le dossier {} ne peut être créé : {}.</translation>
     </message>
     <message>
-        <source>The four corners of the rectification must go clockwise round an area without a dent, from the top left.</source>
-        <translation>Les quatre coins du redressement doivent entourer dans le sens horaire, depuis le haut à gauche, une surface sans creux.</translation>
-    </message>
-    <message>
         <source>The image is {} × {} px, but the map was made from an exemplar of {} × {} px.</source>
         <translation>L’image fait {} × {} px, mais la carte vient d’un modèle de {} × {} px.</translation>
     </message>
@@ -1430,36 +1386,16 @@
         <translation>Les images ont {} et {} canaux ; une carte en veut autant dans chacune.</translation>
     </message>
     <message>
-        <source>The initial image is {} × {} px with {} channels; the output is {} × {} px with {}.</source>
-        <translation>L’image de départ fait {} × {} px à {} canaux ; la sortie {} × {} px à {}.</translation>
-    </message>
-    <message>
         <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than {} with {} × {} px; give shorter vectors, or set lattice=none.</source>
         <translation>La maille du réseau, de {} × {} px, dépasse {} avec {} × {} px ; donnez des vecteurs plus courts, ou lattice=none.</translation>
-    </message>
-    <message>
-        <source>The lattice&apos;s vectors {} do not span a tile; give two that do not lie on one line.</source>
-        <translation>Les vecteurs {} du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
-    </message>
-    <message>
-        <source>The light of {} changes so much from place to place that patches would show, so it was evened out; flatten=no keeps it.</source>
-        <translation>La lumière de {} varie tant d’un endroit à l’autre que des pièces se verraient ; elle a donc été égalisée. flatten=no la garde.</translation>
     </message>
     <message>
         <source>The map needs the images that it was made from, but none was given.</source>
         <translation>La carte demande les images dont elle vient, mais aucune n’a été donnée.</translation>
     </message>
     <message>
-        <source>The map was made from {} exemplar(s), but {} image(s) were given.</source>
-        <translation>La carte vient de {} modèle(s), mais {} image(s) ont été données.</translation>
-    </message>
-    <message>
         <source>The mask hides all of {}; mask less.</source>
         <translation>Le masque cache tout {} ; masquez moins.</translation>
-    </message>
-    <message>
-        <source>The mask is {} × {} px, but {} is {} × {} px; they must be alike.</source>
-        <translation>Le masque fait {} × {} px, mais {} fait {} × {} px ; ils doivent être pareils.</translation>
     </message>
     <message>
         <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
@@ -1472,14 +1408,6 @@
     <message>
         <source>The mask leaves no whole tile of {:.0f} × {:.0f} px to copy; mask less.</source>
         <translation>Le masque ne laisse aucun carreau entier de {} × {} px à copier ; masquez moins.</translation>
-    </message>
-    <message>
-        <source>The method takes all exemplars alike, so that their weights had no effect.</source>
-        <translation>La méthode prend tous les modèles de la même façon : leurs poids n’ont rien changé.</translation>
-    </message>
-    <message>
-        <source>The name {} holds ${}, which is not known here; there is {}.</source>
-        <translation>Le nom {} contient ${}, inconnu ici ; il y a {}.</translation>
     </message>
     <message>
         <source>The name {} holds a $ without a word after it; write $$ for a dollar sign.</source>
@@ -1542,10 +1470,6 @@
         <translation>Le poids de {} est {} ; il va de {} à {}.</translation>
     </message>
     <message>
-        <source>The {} has a field {} that is not known here; there is {}.</source>
-        <translation>{} : le champ {} est inconnu ici ; il y a {}.</translation>
-    </message>
-    <message>
         <source>The {} has no {}.</source>
         <translation>{} : {} manque.</translation>
     </message>
@@ -1562,10 +1486,6 @@
         <translation>{} : pas du JSON ; il s’arrête ou devient faux à l’octet {}.</translation>
     </message>
     <message>
-        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be alike.</source>
-        <translation>{1} ({0}) fait {2} × {3} px, mais {4} fait {5} × {6} px ; ils doivent être pareils.</translation>
-    </message>
-    <message>
         <source>The {}&apos;s {} is {}; it must be {}.</source>
         <translation>{} : {} est {} ; il faut {}.</translation>
     </message>
@@ -1574,24 +1494,12 @@
         <translation>Il n’y a pas de valeurs pour {}.</translation>
     </message>
     <message>
-        <source>There is no colour space {}; there is {}.</source>
-        <translation>Il n’y a pas d’espace de couleurs {} ; il y a {}.</translation>
-    </message>
-    <message>
         <source>There is no exemplar to learn from.</source>
         <translation>Il n’y a pas de modèle dont apprendre.</translation>
     </message>
     <message>
-        <source>There is no export preset {}; there is {}.</source>
-        <translation>Il n’y a pas de préréglage d’exportation {} ; il y a {}.</translation>
-    </message>
-    <message>
         <source>There is no file {}.</source>
         <translation>Il n’y a pas de fichier {}.</translation>
-    </message>
-    <message>
-        <source>There is no kind of map {}; there is {}.</source>
-        <translation>Il n’y a pas de genre de carte {} ; il y a {}.</translation>
     </message>
     <message>
         <source>There is not enough memory for an image of {} × {} px with {} channels ({}).</source>
@@ -1662,10 +1570,6 @@
         <translation>résultat</translation>
     </message>
     <message>
-        <source>{} = {}: it is {}.</source>
-        <translation>{} = {} : il faut {}.</translation>
-    </message>
-    <message>
         <source>{} cannot be read: this build has no reader for {}.</source>
         <translation>{} ne peut être lu : cette version n’a pas de lecteur pour {}.</translation>
     </message>
@@ -1714,20 +1618,12 @@
         <translation>{} ne peut faire de sortie qui se raccorde.</translation>
     </message>
     <message>
-        <source>{} cannot start from an image, so that it cannot follow {}.</source>
-        <translation>{} ne peut partir d’une image et ne peut donc suivre {}.</translation>
-    </message>
-    <message>
         <source>{} cannot start from an image.</source>
         <translation>{} ne peut partir d’une image.</translation>
     </message>
     <message>
         <source>{} changed since this result was made.</source>
         <translation>{} a changé depuis que ce résultat a été fait.</translation>
-    </message>
-    <message>
-        <source>{} copies no pixels, so that it has no position map.</source>
-        <translation>{} ne copie pas de pixels et n’a donc pas de carte de position.</translation>
     </message>
     <message>
         <source>{} could not be copied to {}: {}.</source>
@@ -1738,36 +1634,16 @@
         <translation>{} ne dit pas la taille de son modèle ; nommez aussi le modèle.</translation>
     </message>
     <message>
-        <source>{} does not use an exemplar mask.</source>
-        <translation>{} n’utilise pas de masque du modèle.</translation>
-    </message>
-    <message>
-        <source>{} has come to be there in the meantime; export again to see what would be replaced.</source>
-        <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
-    </message>
-    <message>
         <source>{} has no pixels.</source>
         <translation>{} n’a pas de pixels.</translation>
-    </message>
-    <message>
-        <source>{} has {} channels and {} has {}; all exemplars need the same number.</source>
-        <translation>{} a {} canaux et {} en a {} ; tous les modèles en veulent autant.</translation>
     </message>
     <message>
         <source>{} has {} channels; images with up to {} can be opened.</source>
         <translation>{} a {} canaux ; on peut ouvrir des images jusqu’à {}.</translation>
     </message>
     <message>
-        <source>{} has {} companion maps and {} has {}; every exemplar needs the same ones.</source>
-        <translation>{} a {} cartes associées et {} en a {} ; chaque modèle veut les mêmes.</translation>
-    </message>
-    <message>
         <source>{} holds no recipe.</source>
         <translation>{} ne contient pas de recette.</translation>
-    </message>
-    <message>
-        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); Texloom needs finite ones.</source>
-        <translation>{} contient {} valeurs qui ne sont pas des nombres finis, la première au pixel ({}, {}) ; Texloom en veut de finis.</translation>
     </message>
     <message>
         <source>{} is a {} image; only flat ones can be opened.</source>
@@ -1776,18 +1652,6 @@
     <message>
         <source>{} is empty (0 bytes).</source>
         <translation>{} est vide (0 octet).</translation>
-    </message>
-    <message>
-        <source>{} is longer than {}, too long for what it should be.</source>
-        <translation>{} dépasse {}, trop long pour ce qu’il devrait être.</translation>
-    </message>
-    <message>
-        <source>{} is no position map: an STMap has 2 to 4 channels of 32-bit float, this file {} of {}.</source>
-        <translation>{} n’est pas une carte de position : une STMap a 2 à 4 canaux flottants de 32 bits, ce fichier {} de {}.</translation>
-    </message>
-    <message>
-        <source>{} is no position map: as PNG it has 3 channels of 16 bits, this file {} of {}.</source>
-        <translation>{} n’est pas une carte de position : en PNG elle a 3 canaux de 16 bits, ce fichier {} de {}.</translation>
     </message>
     <message>
         <source>{} is not an image that Texloom reads (PNG, JPEG, TIFF, EXR or HDR).</source>
@@ -1822,20 +1686,8 @@
         <translation>{} fait {} × {} px ; la synthèse presque régulière veut des modèles d’au moins {} × {} px.</translation>
     </message>
     <message>
-        <source>{} is {}, not an image.</source>
-        <translation>{} est {}, non une image.</translation>
-    </message>
-    <message>
-        <source>{} larger than the blocks of {} px, so that new ones are pieced together from parts of several; {}.</source>
-        <translation>{} plus grand que les blocs de {} px : les nouveaux sont faits de morceaux de plusieurs ; {}.</translation>
-    </message>
-    <message>
         <source>{} learns from one exemplar, but {} were given.</source>
         <translation>{} apprend d’un modèle, mais {} ont été donnés.</translation>
-    </message>
-    <message>
-        <source>{} says an exemplar of {} × {} px; sides go from 1 to {} px.</source>
-        <translation>{} annonce un modèle de {} × {} px ; les côtés vont de 1 à {} px.</translation>
     </message>
     <message>
         <source>{} says it is {} × {} px; an EXR&apos;s sides can go up to {} px.</source>
@@ -1844,10 +1696,6 @@
     <message>
         <source>{} takes {}, of which only {} are free; make a smaller result.</source>
         <translation>{} demande {}, dont seuls {} sont libres ; faites un résultat plus petit.</translation>
-    </message>
-    <message>
-        <source>{} was not straightened: too little of it would be left.</source>
-        <translation>{} n’a pas été redressé : il en resterait trop peu.</translation>
     </message>
     <message>
         <source>{}: output pixel ({}, {}) comes from {:.2f}, between two pixels; a position map addresses whole ones (was it resampled, or is it for an exemplar of another size?).</source>
@@ -1860,22 +1708,6 @@
     <message>
         <source>“{}” is not from:to:count, such as 8:64:5, with a count of 2 to {}.</source>
         <translation>« {} » n’est pas de:à:nombre, comme 8:64:5, avec un nombre de 2 à {}.</translation>
-    </message>
-    <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats itself about twice, so it was taken as a texture that does not repeat; if it does, rectify it in the window (Ctrl+D) where it is seen aslant, or draw its vectors in the Lattice workspace or give them with lattice=given, and if not, image quilting may suit it better.</source>
-        <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats itself, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px; if it does repeat, rectify it in the window (Ctrl+D) where it is seen aslant or give its vectors with lattice=given.</source>
-        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais ou donnez ses vecteurs avec lattice=given.</translation>
-    </message>
-    <message>
-        <source>{} is what the result is made from and would be lost; name another file.</source>
-        <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
     </message>
     <message>
         <source>A box of {} voxels is empty; each side must be at least 1.</source>
@@ -2160,6 +1992,986 @@
     <message>
         <source>{}: vertex {} lies at ({}, {}, {}); coordinates must be numbers of up to {}.</source>
         <translation>{} : le sommet {} est en ({}, {}, {}) ; les coordonnées doivent être des nombres jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>&quot;&quot;, &quot;x&quot;, &quot;y&quot; or &quot;xy&quot;</source>
+        <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; ou &quot;xy&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
+        <translation>&quot;horizontal&quot; ou &quot;vertical&quot;</translation>
+    </message>
+    <message>
+        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
+        <translation>&quot;smooth&quot; ou &quot;polynomial&quot;</translation>
+    </message>
+    <message>
+        <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
+        <translation>--shard {} : à écrire I/N, avec I de 1 à N, par exemple 3/8.</translation>
+    </message>
+    <message>
+        <source>1 to {}</source>
+        <translation>de 1 à {}</translation>
+    </message>
+    <message>
+        <source>A compact set of {} tiles need not close over a border; choose a full set for outputs that wrap.</source>
+        <translation>Un jeu compact de {} tuiles ne se raccorde pas forcément au bord ; choisissez un jeu complet pour les sorties qui se répètent.</translation>
+    </message>
+    <message>
+        <source>A full set has a tile for every combination of colours and can wrap; a compact one has two for each pair above and to the left.</source>
+        <translation>Un jeu complet a une tuile pour chaque combinaison de couleurs et peut se raccorder ; un jeu compact en a deux pour chaque paire du haut et de gauche.</translation>
+    </message>
+    <message>
+        <source>An image of the result&apos;s size that the method begins with.</source>
+        <translation>Une image de la taille du résultat, d’où part la méthode.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
+        <translation>Une sortie de {} × {} px se fait par bandes de {} lignes, sans cartes de position ni cartes associées ; pour celles-ci, choisissez une partie ou une taille plus petite.</translation>
+    </message>
+    <message>
+        <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
+        <translation>À chaque échelle : davantage rapproche les patchs de ceux de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>At most so many waves, the strongest: more follow finer regularity and take longer.</source>
+        <translation>Au plus autant d’ondes, les plus fortes : davantage suit une régularité plus fine et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
+        <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
+    </message>
+    <message>
+        <source>Blocks of {} px hold whole ones.</source>
+        <translation>Des blocs de {} px en contiennent d’entiers.</translation>
+    </message>
+    <message>
+        <source>Both ways</source>
+        <translation>Dans les deux sens</translation>
+    </message>
+    <message>
+        <source>Changes noise, or an initial image, from coarse to fine until its patches are distributed as the exemplar&apos;s are. New pixels rather than copies; keeps all the exemplar&apos;s patches in use, and mixes several exemplars by their weights.</source>
+        <translation>Modifie un bruit ou une image de départ, du grossier au fin, jusqu’à ce que ses patchs soient répartis comme ceux de l’échantillon. Des pixels nouveaux plutôt que des copies ; emploie tous les patchs de l’échantillon et mélange plusieurs échantillons selon leurs poids.</translation>
+    </message>
+    <message>
+        <source>Changing low frequencies</source>
+        <translation>Modification des basses fréquences</translation>
+    </message>
+    <message>
+        <source>Chaos</source>
+        <translation>Chaos</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Compact</source>
+        <translation>Compact</translation>
+    </message>
+    <message>
+        <source>Companion maps</source>
+        <translation>Cartes associées</translation>
+    </message>
+    <message>
+        <source>Cost of all seams</source>
+        <translation>Coût de toutes les coutures</translation>
+    </message>
+    <message>
+        <source>Cut-off</source>
+        <translation>Coupure</translation>
+    </message>
+    <message>
+        <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
+        <translation>Découpe les modèles en morceaux, les mélange pour que chacun serve une fois et nivelle les joints. Évite que de grandes textures naturelles comme la pierre et le métal se répètent ; les longues structures à travers les morceaux sont perdues.</translation>
+    </message>
+    <message>
+        <source>Cutting tiles</source>
+        <translation>Découpe des tuiles</translation>
+    </message>
+    <message>
+        <source>Detail patch</source>
+        <translation>Patch de détail</translation>
+    </message>
+    <message>
+        <source>Deviation of the Gaussian that parts the bands: larger changes only what is slower, 0 changes everything.</source>
+        <translation>Écart type de la gaussienne qui sépare les bandes : plus grand ne change que ce qui est plus lent, 0 change tout.</translation>
+    </message>
+    <message>
+        <source>Deviation, {}</source>
+        <translation>Écart, {}</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Directions</translation>
+    </message>
+    <message>
+        <source>Distance of patches</source>
+        <translation>Distance des patchs</translation>
+    </message>
+    <message>
+        <source>Drawing the regular part</source>
+        <translation>Tracé de la partie régulière</translation>
+    </message>
+    <message>
+        <source>Drawing the tile set</source>
+        <translation>Tracé du jeu de tuiles</translation>
+    </message>
+    <message>
+        <source>Draws of samples</source>
+        <translation>Tirages d’échantillons</translation>
+    </message>
+    <message>
+        <source>Drift over the output, in cycles</source>
+        <translation>Dérive sur la sortie, en périodes</translation>
+    </message>
+    <message>
+        <source>Edge colours</source>
+        <translation>Couleurs des bords</translation>
+    </message>
+    <message>
+        <source>Entire patch</source>
+        <translation>Modèle entier</translation>
+    </message>
+    <message>
+        <source>Error of the worst cut</source>
+        <translation>Erreur de la pire coupe</translation>
+    </message>
+    <message>
+        <source>Error of the worst cut at which no more samples are drawn, over the error of unlike pixels: smaller searches longer.</source>
+        <translation>Erreur de la pire coupe à partir de laquelle on ne tire plus d’échantillons, rapportée à celle de pixels dissemblables : plus petit cherche plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>Finding waves</source>
+        <translation>Recherche des ondes</translation>
+    </message>
+    <message>
+        <source>Finds the waves that a near-regular exemplar is made of, to a fraction of a cycle, continues them over the output, and quilts patches that follow them. Suits weaves, bricks and tiles that are seen straight on.</source>
+        <translation>Trouve à une fraction de période près les ondes qui composent un échantillon presque régulier, les prolonge sur la sortie et coud des patchs qui les suivent. Convient aux tissages, briques et carreaux vus de face.</translation>
+    </message>
+    <message>
+        <source>Flips pieces and turns them by 180° at random: varies more, but light then comes from several sides, also in companion normal maps.</source>
+        <translation>Retourne des morceaux et les tourne de 180° au hasard : plus de variété, mais la lumière vient alors de plusieurs côtés, aussi dans les cartes de normales associées.</translation>
+    </message>
+    <message>
+        <source>Fourier mask</source>
+        <translation>Masque de Fourier</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Complet</translation>
+    </message>
+    <message>
+        <source>Good enough</source>
+        <translation>Assez bon</translation>
+    </message>
+    <message>
+        <source>Graph cut</source>
+        <translation>Coupe de graphe</translation>
+    </message>
+    <message>
+        <source>How much the regular part counts beside the fit of overlaps: larger keeps the order, 0 quilts without it.</source>
+        <translation>Combien compte la partie régulière à côté de l’accord des recouvrements : plus garde l’ordre, 0 coud sans elle.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a place may fit and still be likely: larger varies more, smaller fits better.</source>
+        <translation>De combien une place peut convenir moins bien que la meilleure et rester probable : plus grand varie davantage, plus petit convient mieux.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
+        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
+    </message>
+    <message>
+        <source>How often the samples are drawn anew, at most, until the worst cut is good enough; the best are kept.</source>
+        <translation>Combien de fois, au plus, les échantillons sont tirés à nouveau jusqu’à ce que la pire coupe soit assez bonne ; les meilleurs sont gardés.</translation>
+    </message>
+    <message>
+        <source>Keeps the detail of the exemplar, or of an initial image, and draws the phase of its slow changes at random, so that stains and shades lie elsewhere. Suits metal and stone seen from afar; where detail follows the shades, as in wood, the two part.</source>
+        <translation>Garde le détail du modèle ou d’une image initiale et tire au hasard la phase de ses variations lentes, de sorte que taches et ombres se trouvent ailleurs. Convient au métal et à la pierre vus de loin ; là où le détail suit les ombres, comme dans le bois, les deux se séparent.</translation>
+    </message>
+    <message>
+        <source>Keeps the strength of each frequency of the exemplar and draws its phase at random. Instant, and without any repetition; suits fine-grained textures such as sand, plaster or cloth, and loses edges and objects.</source>
+        <translation>Garde la force de chaque fréquence de l’échantillon et tire sa phase au hasard. Instantané et sans répétition ; convient aux textures fines comme le sable, l’enduit ou le tissu, perd contours et objets.</translation>
+    </message>
+    <message>
+        <source>Kinds of edges on each axis: more make more tiles, which repeat less and are harder to cut well.</source>
+        <translation>Sortes de bords sur chaque axe : davantage donne plus de tuiles, qui se répètent moins et sont plus difficiles à bien couper.</translation>
+    </message>
+    <message>
+        <source>Largest move to close, in cycles</source>
+        <translation>Plus grand déplacement pour fermer, en périodes</translation>
+    </message>
+    <message>
+        <source>Laying pieces</source>
+        <translation>Pose des morceaux</translation>
+    </message>
+    <message>
+        <source>Laying tiles</source>
+        <translation>Pose des tuiles</translation>
+    </message>
+    <message>
+        <source>Lets seams cost less where the pictures change anyway, so that they follow edges.</source>
+        <translation>Fait coûter moins cher les coutures là où les images changent de toute façon, pour qu’elles suivent les contours.</translation>
+    </message>
+    <message>
+        <source>Levelling joints</source>
+        <translation>Nivellement des joints</translation>
+    </message>
+    <message>
+        <source>Makes a small set of tiles whose edges match by colour, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
+        <translation>Fait un petit jeu de tuiles dont les bords s’accordent par couleur et les pose sans période. Des sorties de toute taille viennent en un instant, et toute partie séparément ; le jeu peut servir seul. Convient à ce qui n’a pas de grands objets.</translation>
+    </message>
+    <message>
+        <source>Maps of the exemplar&apos;s size, such as normals or heights, that get the result&apos;s layout.</source>
+        <translation>Des cartes de la taille de l’échantillon, comme des normales ou des hauteurs, qui reçoivent la disposition du résultat.</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Masque</translation>
+    </message>
+    <message>
+        <source>Matching patches</source>
+        <translation>Appariement des patchs</translation>
+    </message>
+    <message>
+        <source>Mended seams</source>
+        <translation>Coutures réparées</translation>
+    </message>
+    <message>
+        <source>Mending seams</source>
+        <translation>Réparation des coutures</translation>
+    </message>
+    <message>
+        <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
+        <translation>Au plus autant par taille de patch et par échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Most rounds on each scale but the finest: more join better, but take longer.</source>
+        <translation>Au plus autant à chaque échelle sauf la plus fine : davantage raccorde mieux, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Most rounds on the finest scale, where most of the time is spent.</source>
+        <translation>Au plus autant à l’échelle la plus fine, où passe l’essentiel du temps.</translation>
+    </message>
+    <message>
+        <source>Most scales, each half the size of the one before: more keep larger structures.</source>
+        <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>Moving blocks</source>
+        <translation>Déplacement des blocs</translation>
+    </message>
+    <message>
+        <source>Near-regular</source>
+        <translation>Presque régulier</translation>
+    </message>
+    <message>
+        <source>Networks</source>
+        <translation>Réseaux</translation>
+    </message>
+    <message>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
+        <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
+        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais ou donnez ses vecteurs avec lattice=given.</translation>
+    </message>
+    <message>
+        <source>Occurrence {}</source>
+        <translation>Occurrence {}</translation>
+    </message>
+    <message>
+        <source>One slope over the whole</source>
+        <translation>Une pente sur l’ensemble</translation>
+    </message>
+    <message>
+        <source>Optimisation</source>
+        <translation>Optimisation</translation>
+    </message>
+    <message>
+        <source>Pastes the whole exemplar again and again, each time along the cheapest seam of any shape, and mends the worst seams at the end. Keeps objects such as stones and leaves whole; copies large areas verbatim.</source>
+        <translation>Colle le modèle entier encore et encore, chaque fois le long de la couture la moins coûteuse, de forme quelconque, et répare les pires coutures à la fin. Garde entiers des objets comme pierres et feuilles ; copie de grandes zones telles quelles.</translation>
+    </message>
+    <message>
+        <source>Pasting along cuts</source>
+        <translation>Collage le long des coupes</translation>
+    </message>
+    <message>
+        <source>Patch distribution</source>
+        <translation>Distribution des patchs</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of them, and takes chance for rule.</source>
+        <translation>Les pics du spectre de cette hauteur, par rapport au plus haut, comptent comme ondes : moins en trouve davantage et prend le hasard pour la règle.</translation>
+    </message>
+    <message>
+        <source>Piece size</source>
+        <translation>Taille des morceaux</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Morceaux</translation>
+    </message>
+    <message>
+        <source>Pixel by pixel</source>
+        <translation>Pixel par pixel</translation>
+    </message>
+    <message>
+        <source>Pixels of the exemplar where it is black are never used.</source>
+        <translation>Les pixels de l’échantillon où elle est noire ne servent jamais.</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Placement</translation>
+    </message>
+    <message>
+        <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
+        <translation>Poisson nivelle les joints et garde le détail ; une coupe copie chaque pixel tel quel ; le fondu estompe là où les morceaux se recouvrent ; sans, on voit les morceaux.</translation>
+    </message>
+    <message>
+        <source>Position map</source>
+        <translation>Carte de positions</translation>
+    </message>
+    <message>
+        <source>Random directions along which patches are compared in one iteration: more make each iteration surer and longer.</source>
+        <translation>Directions aléatoires selon lesquelles les patchs sont comparés à chaque itération : davantage la rend plus sûre et plus longue.</translation>
+    </message>
+    <message>
+        <source>Random low frequencies</source>
+        <translation>Basses fréquences aléatoires</translation>
+    </message>
+    <message>
+        <source>Random mosaic</source>
+        <translation>Mosaïque aléatoire</translation>
+    </message>
+    <message>
+        <source>Random placement looks at nothing, so it cannot follow the initial image; choose entire or sub-patch.</source>
+        <translation>Le placement aléatoire ne regarde rien et ne peut donc pas suivre l’image initiale ; choisissez entire ou sub-patch.</translation>
+    </message>
+    <message>
+        <source>Regular part</source>
+        <translation>Partie régulière</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}</source>
+        <translation>Échelle 1/{}</translation>
+    </message>
+    <message>
+        <source>Scale 1/{}, patches of {} px</source>
+        <translation>Échelle 1/{}, patchs de {} px</translation>
+    </message>
+    <message>
+        <source>Seam cost per pixel</source>
+        <translation>Coût de couture par pixel</translation>
+    </message>
+    <message>
+        <source>Seams along edges</source>
+        <translation>Coutures le long des contours</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Share of a piece over which neighbours overlap, for cuts and feathering: larger joins better.</source>
+        <translation>Part d’un morceau sur laquelle les voisins se recouvrent, pour les coupes et le fondu : plus grand raccorde mieux.</translation>
+    </message>
+    <message>
+        <source>Share of the variance in the regular part</source>
+        <translation>Part de la variance dans la partie régulière</translation>
+    </message>
+    <message>
+        <source>Shuffling pieces</source>
+        <translation>Mélange des morceaux</translation>
+    </message>
+    <message>
+        <source>Side of a piece, or width of a slice: larger keeps larger structures whole, smaller makes outputs differ more.</source>
+        <translation>Côté d’un morceau ou largeur d’une tranche : plus grand garde entières de plus grandes structures, plus petit rend les sorties plus différentes.</translation>
+    </message>
+    <message>
+        <source>Side of a tile: larger repeats less and keeps larger structures, smaller has more edges.</source>
+        <translation>Côté d’une tuile : plus grand se répète moins et garde de plus grandes structures, plus petit a plus de bords.</translation>
+    </message>
+    <message>
+        <source>Side of the compared patches at each scale: larger keeps larger structures whole and takes longer.</source>
+        <translation>Côté des patchs comparés à chaque échelle : plus grand garde entières de plus grandes structures et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared for sub-patches and for mending: larger keeps larger structures whole.</source>
+        <translation>Côté du carré comparé pour les sous-patchs et les réparations : plus grand garde entières de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller follows the waves more closely.</source>
+        <translation>Côté des carrés copiés : plus grand garde entières de plus grandes structures, plus petit suit mieux les ondes.</translation>
+    </message>
+    <message>
+        <source>Slices keep what runs along them, as the grain of wood; pieces cut both ways suit what looks alike in all directions; chaos throws blocks over copies of the exemplar.</source>
+        <translation>Les tranches gardent ce qui court le long d’elles, comme le fil du bois ; les morceaux coupés dans les deux sens conviennent à ce qui se ressemble dans toutes les directions ; le chaos jette des blocs sur des copies du modèle.</translation>
+    </message>
+    <message>
+        <source>So many times the worst seam is pasted over, where that makes it better: more takes longer and hides more.</source>
+        <translation>Autant de fois la pire couture est recouverte, là où c’est mieux : davantage prend plus de temps et cache plus.</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Solides</translation>
+    </message>
+    <message>
+        <source>Sparse</source>
+        <translation>Parcimonie</translation>
+    </message>
+    <message>
+        <source>Sub-patch</source>
+        <translation>Sous-patch</translation>
+    </message>
+    <message>
+        <source>The angle in degrees</source>
+        <translation>L’angle en degrés</translation>
+    </message>
+    <message>
+        <source>The checkpoint is of a run with other settings or exemplars; begin the run anew.</source>
+        <translation>Le point de reprise vient d’un calcul avec d’autres réglages ou échantillons ; recommencez le calcul.</translation>
+    </message>
+    <message>
+        <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the run anew, or use that version.</source>
+        <translation>Le point de reprise vient de Texloom {} ; celui-ci est {}, qui peut poursuivre autrement. Recommencez le calcul, ou prenez cette version-là.</translation>
+    </message>
+    <message>
+        <source>The earlier result in {} is left out: {}</source>
+        <translation>Le résultat antérieur dans {} est laissé de côté : {}</translation>
+    </message>
+    <message>
+        <source>The exemplar&apos;s pixel that each pixel of the result was copied from.</source>
+        <translation>Le pixel de l’échantillon dont chaque pixel du résultat a été copié.</translation>
+    </message>
+    <message>
+        <source>The flattening&apos;s strength</source>
+        <translation>La force de l’égalisation</translation>
+    </message>
+    <message>
+        <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
+        <translation>Les quatre coins du redressement doivent entourer dans le sens horaire, depuis le haut à gauche, une surface sans creux.</translation>
+    </message>
+    <message>
+        <source>The image to learn from.</source>
+        <translation>L’image dont on apprend.</translation>
+    </message>
+    <message>
+        <source>The image to start from has {} channels, the output {}; they need the same number.</source>
+        <translation>L’image de départ a {} canaux, la sortie {} ; il en faut autant aux deux.</translation>
+    </message>
+    <message>
+        <source>The input {} of {} takes {}.</source>
+        <translation>L’entrée {} de {} prend : {}.</translation>
+    </message>
+    <message>
+        <source>The input {} takes {}; no file of that kind can be read yet.</source>
+        <translation>L’entrée {} prend : {} ; un tel fichier ne peut pas encore être lu.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>La maille du réseau, de {} × {} px, dépasse les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s vectors ({}, {}) and ({}, {}) px do not span a tile; give two that do not lie on one line.</source>
+        <translation>Les vecteurs ({}, {}) et ({}, {}) px du réseau ne forment pas de maille ; donnez-en deux qui ne soient pas alignés.</translation>
+    </message>
+    <message>
+        <source>The light in {} varies so much that patches would show, so it was evened out; flatten=no keeps it.</source>
+        <translation>La lumière de {} varie tant d’un endroit à l’autre que des pièces se verraient ; elle a donc été égalisée. flatten=no la garde.</translation>
+    </message>
+    <message>
+        <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
+        <translation>La carte demande une image par échantillon dont elle est issue : {}, et non {}.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave at least 1 px to copy.</source>
+        <translation>Le masque cache tout le modèle ; laissez au moins 1 px à copier.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave some of it to lay, at least {} px.</source>
+        <translation>Le masque cache tout le modèle ; laissez-en une partie à poser, au moins {} px.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole block of {} px to lay; choose smaller blocks or mask less.</source>
+        <translation>Le masque ne laisse aucun bloc entier de {} px à poser ; choisissez des blocs plus petits ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole piece of {} px to lay; choose smaller pieces or mask less.</source>
+        <translation>Le masque ne laisse aucun morceau entier de {} px à poser ; choisissez des morceaux plus petits ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole sample of {} px for tiles of {} px; choose smaller tiles or mask less.</source>
+        <translation>Le masque ne laisse aucun échantillon entier de {} px pour des tuiles de {} px ; choisissez des tuiles plus petites ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The method treats all exemplars alike, so their weights had no effect.</source>
+        <translation>La méthode prend tous les modèles de la même façon : leurs poids n’ont rien changé.</translation>
+    </message>
+    <message>
+        <source>The name {} holds ${}, which stands for nothing here; use {}.</source>
+        <translation>Le nom {} contient ${}, qui ne désigne rien ici ; utilisez {}.</translation>
+    </message>
+    <message>
+        <source>The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.</source>
+        <translation>L’image pour « {} » fait {} × {} px, mais {} fait {} × {} px ; elle doit avoir cette taille.</translation>
+    </message>
+    <message>
+        <source>The polynomial&apos;s order</source>
+        <translation>Le degré du polynôme</translation>
+    </message>
+    <message>
+        <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
+        <translation>Les rangées, distantes de {} px, dépassent les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
+    </message>
+    <message>
+        <source>The run was stopped before it knew where its pixels come from, so there are no companion maps.</source>
+        <translation>Le calcul a été arrêté avant de savoir d’où viennent ses pixels ; il n’y a donc pas de cartes associées.</translation>
+    </message>
+    <message>
+        <source>The texture that was made.</source>
+        <translation>La texture obtenue.</translation>
+    </message>
+    <message>
+        <source>The window&apos;s width</source>
+        <translation>La largeur de la fenêtre</translation>
+    </message>
+    <message>
+        <source>The work ended for an unknown reason; try again.</source>
+        <translation>Le travail s’est terminé pour une raison inconnue ; réessayez.</translation>
+    </message>
+    <message>
+        <source>The {} has an unknown field {}; the known ones are {}.</source>
+        <translation>{} : le champ {} est inconnu ; les champs connus sont {}.</translation>
+    </message>
+    <message>
+        <source>The {} {} is {} × {} px, but {} is {} × {} px; they must be the same size.</source>
+        <translation>{1} ({0}) fait {2} × {3} px, mais {4} fait {5} × {6} px ; ils doivent être pareils.</translation>
+    </message>
+    <message>
+        <source>There is no colour space {}; choose one of {}.</source>
+        <translation>Il n’y a pas d’espace de couleur {} ; choisissez l’un de {}.</translation>
+    </message>
+    <message>
+        <source>There is no export preset {}; choose one of {}.</source>
+        <translation>Il n’y a pas de préréglage d’export {} ; choisissez l’un de {}.</translation>
+    </message>
+    <message>
+        <source>There is no kind of map {}; the kinds are {}.</source>
+        <translation>Il n’y a pas de type de carte {} ; les types sont {}.</translation>
+    </message>
+    <message>
+        <source>There is no method {}; the methods are {}.</source>
+        <translation>Il n’y a pas de méthode {} ; les méthodes sont {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; try a smaller output.</source>
+        <translation>La mémoire n’y suffit pas ; essayez une sortie plus petite.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>Tile set</source>
+        <translation>Jeu de tuiles</translation>
+    </message>
+    <message>
+        <source>Tile size</source>
+        <translation>Taille des tuiles</translation>
+    </message>
+    <message>
+        <source>Tiles</source>
+        <translation>Tuiles</translation>
+    </message>
+    <message>
+        <source>Tiles of {} px take samples of {} × {} px, but {} is {} × {} px; choose smaller tiles or less overlap.</source>
+        <translation>Des tuiles de {} px demandent des échantillons de {} × {} px, mais {} fait {} × {} px ; choisissez des tuiles plus petites ou moins de recouvrement.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Tries</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Turn pieces</source>
+        <translation>Tourner les morceaux</translation>
+    </message>
+    <message>
+        <source>Wang tiles</source>
+        <translation>Tuiles de Wang</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Ondes</translation>
+    </message>
+    <message>
+        <source>Weight of the waves</source>
+        <translation>Poids des ondes</translation>
+    </message>
+    <message>
+        <source>Where the exemplar is pasted next: anywhere, where all of it fits what is there, or where a square of it does, which suits what has no clear structure.</source>
+        <translation>Où le modèle est collé ensuite : n’importe où, là où il convient tout entier à ce qui est là, ou là où un carré de lui convient, ce qui est bon pour ce qui n’a pas de structure nette.</translation>
+    </message>
+    <message>
+        <source>Where the output has another size and there is no initial image, detail is quilted from patches of this side: larger keeps larger structures whole.</source>
+        <translation>Là où la sortie a une autre taille et qu’il n’y a pas d’image initiale, le détail est assemblé à partir de patchs de ce côté : plus grand garde entières de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>Width of the zone along the diagonals in which the cuts may run, as a share of the tile: wider joins better.</source>
+        <translation>Largeur de la zone le long des diagonales où les coupes peuvent passer, en part de la tuile : plus large raccorde mieux.</translation>
+    </message>
+    <message>
+        <source>Works on the periodic component, without which the borders draw horizontal and vertical streaks. Outputs that wrap always need it.</source>
+        <translation>Travaille sur la composante périodique, sans laquelle les bords tracent des traînées horizontales et verticales. Les sorties qui se répètent en ont toujours besoin.</translation>
+    </message>
+    <message>
+        <source>a list of at least one method</source>
+        <translation>une liste d’au moins une méthode</translation>
+    </message>
+    <message>
+        <source>a list of {} to {}</source>
+        <translation>une liste de {} à {} éléments</translation>
+    </message>
+    <message>
+        <source>a mask</source>
+        <translation>un masque</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>un maillage</translation>
+    </message>
+    <message>
+        <source>a model</source>
+        <translation>un modèle</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a number, text, true or false</source>
+        <translation>un nombre, un texte, true ou false</translation>
+    </message>
+    <message>
+        <source>a position map</source>
+        <translation>une carte de position</translation>
+    </message>
+    <message>
+        <source>a volume</source>
+        <translation>un volume</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 18446744073709551615</source>
+        <translation>un entier de 0 à 18446744073709551615</translation>
+    </message>
+    <message>
+        <source>a whole number that is not too large</source>
+        <translation>un entier qui ne soit pas trop grand</translation>
+    </message>
+    <message>
+        <source>an image</source>
+        <translation>une image</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>un nombre quelconque</translation>
+    </message>
+    <message>
+        <source>any whole number</source>
+        <translation>un entier quelconque</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>lot</translation>
+    </message>
+    <message>
+        <source>companion</source>
+        <translation>carte associée</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>deep</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>entrée</translation>
+    </message>
+    <message>
+        <source>it was made by another version.</source>
+        <translation>il a été fait par une autre version.</translation>
+    </message>
+    <message>
+        <source>its entry is damaged.</source>
+        <translation>son entrée est endommagée.</translation>
+    </message>
+    <message>
+        <source>its kind of map is not known.</source>
+        <translation>la nature de sa carte est inconnue.</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>masque</translation>
+    </message>
+    <message>
+        <source>on or off</source>
+        <translation>activé ou désactivé</translation>
+    </message>
+    <message>
+        <source>one of crop, rotate, flip, rectify and flatten</source>
+        <translation>l’un de crop, rotate, flip, rectify et flatten</translation>
+    </message>
+    <message>
+        <source>one of {}</source>
+        <translation>l’un de {}</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>préréglage</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>session</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>the disk may be full</source>
+        <translation>le disque est peut-être plein</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>le nom d’un fichier</translation>
+    </message>
+    <message>
+        <source>the output</source>
+        <translation>la sortie</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>{} (other ones)</source>
+        <translation>{} (d’autres)</translation>
+    </message>
+    <message>
+        <source>{} = {}: it goes from {} to {}.</source>
+        <translation>{} = {} : va de {} à {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} goes from {}.</source>
+        <translation>{} = {} : {} va de {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is one of {}.</source>
+        <translation>{} = {} : {} est l’un de {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: {} is {}.</source>
+        <translation>{} = {} : {} est {}.</translation>
+    </message>
+    <message>
+        <source>{} Did you mean {}?</source>
+        <translation>{} Vouliez-vous dire {} ?</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} et {}</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of channels, {} and {}; all exemplars need the same.</source>
+        <translation>{} et {} n’ont pas le même nombre de canaux, {} et {} ; tous les échantillons en veulent autant.</translation>
+    </message>
+    <message>
+        <source>{} and {} have different numbers of companion maps, {} and {}; every exemplar needs the same ones.</source>
+        <translation>{} et {} n’ont pas le même nombre de cartes associées, {} et {} ; chaque échantillon veut les mêmes.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: the name ends in nothing that names a format; Texloom writes .png, .jpg, .tif, .exr and .hdr.</source>
+        <translation>{} ne peut être écrit : la fin du nom n’indique aucun format ; Texloom écrit .png, .jpg, .tif, .exr et .hdr.</translation>
+    </message>
+    <message>
+        <source>{} copies no pixels, so it has no position map.</source>
+        <translation>{} ne copie pas de pixels et n’a donc pas de carte de position.</translation>
+    </message>
+    <message>
+        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
+        <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
+    </message>
+    <message>
+        <source>{} has no input {}.</source>
+        <translation>{} n’a pas d’entrée {}.</translation>
+    </message>
+    <message>
+        <source>{} has no input {}; it takes {}.</source>
+        <translation>{} n’a pas d’entrée {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>{} has no parameter {}; it has {}.</source>
+        <translation>{} n’a pas de paramètre {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without them.</source>
+        <translation>{} contient {} valeurs qui ne sont pas des nombres finis, la première au pixel ({}, {}) ; Texloom en veut de finis.</translation>
+    </message>
+    <message>
+        <source>{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Begin the run anew.</source>
+        <translation>{} est un point de reprise au format {} ; ce Texloom ({}) lit le format {}. Recommencez le calcul.</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not an image.</source>
+        <translation>{} est un dossier, non une image.</translation>
+    </message>
+    <message>
+        <source>{} is longer than {}, too long for a file of this kind.</source>
+        <translation>{} dépasse {}, trop long pour un fichier de cette sorte.</translation>
+    </message>
+    <message>
+        <source>{} is not a checkpoint, or it is damaged; begin the run anew.</source>
+        <translation>{} n’est pas un point de reprise ou est endommagé ; recommencez le calcul.</translation>
+    </message>
+    <message>
+        <source>{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} of {}.</source>
+        <translation>{} n’est pas une carte de position : une STMap a 2 à 4 canaux flottants de 32 bits, ce fichier {} de {}.</translation>
+    </message>
+    <message>
+        <source>{} is not a position map: as a PNG it has 3 channels of 16 bits, but this file has {} of {}.</source>
+        <translation>{} n’est pas une carte de position : en PNG elle a 3 canaux de 16 bits, ce fichier {} de {}.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file, so it is not an image.</source>
+        <translation>{} n’est pas un fichier ordinaire ni une image.</translation>
+    </message>
+    <message>
+        <source>{} is not part of this build. {}</source>
+        <translation>{} ne fait pas partie de cette version. {}</translation>
+    </message>
+    <message>
+        <source>{} is what the result is made from and would be overwritten; name another file.</source>
+        <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than a piece of {} px; choose pieces of at most {} px.</source>
+        <translation>{} fait {} × {} px, moins qu’un morceau de {} px ; choisissez des morceaux d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
+        <translation>{} fait {} × {} px, moins que le carré comparé de {} px ; choisissez-en un d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
+        <translation>{} annonce un modèle de {} × {} px ; les côtés vont de 1 à {} px.</translation>
+    </message>
+    <message>
+        <source>{} needs {} for its input {}, but {} were given.</source>
+        <translation>{} en demande {} pour son entrée {}, mais {} ont été donnés.</translation>
+    </message>
+    <message>
+        <source>{} takes no exemplar.</source>
+        <translation>{} ne prend pas d’échantillon.</translation>
+    </message>
+    <message>
+        <source>{} takes up nothing that {} makes, so that it cannot follow it.</source>
+        <translation>{} ne reprend rien de ce que fait {} et ne peut donc le suivre.</translation>
+    </message>
+    <message>
+        <source>{} takes {} for its input {}, but {} were given.</source>
+        <translation>{} en prend {} pour son entrée {}, mais {} ont été donnés.</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} à {}</translation>
+    </message>
+    <message>
+        <source>{} to {} {}</source>
+        <translation>{} à {} {}</translation>
+    </message>
+    <message>
+        <source>{} was not straightened, since too little of it would be left.</source>
+        <translation>{} n’a pas été redressé : il en resterait trop peu.</translation>
+    </message>
+    <message>
+        <source>{} {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>{} × {} px</source>
+        <translation>{} × {} px</translation>
+    </message>
+    <message>
+        <source>{}: {}</source>
+        <translation>{} : {}</translation>
+    </message>
+    <message>
+        <source>“Regular tile” repeats whole ones.</source>
+        <translation>« Tuile régulière » en répète d’entières.</translation>
+    </message>
+    <message>
+        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
+        <translation>Seuls {} % de {} sont réguliers : presque rien ne guide les patchs ; baissez le seuil, ou prenez le quilting d’images.</translation>
+    </message>
+    <message>
+        <source>The worst cut&apos;s error is {:.2f} of that of unlike pixels, more than the {} wished for; more tries, larger tiles or fewer colours may help.</source>
+        <translation>L’erreur de la pire coupe vaut {} de celle de pixels sans rapport, plus que les {} voulus ; plus d’essais, de plus grandes tuiles ou moins de couleurs peuvent aider.</translation>
+    </message>
+    <message>
+        <source>a whole number from −{} to {}</source>
+        <translation>un entier de −{} à {}</translation>
+    </message>
+    <message>
+        <source>checkpoint</source>
+        <translation>point de reprise</translation>
+    </message>
+    <message>
+        <source>file {}</source>
+        <translation>fichier {}</translation>
+    </message>
+    <message>
+        <source>the name of a file in the same folder</source>
+        <translation>le nom d’un fichier du même dossier</translation>
+    </message>
+    <message>
+        <source>{} is a folder.</source>
+        <translation>{} est un dossier.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file.</source>
+        <translation>{} n’est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>{} or more</source>
+        <translation>{} ou plus</translation>
     </message>
 </context>
 <context>
@@ -3046,30 +3858,6 @@
         <translation>%1 a des modifications non enregistrées.</translation>
     </message>
     <message>
-        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
-    </message>
-    <message>
-        <source>Recover a session</source>
-        <translation>Récupérer une session</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
-        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
-    </message>
-    <message>
-        <source>&amp;Recover</source>
-        <translation>&amp;Récupérer</translation>
-    </message>
-    <message>
-        <source>&amp;Throw away</source>
-        <translation>&amp;Jeter</translation>
-    </message>
-    <message>
-        <source>&amp;Later</source>
-        <translation>Plus &amp;tard</translation>
-    </message>
-    <message>
         <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
         <translation>Les modèles ont été retouchés et aucune session ne le garde encore. Les résultats sont conservés de toute façon.</translation>
     </message>
@@ -3450,10 +4238,6 @@ Déposez une image ici.</translation>
         <translation>&amp;Cartes associées</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
         <source>What the files are called, which maps share one, and where green points in normal maps.</source>
         <translation>Comment se nomment les fichiers, quelles cartes en partagent un, et où pointe le vert des normales.</translation>
     </message>
@@ -3632,6 +4416,10 @@ Déposez une image ici.</translation>
     <message>
         <source>Depth of %1</source>
         <translation>Profondeur de %1</translation>
+    </message>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exporter « %1 »</translation>
     </message>
 </context>
 <context>
@@ -4134,12 +4922,6 @@ Déposez une image ici.</translation>
         <translation>Méthode</translation>
     </message>
     <message>
-        <source>%1
-%2</source>
-        <translation>%1
-%2</translation>
-    </message>
-    <message>
         <source>Exemplars</source>
         <translation>Échantillons</translation>
     </message>
@@ -4450,10 +5232,6 @@ Déposez une image ici.</translation>
         <translation>&amp;Graine</translation>
     </message>
     <message>
-        <source>Start from</source>
-        <translation>Partir de</translation>
-    </message>
-    <message>
         <source>&amp;Threads</source>
         <translation>&amp;Threads</translation>
     </message>
@@ -4510,18 +5288,6 @@ Déposez une image ici.</translation>
         <translation>&lt;b&gt;Garder la graine&lt;/b&gt; Activé : chaque calcul utilise cette graine. Désactivé : chacun en tire une nouvelle.</translation>
     </message>
     <message>
-        <source>Choose…</source>
-        <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Choose an image to start from</source>
-        <translation>Choisir une image de départ</translation>
-    </message>
-    <message>
-        <source>Start without an image</source>
-        <translation>Partir sans image</translation>
-    </message>
-    <message>
         <source>left and right edges</source>
         <translation>bords gauche et droit</translation>
     </message>
@@ -4536,22 +5302,6 @@ Déposez une image ici.</translation>
     <message>
         <source>&lt;b&gt;Wraps&lt;/b&gt; %1 cannot make a result that wraps.</source>
         <translation>&lt;b&gt;Raccord&lt;/b&gt; %1 ne peut pas produire de résultat qui se raccorde.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Start from&lt;/b&gt; An image of the result&apos;s size that the method begins with.</source>
-        <translation>&lt;b&gt;Partir de&lt;/b&gt; Une image de la taille du résultat par laquelle la méthode commence.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Start from&lt;/b&gt; %1 cannot start from an image.</source>
-        <translation>&lt;b&gt;Partir de&lt;/b&gt; %1 ne peut pas partir d’une image.</translation>
-    </message>
-    <message>
-        <source>Start from an image</source>
-        <translation>Partir d’une image</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Rien</translation>
     </message>
     <message>
         <source>Make</source>
@@ -4664,6 +5414,33 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::PortRow</name>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Choisir un fichier : %1</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Take the result that is shown: %1</source>
+        <translation>Prendre le résultat affiché : %1</translation>
+    </message>
+    <message>
+        <source>Go without: %1</source>
+        <translation>S’en passer : %1</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::PresetMenu</name>
     <message>
         <source>Pre&amp;sets</source>
@@ -4739,6 +5516,33 @@ Déposez une image ici.</translation>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RecoveryCopy</name>
+    <message>
+        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
+    </message>
+    <message>
+        <source>Recover a session</source>
+        <translation>Récupérer une session</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
+        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Récupérer</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>&amp;Jeter</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>Plus &amp;tard</translation>
     </message>
 </context>
 <context>
@@ -4838,14 +5642,6 @@ Déposez une image ici.</translation>
 <context>
     <name>texloom::ui::ResultHistory</name>
     <message>
-        <source>%1, %2, pinned</source>
-        <translation>%1, %2, épinglé</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>A result stays in memory only and is lost when the window closes: %1</source>
         <translation>Un résultat reste seulement en mémoire et sera perdu à la fermeture de la fenêtre : %1</translation>
     </message>
@@ -4856,6 +5652,14 @@ Déposez une image ici.</translation>
     <message>
         <source>The oldest results that are not pinned were removed, %1 in number, to keep the rest within %2.</source>
         <translation>Les plus anciens résultats non épinglés ont été retirés, au nombre de %1, pour que le reste tienne dans %2.</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>épinglé</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>affiché</translation>
     </message>
 </context>
 <context>
@@ -4915,6 +5719,38 @@ Déposez une image ici.</translation>
     <message>
         <source>No result is of the kind chosen above; “All” shows the others.</source>
         <translation>Aucun résultat n’est du genre choisi ci-dessus ; « Tous » montre les autres.</translation>
+    </message>
+    <message>
+        <source>&amp;Pin %1 results</source>
+        <translation>É&amp;pingler %1 résultats</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>É&amp;pingler</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>De&amp;lete %1 results</source>
+        <translation>&amp;Supprimer %1 résultats</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Pin “%1”</source>
+        <translation>É&amp;pingler « %1 »</translation>
+    </message>
+    <message>
+        <source>Re&amp;name “%1”</source>
+        <translation>Re&amp;nommer « %1 »</translation>
+    </message>
+    <message>
+        <source>De&amp;lete “%1”</source>
+        <translation>&amp;Supprimer « %1 »</translation>
     </message>
 </context>
 <context>
@@ -5547,10 +6383,6 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <translation>Raccord</translation>
     </message>
     <message>
-        <source>Start from</source>
-        <translation>Partir de</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
@@ -5561,6 +6393,18 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Delete result</source>
+        <translation>Supprimer le résultat</translation>
+    </message>
+    <message>
+        <source>Delete results</source>
+        <translation>Supprimer les résultats</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Entrée</translation>
     </message>
 </context>
 <context>
