@@ -35,6 +35,11 @@ struct Head {
     std::string hash, space, recipe;
 };
 
+/// What sentences about the .json file call it.
+Message documentOf(const fs::path& path) {
+    return message("file {}", path.string());
+}
+
 fs::path dataFileOf(const fs::path& path) {
     return fs::path(path).replace_extension(".raw");
 }
@@ -54,7 +59,7 @@ std::string headText(const fs::path& path, const Box& box, int channels, const V
     json["space"] = options.space;
     json["hash"] = hash;
     if (!options.recipe.empty())
-        json["recipe"] = parseJson("recipe", options.recipe);
+        json["recipe"] = parseJson(TR("recipe"), options.recipe);
     return json.dump(2, ' ', false, JsonField::Json::error_handler_t::replace) + "\n";
 }
 
@@ -79,32 +84,33 @@ Image separated(const std::vector<float>& samples, Size size, int channels) {
 int wholeFrom(const JsonField& field, int least) {
     const int number = field.whole();
     if (number < least)
-        field.wrong(fmt::format("{} or more", least));
+        field.wrong(message("{} or more", least));
     return number;
 }
 
 std::int64_t coordinateFrom(const JsonField& field) {
     const double number = field.number();
     if (number != std::floor(number) || std::abs(number) > static_cast<double>(Box::kFarthest))
-        field.wrong(fmt::format("a whole number from −{0} to {0}", grouped(Box::kFarthest)));
+        field.wrong(
+            message("a whole number from −{} to {}", grouped(Box::kFarthest), grouped(Box::kFarthest)));
     return static_cast<std::int64_t>(number);
 }
 
 void checkText(const JsonField& field, const char* only) {
     if (field.text() != only)
-        field.wrong(fmt::format("\"{}\"", only));
+        field.wrong(Message::verbatim(fmt::format("\"{}\"", only)));
 }
 
 /// The name of a file in the same folder, and nothing that leads out of it.
 std::string dataNameFrom(const JsonField& field) {
     const std::string name = field.text();
     if (name.empty() || name == "." || name == ".." || fs::path(name).filename() != name)
-        field.wrong("the name of a file in the same folder");
+        field.wrong(TR("the name of a file in the same folder"));
     return name;
 }
 
 Head headFrom(const fs::path& path, const JsonField::Json& json) {
-    const JsonField field("file " + path.string(), json);
+    const JsonField field(documentOf(path), json);
     if (!json.is_object() || !field.has("texloom-volume"))
         fail("{} does not describe a volume.", path.string());
     if (const int format = wholeFrom(field.at("texloom-volume"), 1); format > kFormat)
@@ -123,7 +129,7 @@ Head headFrom(const fs::path& path, const JsonField::Json& json) {
                 {wholeFrom(size.at(0), 1), wholeFrom(size.at(1), 1), wholeFrom(size.at(2), 1)}};
     head.channels = wholeFrom(field.at("channels"), 1);
     if (!field.at("repeats").json().is_boolean())
-        field.at("repeats").wrong("true or false");
+        field.at("repeats").wrong(TR("true or false"));
     head.repeats = field.at("repeats").json().get<bool>();
     head.data = dataNameFrom(field.at("data"));
     head.space = field.at("space").text();
@@ -162,7 +168,7 @@ void writeRawVolume(const fs::path& path, const VolumeSource& source, const Box&
 }
 
 LoadedVolume readRawVolume(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
-    const Head head = headFrom(path, parseJson("file " + path.string(), readText(path, kLongestHead)));
+    const Head head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestHead)));
     const VolumeSize size = head.box.size;
     head.box.check();
     checkVolumeSize(path, size, head.channels, options.largestVoxels);

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <tuple>
 
 namespace texloom::test {
 
@@ -212,7 +214,7 @@ TEST(VolumeFile, OtherNumbersThanThoseWrittenAreRefused) {
     const TemporaryFolder folder;
     write(folder / "v.json", 2);
     std::string bytes = get(folder / "v.raw");
-    bytes[100] ^= 1;
+    bytes[100] = static_cast<char>(~bytes[100]);
     std::ofstream(folder / "v.raw", std::ios::binary) << bytes;
     EXPECT_THAT([&] { read(folder / "v.json"); }, refusal("v.raw", "SHA-1"));
     changed(folder, "hash", Json(Json::value_t::discarded));
