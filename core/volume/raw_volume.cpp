@@ -161,11 +161,11 @@ void writeRawVolume(const fs::path& path, const VolumeSource& source, const Box&
     head.commit();
 }
 
-LoadedVolume readRawVolume(const fs::path& path, JobContext& context, std::int64_t largestVoxels) {
+LoadedVolume readRawVolume(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
     const Head head = headFrom(path, parseJson("file " + path.string(), readText(path, kLongestHead)));
     const VolumeSize size = head.box.size;
     head.box.check();
-    checkVolumeSize(path, size, head.channels, largestVoxels);
+    checkVolumeSize(path, size, head.channels, options.largestVoxels);
     color::findSpace(head.space);
     const fs::path dataPath = path.parent_path() / head.data;
     FileReader data(dataPath);
