@@ -16,9 +16,9 @@ FileReader::FileReader(const fs::path& path) : m_path(path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status))
-        fail("{} is a folder.", path.string());
+        fail("{} is a folder, not a file.", path.string());
     if (fs::exists(status) && !fs::is_regular_file(status))
-        fail("{} is not an ordinary file.", path.string());
+        fail("{} is not an ordinary file, so it is not read.", path.string());
     m_file.reset(std::fopen(path.c_str(), "rb"));
     if (!m_file)
         fail("{} cannot be read: {}.", path.string(), std::strerror(errno));

@@ -41,7 +41,8 @@ constexpr std::string_view kOwnPrefix = "texloom.";
 
 /// In the order of ModelArray::values.
 constexpr std::array<const char*, 3> kTypes = {"F32", "F64", "I64"};
-constexpr std::array<const char*, 3> kTypeNames = {"32-bit floats", "64-bit floats", "64-bit integers"};
+constexpr std::array<const char*, 3> kTypeNames = {TR("32-bit floats"), TR("64-bit floats"),
+                                                   TR("64-bit integers")};
 
 std::size_t elementBytes(std::size_t type) {
     return type == 0 ? sizeof(float) : sizeof(double);
@@ -305,7 +306,8 @@ template <class T> const std::vector<T>& Model::values(const std::string& name, 
     const ModelArray& array = found->second;
     if (array.values.index() != kTypeOf<T> || array.shape != shape)
         fail("The model's array {} holds {} {}; {} {} are needed.", name, shapeText(array.shape),
-             kTypeNames.at(array.values.index()), shapeText(shape), kTypeNames.at(kTypeOf<T>));
+             Message(kTypeNames.at(array.values.index())), shapeText(shape),
+             Message(kTypeNames.at(kTypeOf<T>)));
     return std::get<std::vector<T>>(array.values);
 }
 

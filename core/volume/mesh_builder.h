@@ -49,7 +49,6 @@ private:
     void checkCorner(const Corner& corner) const;
     void addTriangle(const Corner& a, const Corner& b, const Corner& c);
     void clipEars(std::vector<Corner> polygon);
-    std::uint32_t vertexOf(const Corner& corner, Mesh& mesh);
 
     std::string m_path;
     std::function<void()> m_check;

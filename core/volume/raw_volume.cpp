@@ -35,6 +35,11 @@ struct Head {
     std::string hash, space, recipe;
 };
 
+/// What sentences about the .json file call it.
+Message documentOf(const fs::path& path) {
+    return message("file {}", path.string());
+}
+
 fs::path dataFileOf(const fs::path& path) {
     return fs::path(path).replace_extension(".raw");
 }
@@ -105,7 +110,7 @@ std::string dataNameFrom(const JsonField& field) {
 }
 
 Head headFrom(const fs::path& path, const JsonField::Json& json) {
-    const JsonField field(message("file {}", path.string()), json);
+    const JsonField field(documentOf(path), json);
     if (!json.is_object() || !field.has("texloom-volume"))
         fail("{} does not describe a volume.", path.string());
     if (const int format = wholeFrom(field.at("texloom-volume"), 1); format > kFormat)
@@ -162,12 +167,11 @@ void writeRawVolume(const fs::path& path, const VolumeSource& source, const Box&
     head.commit();
 }
 
-LoadedVolume readRawVolume(const fs::path& path, JobContext& context, std::int64_t largestVoxels) {
-    const Head head =
-        headFrom(path, parseJson(message("file {}", path.string()), readText(path, kLongestHead)));
+LoadedVolume readRawVolume(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
+    const Head head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestHead)));
     const VolumeSize size = head.box.size;
     head.box.check();
-    checkVolumeSize(path, size, head.channels, largestVoxels);
+    checkVolumeSize(path, size, head.channels, options.largestVoxels);
     color::findSpace(head.space);
     const fs::path dataPath = path.parent_path() / head.data;
     FileReader data(dataPath);

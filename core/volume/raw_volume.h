@@ -8,6 +8,6 @@ namespace texloom {
 void writeRawVolume(const std::filesystem::path& path, const VolumeSource& source, const Box& box,
                     const VolumeWriteOptions& options, JobContext& context);
 LoadedVolume readRawVolume(const std::filesystem::path& path, JobContext& context,
-                           std::int64_t largestVoxels);
+                           const VolumeReadOptions& options);
 
 } // namespace texloom

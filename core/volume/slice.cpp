@@ -32,7 +32,8 @@ void checkPlane(const Plane& plane, Size size) {
                       numberText(length), numberText(Plane::kLongestStep));
     for (const double x : {0, size.width - 1})
         for (const double y : {0, size.height - 1})
-            if (!(plane.at(x, y).cwiseAbs().maxCoeff() < static_cast<double>(Box::kFarthest)))
+            if (const Vector3d corner = plane.at(x, y);
+                !corner.allFinite() || corner.cwiseAbs().maxCoeff() > static_cast<double>(Box::kFarthest))
                 failUsage("The slice lies too far out; coordinates go from −{} to {}.",
                           grouped(Box::kFarthest), grouped(Box::kFarthest));
 }
@@ -55,8 +56,8 @@ Vector3d pointAt(const Plane& plane, double x, double y) {
     return point;
 }
 
-/// The smallest box with all voxels that have a part in the pixels from `first` to `last`, both among them.
-Box boxAround(const Plane& plane, const Region& pixels) {
+/// The smallest box with all voxels that have a part in these pixels, if points may be off by `rounding`.
+Box boxAround(const Plane& plane, const Region& pixels, double rounding) {
     Vector3d least = plane.at(pixels.x, pixels.y), most = least;
     for (const int x : {pixels.x, pixels.right() - 1})
         for (const int y : {pixels.y, pixels.bottom() - 1}) {
@@ -64,10 +65,10 @@ Box boxAround(const Plane& plane, const Region& pixels) {
             most = most.cwiseMax(plane.at(x, y));
         }
     const auto begin = [&](int axis) {
-        return static_cast<std::int64_t>(std::floor(least[axis] - kRounding));
+        return static_cast<std::int64_t>(std::floor(least[axis] - rounding));
     };
     const auto length = [&](int axis) {
-        return static_cast<int>(static_cast<std::int64_t>(std::ceil(most[axis] + kRounding)) - begin(axis)) +
+        return static_cast<int>(static_cast<std::int64_t>(std::ceil(most[axis] + rounding)) - begin(axis)) +
                1;
     };
     return {begin(0), begin(1), begin(2), {length(0), length(1), length(2)}};
@@ -138,7 +139,7 @@ bool Cell::blend(const Vector3d& point, int x, int y, Image& image) const {
 /// Makes a part of a slice. @return whether any pixel of it is within the bounds.
 bool fillPart(const VolumeSource& source, const Plane& plane, const Region& part, bool exact, Image& image,
               JobContext& context) {
-    const Box box = boxAround(plane, part);
+    const Box box = boxAround(plane, part, exact ? 0 : kRounding);
     if (visiblePart(source, box).size.empty())
         return false;
     const Cell cell(source, box, context);

@@ -4,8 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
-
 namespace texloom {
 
 /// The axis that a plane is square to.

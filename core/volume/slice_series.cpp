@@ -142,7 +142,7 @@ void writeSlices(const fs::path& path, const VolumeSource& source, const Box& bo
     series.commit();
 }
 
-LoadedVolume readSlices(const fs::path& path, JobContext& context, std::int64_t largestVoxels) {
+LoadedVolume readSlices(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
     const std::optional<SliceName> name = splitName(path);
     if (!name)
         fail("{} is no slice of a volume: its name does not end in a number of up to {} digits.",
@@ -154,7 +154,7 @@ LoadedVolume readSlices(const fs::path& path, JobContext& context, std::int64_t 
     const fs::path& firstPath = slices.begin()->second;
     const ImageFileInfo first = readImageInfo(firstPath);
     const VolumeSize size{first.size.width, first.size.height, static_cast<int>(slices.size())};
-    checkVolumeSize(firstPath, size, first.channels, largestVoxels);
+    checkVolumeSize(firstPath, size, first.channels, options.largestVoxels);
     Volume volume(size, first.channels);
     int z = 0;
     for (const auto& [number, file] : slices) {
@@ -164,7 +164,8 @@ LoadedVolume readSlices(const fs::path& path, JobContext& context, std::int64_t 
             fail("{} is {} × {} px with {} channels; the volume's first slice {} is {} × {} px with {}.",
                  file.string(), slice.info.size.width, slice.info.size.height, slice.info.channels,
                  firstPath.string(), first.size.width, first.size.height, first.channels);
-        putSlice(std::move(slice.image), slice.info.space, z++, volume);
+        putSlice(std::move(slice.image), options.space.empty() ? slice.info.space : options.space, z++,
+                 volume);
     }
     const bool repeats = readAttribute(firstPath, kPeriodAttribute) == std::to_string(size.depth);
     const auto edge = repeats ? DenseSource::Edge::Repeats : DenseSource::Edge::Ends;

@@ -7,6 +7,7 @@ namespace texloom {
 /// A volume as one picture for each z: see writeVolume() and readVolume().
 void writeSlices(const std::filesystem::path& path, const VolumeSource& source, const Box& box,
                  const VolumeWriteOptions& options, JobContext& context);
-LoadedVolume readSlices(const std::filesystem::path& path, JobContext& context, std::int64_t largestVoxels);
+LoadedVolume readSlices(const std::filesystem::path& path, JobContext& context,
+                        const VolumeReadOptions& options);
 
 } // namespace texloom

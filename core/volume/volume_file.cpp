@@ -45,9 +45,8 @@ void writeVolume(const fs::path& path, const VolumeSource& source, const Box& bo
         writeSlices(path, source, box, options, context);
 }
 
-LoadedVolume readVolume(const fs::path& path, JobContext& context, std::int64_t largestVoxels) {
-    return isRaw(path) ? readRawVolume(path, context, largestVoxels)
-                       : readSlices(path, context, largestVoxels);
+LoadedVolume readVolume(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
+    return isRaw(path) ? readRawVolume(path, context, options) : readSlices(path, context, options);
 }
 
 } // namespace texloom

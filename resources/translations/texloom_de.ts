@@ -1838,6 +1838,46 @@
         <translation>{} ist eine beschädigte OBJ-Datei.</translation>
     </message>
     <message>
+        <source>file {}</source>
+        <translation>Datei {}</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not a file.</source>
+        <translation>{} ist ein Ordner, keine Datei.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file, so it is not read.</source>
+        <translation>{} ist keine gewöhnliche Datei und wird deshalb nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>32-bit floats</source>
+        <translation>32-Bit-Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>64-bit floats</source>
+        <translation>64-Bit-Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>64-bit integers</source>
+        <translation>64-Bit-Ganzzahlen</translation>
+    </message>
+    <message>
+        <source>the name of a file in the same folder</source>
+        <translation>der Name einer Datei im selben Ordner</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>{} or more</source>
+        <translation>{} oder mehr</translation>
+    </message>
+    <message>
+        <source>a whole number from −{} to {}</source>
+        <translation>eine ganze Zahl von −{} bis {}</translation>
+    </message>
+    <message>
         <source>{} is a model in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
         <translation>{} ist ein Modell im Format {}; dieses Texloom liest Formate bis {}. Ein neueres liest es.</translation>
     </message>

@@ -1838,6 +1838,46 @@
         <translation>{} est un fichier OBJ abîmé.</translation>
     </message>
     <message>
+        <source>file {}</source>
+        <translation>fichier {}</translation>
+    </message>
+    <message>
+        <source>{} is a folder, not a file.</source>
+        <translation>{} est un dossier, pas un fichier.</translation>
+    </message>
+    <message>
+        <source>{} is not an ordinary file, so it is not read.</source>
+        <translation>{} n’est pas un fichier ordinaire et n’est donc pas lu.</translation>
+    </message>
+    <message>
+        <source>32-bit floats</source>
+        <translation>flottants de 32 bits</translation>
+    </message>
+    <message>
+        <source>64-bit floats</source>
+        <translation>flottants de 64 bits</translation>
+    </message>
+    <message>
+        <source>64-bit integers</source>
+        <translation>entiers de 64 bits</translation>
+    </message>
+    <message>
+        <source>the name of a file in the same folder</source>
+        <translation>le nom d’un fichier du même dossier</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true ou false</translation>
+    </message>
+    <message>
+        <source>{} or more</source>
+        <translation>{} ou plus</translation>
+    </message>
+    <message>
+        <source>a whole number from −{} to {}</source>
+        <translation>un nombre entier de −{} à {}</translation>
+    </message>
+    <message>
         <source>{} is a model in format {}; this Texloom reads formats up to {}. A newer one reads it.</source>
         <translation>{} est un modèle au format {} ; ce Texloom lit les formats jusqu’à {}. Un plus récent le lit.</translation>
     </message>

@@ -234,12 +234,12 @@ TEST(Fuzz, RawVolumesAreReadOrRefused) {
     const std::string data = get(folder / "v.raw");
     fuzz("volume", {head, unchecked}, 5 * iterations(), [&](const std::string& bytes) {
         put(folder / "v.json", bytes);
-        readVolume(folder / "v.json", context, kLargestPixels);
+        readVolume(folder / "v.json", context, {{}, kLargestPixels});
     });
     put(folder / "v.json", unchecked);
     fuzz("voxels", {data}, iterations(), [&](const std::string& bytes) {
         put(folder / "v.raw", bytes);
-        readVolume(folder / "v.json", context, kLargestPixels);
+        readVolume(folder / "v.json", context, {{}, kLargestPixels});
     });
 }
 
@@ -251,7 +251,7 @@ TEST(Fuzz, SlicesOfVolumesAreReadOrRefused) {
     const std::string original = get(folder / "v-0001.png");
     fuzz("slices", {original}, iterations() / 2, [&](const std::string& bytes) {
         put(folder / "v-0001.png", bytes);
-        readVolume(folder / "v-0000.png", context, kLargestPixels);
+        readVolume(folder / "v-0000.png", context, {{}, kLargestPixels});
     });
 }
 

@@ -15,10 +15,11 @@ using Eigen::Vector3f;
 using Indices = std::vector<std::uint32_t>;
 
 std::vector<Vector3f> corners() {
-    std::vector<Vector3f> corners;
+    std::vector<Vector3f> all;
     for (int i = 0; i < 8; ++i)
-        corners.emplace_back((i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1);
-    return corners;
+        all.emplace_back(static_cast<float>((i & 1) * 2 - 1), static_cast<float>((i >> 1 & 1) * 2 - 1),
+                         static_cast<float>((i >> 2) * 2 - 1));
+    return all;
 }
 
 /// Turning left, seen from outside.

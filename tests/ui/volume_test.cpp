@@ -1,3 +1,4 @@
+#include "core/base/error.h"
 #include "tests/support/volumes.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/viewers/image_viewer.h"
@@ -109,7 +110,7 @@ private Q_SLOTS:
     void aRefusalIsSaidInPlace() {
         class Broken : public VolumeSource {
             int channels() const override { return 1; }
-            void fill(const Box&, Volume&, JobContext&) const override { throw Error("It is broken."); }
+            void fill(const Box&, Volume&, JobContext&) const override { fail("It is broken."); }
         };
         SlicePanel panel;
         panel.setSource(std::make_shared<Broken>());

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 
 namespace texloom::test {

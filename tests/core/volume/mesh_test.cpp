@@ -6,6 +6,7 @@
 #include "tests/support/volumes.h"
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ TEST(Mesh, SmoothNormalsOfASphereAreItsRadii) {
 TEST(Mesh, PolygonsOfAnyShapeKeepTheirArea) {
     // A comb with five teeth: no fan covers it.
     std::string obj, face = "f";
-    std::vector<std::pair<double, double>> outline = {{0, 0}, {11, 0}};
+    std::vector<std::pair<double, double>> outline = {{0, 0}, {12, 0}};
     for (int tooth = 4; tooth >= 0; --tooth)
         outline.insert(outline.end(),
                        {{2 * tooth + 3, 1}, {2 * tooth + 3, 5}, {2 * tooth + 2, 5}, {2 * tooth + 2, 1}});

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace texloom::test {
@@ -121,11 +123,11 @@ TEST(Slice, AFullTurnOrAQuarterMeetsTheVoxels) {
         for (int i = 0; i < 7; ++i)
             ASSERT_NEAR(quarter(i, j, 0), x(i, j, 0), 1e-6);
     const DenseSource ends(sampleVolume({7, 7, 7}, 1), DenseSource::Edge::Ends);
-    const Image round = slice(ends, turned(z, pivot, 2 * kPi, 0), {7, 7}, context);
+    const Image full = slice(ends, turned(z, pivot, 2 * kPi, 0), {7, 7}, context);
     const Image same = slice(ends, z, {7, 7}, context);
     for (int j = 0; j < 7; ++j)
         for (int i = 0; i < 7; ++i)
-            ASSERT_NEAR(round(i, j, 0), same(i, j, 0), 1e-6);
+            ASSERT_NEAR(full(i, j, 0), same(i, j, 0), 1e-6);
 }
 
 TEST(Slice, SlicesAgreeWhereTheyCross) {
@@ -175,6 +177,7 @@ TEST(Slice, PlanesThatAreNoneAreRefused) {
             refused({Vector3d::Constant(std::nan("")), Vector3d::UnitX(), Vector3d::UnitY()});
         },
         usageRefusal("too far"));
+    EXPECT_THAT([&] { refused(axisPlane(Axis::Z, {0, std::nan(""), 0})); }, usageRefusal("too far"));
     EXPECT_THAT([&] { refused(axisPlane(Axis::Z, {0, 2e12, 0})); }, usageRefusal("too far"));
     EXPECT_THAT([&] { slice(kRamp, {}, {8, 0}, context); }, usageRefusal("8 × 0"));
     EXPECT_NO_THROW(refused(axisPlane(Axis::Z, {-1e12, 1e12, 1e12})));
