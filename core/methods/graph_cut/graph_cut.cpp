@@ -28,15 +28,12 @@ public:
     Synthesis run() {
         m_context.stage(m_settings.refine > 0 ? 0.8 : 1, TR("Pasting along cuts"));
         cover();
-        std::vector<double> costs{m_canvas.totalCost(m_context)};
-        const int mended = m_settings.refine > 0 ? refine(costs) : 0;
+        const int mended = m_settings.refine > 0 ? refine() : 0;
         Synthesis result;
-        result.figures = {
-            {TR("Patches"), static_cast<double>(m_steps)},
-            {TR("Mended seams"), static_cast<double>(mended)},
-            {TR("Seam cost per pixel"), costs.back() / static_cast<double>(m_request.size.area())}};
-        if (costs.size() > 1)
-            result.curves.push_back({TR("Cost of all seams"), std::move(costs)});
+        result.figures = {{TR("Patches"), static_cast<double>(m_steps)},
+                          {TR("Mended seams"), static_cast<double>(mended)},
+                          {TR("Seam cost per pixel"),
+                           m_canvas.totalCost(m_context) / static_cast<double>(m_request.size.area())}};
         result.image = std::move(m_canvas.image());
         result.map = std::move(m_canvas.map());
         result.mapKind = MapKind::Exact;
@@ -61,8 +58,9 @@ private:
     }
 
     /// @return how many seams could be mended.
-    int refine(std::vector<double>& costs) {
+    int refine() {
         m_context.stage(0.2, TR("Mending seams"));
+        m_context.curve(TR("Cost of all seams"), m_canvas.totalCost(m_context));
         std::vector<Square> given;
         int mended = 0;
         const int reach = m_settings.patch / 4;
@@ -80,7 +78,7 @@ private:
                 ++mended;
             else
                 given.push_back(*worst);
-            costs.push_back(m_canvas.totalCost(m_context));
+            m_context.curve(TR("Cost of all seams"), m_canvas.totalCost(m_context));
             show(static_cast<double>(n + 1) / m_settings.refine);
         }
         m_context.progress(1);

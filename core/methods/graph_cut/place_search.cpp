@@ -23,6 +23,12 @@ int transformSide(int side, bool whole) {
     return fastFftLength(whole ? 3 * side / 2 + 2 : side);
 }
 
+/// The pixels of both.
+Region common(const Region& a, const Region& b) {
+    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+    return {x, y, {std::min(a.right(), b.right()) - x, std::min(a.bottom(), b.bottom()) - y}};
+}
+
 bool looksAtWhole(const Settings& settings) {
     return settings.placement != Placement::SubPatch;
 }
@@ -178,7 +184,7 @@ void PlaceSearch::measure(const Canvas& canvas, int x, int y, const Frame& frame
 }
 
 bool PlaceSearch::allowed(std::size_t exemplar, int u, int v) const {
-    const auto& mask = m_request.exemplars[exemplar].mask;
+    const Image* const mask = m_request.exemplars[exemplar].mask();
     return !mask || (*mask)(u, v, 0) != 0;
 }
 
@@ -274,7 +280,15 @@ Patch PlaceSearch::placeOver(const Canvas& canvas, int x, int y, int step) {
             measure(canvas, x, y, frame, m_exemplars[e]);
             collect(frame, e);
         }
-    return m_candidates.empty() ? anywhere(x, y, step) : drawn(x, y, step);
+    if (m_candidates.empty())
+        return anywhere(x, y, step);
+    Patch patch = drawn(x, y, step);
+    // Beyond the square nothing was compared with the initial image.
+    if (m_request.initial() && m_settings.placement == Placement::SubPatch)
+        patch.window = common(
+            patch.window,
+            {x - m_settings.patch / 2, y - m_settings.patch / 2, {m_settings.patch, m_settings.patch}});
+    return patch;
 }
 
 Patch PlaceSearch::placeOnto(const Canvas& canvas, int x, int y, int step) {

@@ -49,7 +49,10 @@ Image source(const Request& request, const Settings& settings, double weight, Jo
     const Size torus = torusFor(request);
     if (quilts(request)) {
         const std::vector<PatchSource> exemplars = patchSources(request);
-        return PatchQuilter(exemplars, quiltOptions(request, settings), context).run(weight).image;
+        const Image quilt =
+            PatchQuilter(exemplars, quiltOptions(request, settings), context).run(weight).image;
+        // The canvas reached beyond the output; transforms want rows of just its size.
+        return Image(quilt.view());
     }
     context.stage(weight, TR("Preparing the exemplar"));
     const Image& from = request.initial() ? *request.initial() : *request.exemplars.front().image;

@@ -39,7 +39,7 @@ public:
 
     Synthesis run() {
         if (m_colours.components() == 0)
-            return withMap(constant(), {TR("Distance of patches"), {}});
+            return withMap(constant());
         m_context.stage(0.02, TR("Preparing the exemplar"));
         std::vector<Image> projected;
         std::vector<PatchSource> sources = patchSources(m_request);
@@ -51,7 +51,6 @@ public:
             sources[e].image = projected[e].view();
         const ExemplarPyramid pyramid(sources, scalesFor(m_request, m_settings), m_settings.patch,
                                       [this] { m_context.check(); });
-        Curve curve{TR("Distance of patches"), {}};
         Image image = start(pyramid.levels() - 1);
         const double whole = 0.9 / (1 - std::pow(0.25, pyramid.levels()));
         for (int scale = pyramid.levels() - 1; scale >= 0; --scale) {
@@ -59,9 +58,9 @@ public:
             if (image.size() != size)
                 image = enlarged(image, size);
             m_context.stage(0.75 * whole * std::pow(0.25, scale), TR("Matching patches"));
-            match(pyramid, scale, image, curve);
+            match(pyramid, scale, image);
         }
-        return withMap(colours(image), std::move(curve));
+        return withMap(colours(image));
     }
 
 private:
@@ -135,14 +134,15 @@ private:
         return large;
     }
 
-    void match(const ExemplarPyramid& pyramid, int scale, Image& image, Curve& curve) {
+    void match(const ExemplarPyramid& pyramid, int scale, Image& image) {
         Matcher matcher(pyramid.level(scale), image.size(), m_request.wrap, m_settings, m_context);
         const int steady = static_cast<int>((1 - kSlowing) * m_settings.iterations);
         for (int n = 0; n < m_settings.iterations; ++n) {
             const double late =
                 static_cast<double>(std::max(0, n - steady)) / std::max(1, m_settings.iterations - steady);
-            curve.values.push_back(
-                matcher.step(image, scale * m_settings.iterations + n, kPace + late * (kLastPace - kPace)));
+            m_distance =
+                matcher.step(image, scale * m_settings.iterations + n, kPace + late * (kLastPace - kPace));
+            m_context.curve(TR("Distance of patches"), m_distance);
             m_context.progress(static_cast<double>(n + 1) / m_settings.iterations);
             if (m_context.previewDue())
                 show(image, scale);
@@ -164,13 +164,10 @@ private:
         });
     }
 
-    Synthesis withMap(Image image, Curve curve) {
+    Synthesis withMap(Image image) {
         const double weight = m_colours.components() == 0 ? 1 : 0.08;
         Synthesis result = withEstimatedMap(std::move(image), m_request, weight, m_context);
-        if (!curve.values.empty()) {
-            result.figures.push_back({TR("Distance of patches"), curve.values.back()});
-            result.curves.push_back(std::move(curve));
-        }
+        result.figures = {{TR("Distance of patches"), m_distance}};
         m_context.progress(1);
         return result;
     }
@@ -180,6 +177,7 @@ private:
     JobContext& m_context;
     std::vector<double> m_means;
     ChannelPca m_colours;
+    double m_distance = 0;
 };
 
 void check(const Request& request, const Settings& settings) {

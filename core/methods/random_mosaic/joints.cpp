@@ -171,11 +171,4 @@ void Joints::cut(const Region& part, JobContext& context) {
     });
 }
 
-std::uint64_t Joints::bytesFor(const Axis& columns, const Axis& rows, int overlap) {
-    return static_cast<std::uint64_t>(columns.count()) *
-               static_cast<std::uint64_t>(rows.whole() + rows.count() * (overlap + 16)) * sizeof(int) +
-           static_cast<std::uint64_t>(rows.count()) * static_cast<std::uint64_t>(columns.whole() + 16) *
-               sizeof(int);
-}
-
 } // namespace texloom::random_mosaic

@@ -35,8 +35,6 @@ public:
         return m_layout.source(share.column, share.row, share.x, share.y);
     }
 
-    static std::uint64_t bytesFor(const Axis& columns, const Axis& rows, int overlap);
-
 private:
     /// A place along an axis: the cell it belongs to by the borders, and the zone it lies in.
     struct Place {

@@ -217,9 +217,4 @@ Source Layout::source(int column, int row, int x, int y) const {
             static_cast<std::uint16_t>(from.exemplar)};
 }
 
-std::uint64_t Layout::bytes() const {
-    return (m_pieces.size() * (sizeof(Piece) + sizeof(int)) + m_tiles.size() * sizeof(Tile)) * 2 +
-           static_cast<std::uint64_t>(m_columns.whole() + m_rows.whole()) * sizeof(int) * 2;
-}
-
 } // namespace texloom::random_mosaic

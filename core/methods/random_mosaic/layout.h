@@ -62,7 +62,6 @@ public:
     /// Where pixel (x, y) of a cell comes from, counted from the cell's top left; what lies outside is the
     /// piece's surrounding in its exemplar, mirrored at the exemplar's borders.
     Source source(int column, int row, int x, int y) const;
-    std::uint64_t bytes() const;
 
 private:
     struct Piece {

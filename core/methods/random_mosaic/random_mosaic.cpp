@@ -123,7 +123,7 @@ void addNotes(const Request& request, const Settings& settings, const Layout& la
     if (layout.pieces() > 1 || settings.pieces == Pieces::Chaos || request.exemplars.size() > 1)
         return;
     result.notes.push_back(
-        fmt::format("{} is one piece of this size, so that the output only repeats it; choose pieces of at "
+        message("{} is one piece of this size, so that the output only repeats it; choose pieces of at "
                     "most {} px.",
                     request.exemplars.front().name,
                     std::max(8, request.exemplars.front().image->size().longerSide() / 2)));

@@ -92,10 +92,12 @@ std::size_t TileSet::indexOf(const Edges& edges) const {
     return index;
 }
 
-/// The pixel of one of the four samples.
+/// The pixel of one of the four samples. Tiles much narrower than high, or the other way round, have cuts
+/// that reach deeper than samples do: there a sample goes on as it ends.
 Source TileSet::sampled(const Edges& edges, int part, int x, int y) const {
-    const auto from = [](const PatchPosition& sample, int dx, int dy) {
-        return Source{static_cast<std::uint16_t>(sample.x + dx), static_cast<std::uint16_t>(sample.y + dy),
+    const auto from = [last = 2 * m_reach - 1](const PatchPosition& sample, int dx, int dy) {
+        return Source{static_cast<std::uint16_t>(sample.x + std::clamp(dx, 0, last)),
+                      static_cast<std::uint16_t>(sample.y + std::clamp(dy, 0, last)),
                       static_cast<std::uint16_t>(sample.exemplar)};
     };
     const auto across = [&](int colour) { return m_samples.across[static_cast<std::size_t>(colour)]; };
