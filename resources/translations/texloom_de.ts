@@ -2762,30 +2762,6 @@
         <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
     <message>
-        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
-    </message>
-    <message>
-        <source>Recover a session</source>
-        <translation>Sitzung wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
-        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
-    </message>
-    <message>
-        <source>&amp;Recover</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Throw away</source>
-        <translation>Ver&amp;werfen</translation>
-    </message>
-    <message>
-        <source>&amp;Later</source>
-        <translation>&amp;Später</translation>
-    </message>
-    <message>
         <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
         <translation>Die Vorlagen wurden bearbeitet, und noch keine Sitzung enthält das. Ergebnisse bleiben auf jeden Fall.</translation>
     </message>
@@ -3166,10 +3142,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Begleit&amp;karten</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
         <source>What the files are called, which maps share one, and where green points in normal maps.</source>
         <translation>Wie die Dateien heißen, welche Karten sich eine teilen und wohin Grün in Normalenkarten zeigt.</translation>
     </message>
@@ -3348,6 +3320,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Depth of %1</source>
         <translation>Tiefe von %1</translation>
+    </message>
+    <message>
+        <source>Export “%1”</source>
+        <translation>„%1“ exportieren</translation>
     </message>
 </context>
 <context>
@@ -4458,6 +4434,33 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::RecoveryCopy</name>
+    <message>
+        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
+    </message>
+    <message>
+        <source>Recover a session</source>
+        <translation>Sitzung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
+        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ResultActions</name>
     <message>
         <source>&amp;Show</source>
@@ -4554,14 +4557,6 @@ Ziehen Sie ein Bild hierher.</translation>
 <context>
     <name>texloom::ui::ResultHistory</name>
     <message>
-        <source>%1, %2, pinned</source>
-        <translation>%1, %2, angeheftet</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>A result stays in memory only and is lost when the window closes: %1</source>
         <translation>Ein Ergebnis bleibt nur im Speicher und geht beim Schließen des Fensters verloren: %1</translation>
     </message>
@@ -4572,6 +4567,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>The oldest results that are not pinned were removed, %1 in number, to keep the rest within %2.</source>
         <translation>Die ältesten nicht angehefteten Ergebnisse wurden entfernt, %1 an der Zahl, damit der Rest in %2 passt.</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>angeheftet</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>angezeigt</translation>
     </message>
 </context>
 <context>
@@ -4631,6 +4634,38 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>No result is of the kind chosen above; “All” shows the others.</source>
         <translation>Kein Ergebnis ist von der oben gewählten Art; „Alle“ zeigt die übrigen.</translation>
+    </message>
+    <message>
+        <source>&amp;Pin %1 results</source>
+        <translation>%1 Ergebnisse an&amp;heften</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>An&amp;heften</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete %1 results</source>
+        <translation>%1 Ergebnisse &amp;löschen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Pin “%1”</source>
+        <translation>„%1“ an&amp;heften</translation>
+    </message>
+    <message>
+        <source>Re&amp;name “%1”</source>
+        <translation>„%1“ umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete “%1”</source>
+        <translation>„%1“ &amp;löschen</translation>
     </message>
 </context>
 <context>
@@ -5202,6 +5237,14 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>&amp;Redo</source>
         <translation>Wiede&amp;rholen</translation>
+    </message>
+    <message>
+        <source>Delete result</source>
+        <translation>Ergebnis löschen</translation>
+    </message>
+    <message>
+        <source>Delete results</source>
+        <translation>Ergebnisse löschen</translation>
     </message>
 </context>
 <context>

@@ -2762,30 +2762,6 @@
         <translation>%1 a des modifications non enregistrées.</translation>
     </message>
     <message>
-        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
-    </message>
-    <message>
-        <source>Recover a session</source>
-        <translation>Récupérer une session</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
-        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
-    </message>
-    <message>
-        <source>&amp;Recover</source>
-        <translation>&amp;Récupérer</translation>
-    </message>
-    <message>
-        <source>&amp;Throw away</source>
-        <translation>&amp;Jeter</translation>
-    </message>
-    <message>
-        <source>&amp;Later</source>
-        <translation>Plus &amp;tard</translation>
-    </message>
-    <message>
         <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
         <translation>Les modèles ont été retouchés et aucune session ne le garde encore. Les résultats sont conservés de toute façon.</translation>
     </message>
@@ -3166,10 +3142,6 @@ Déposez une image ici.</translation>
         <translation>&amp;Cartes associées</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
         <source>What the files are called, which maps share one, and where green points in normal maps.</source>
         <translation>Comment se nomment les fichiers, quelles cartes en partagent un, et où pointe le vert des normales.</translation>
     </message>
@@ -3348,6 +3320,10 @@ Déposez une image ici.</translation>
     <message>
         <source>Depth of %1</source>
         <translation>Profondeur de %1</translation>
+    </message>
+    <message>
+        <source>Export “%1”</source>
+        <translation>Exporter « %1 »</translation>
     </message>
 </context>
 <context>
@@ -4458,6 +4434,33 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::RecoveryCopy</name>
+    <message>
+        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
+    </message>
+    <message>
+        <source>Recover a session</source>
+        <translation>Récupérer une session</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
+        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Récupérer</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>&amp;Jeter</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>Plus &amp;tard</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ResultActions</name>
     <message>
         <source>&amp;Show</source>
@@ -4554,14 +4557,6 @@ Déposez une image ici.</translation>
 <context>
     <name>texloom::ui::ResultHistory</name>
     <message>
-        <source>%1, %2, pinned</source>
-        <translation>%1, %2, épinglé</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>A result stays in memory only and is lost when the window closes: %1</source>
         <translation>Un résultat reste seulement en mémoire et sera perdu à la fermeture de la fenêtre : %1</translation>
     </message>
@@ -4572,6 +4567,14 @@ Déposez une image ici.</translation>
     <message>
         <source>The oldest results that are not pinned were removed, %1 in number, to keep the rest within %2.</source>
         <translation>Les plus anciens résultats non épinglés ont été retirés, au nombre de %1, pour que le reste tienne dans %2.</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>épinglé</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>affiché</translation>
     </message>
 </context>
 <context>
@@ -4631,6 +4634,38 @@ Déposez une image ici.</translation>
     <message>
         <source>No result is of the kind chosen above; “All” shows the others.</source>
         <translation>Aucun résultat n’est du genre choisi ci-dessus ; « Tous » montre les autres.</translation>
+    </message>
+    <message>
+        <source>&amp;Pin %1 results</source>
+        <translation>É&amp;pingler %1 résultats</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>É&amp;pingler</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>De&amp;lete %1 results</source>
+        <translation>&amp;Supprimer %1 résultats</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Pin “%1”</source>
+        <translation>É&amp;pingler « %1 »</translation>
+    </message>
+    <message>
+        <source>Re&amp;name “%1”</source>
+        <translation>Re&amp;nommer « %1 »</translation>
+    </message>
+    <message>
+        <source>De&amp;lete “%1”</source>
+        <translation>&amp;Supprimer « %1 »</translation>
     </message>
 </context>
 <context>
@@ -5202,6 +5237,14 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Delete result</source>
+        <translation>Supprimer le résultat</translation>
+    </message>
+    <message>
+        <source>Delete results</source>
+        <translation>Supprimer les résultats</translation>
     </message>
 </context>
 <context>
