@@ -101,9 +101,9 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_exemplar));
         const ImageViewer* const result = window.results()->viewer(ResultView::ResultTab);
         QSignalSpy finished(window.desk()->controller(), &RunController::finished);
-        for (const char* place : {"synthesisTab", "lattice", "editExemplar", "grid"}) {
+        for (const char* place : {"showSynthesisMap", "lattice", "editExemplar", "compareGrid"}) {
             child<QAction>(window, place)->trigger();
-            QVERIFY2(!result->isVisible(), place);
+            QTRY_VERIFY2(!result->isVisible(), place);
             QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
             child<QAction>(window, "run")->trigger();
             QVERIFY(finished.wait(kPatience));
