@@ -3,6 +3,7 @@
 #include "core/image/image.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace texloom {
@@ -12,8 +13,16 @@ struct Interleaved {
     static constexpr int kLanes = 4;
 
     Interleaved(Size extent, int channels)
-        : size(extent), pixel(channels <= 2 ? channels : (channels + kLanes - 1) / kLanes * kLanes),
+        : size(extent), pixel(pixelFor(channels)),
           data(static_cast<std::size_t>(extent.area()) * static_cast<std::size_t>(pixel), 0.0F) {}
+
+    static int pixelFor(int channels) {
+        return channels <= 2 ? channels : (channels + kLanes - 1) / kLanes * kLanes;
+    }
+    static std::uint64_t bytesFor(Size size, int channels) {
+        return static_cast<std::uint64_t>(size.area()) * static_cast<std::uint64_t>(pixelFor(channels)) *
+               sizeof(float);
+    }
 
     std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(size.width) * pixel; }
     const float* at(int x, int y) const { return data.data() + y * stride() + x * pixel; }
