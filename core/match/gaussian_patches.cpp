@@ -41,6 +41,11 @@ std::vector<double> normalNumbers(const Random& random, const PatchCell& cell, s
     return numbers;
 }
 
+void drawPatch(std::span<const ImageView> patches, const Random& random, const PatchCell& cell,
+               std::uint32_t first, Image& to) {
+    combinePatches(patches, gaussianWeights(normalNumbers(random, cell, patches.size(), first)), to);
+}
+
 double meanPatchDeviation(std::span<const ImageView> patches) {
     if (patches.size() < 2)
         return 0;

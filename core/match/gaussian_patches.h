@@ -24,6 +24,10 @@ void combinePatches(std::span<const ImageView> patches, std::span<const double> 
 std::vector<double> normalNumbers(const Random& random, const PatchCell& cell, std::size_t count,
                                   std::uint32_t first = 0);
 
+/// Draws a vector of the Gaussian of these patches for a place of the grid, with draws `first` onwards.
+void drawPatch(std::span<const ImageView> patches, const Random& random, const PatchCell& cell,
+               std::uint32_t first, Image& to);
+
 /// The standard deviation of each value over the patches, averaged over all values: σ̄ of Raad's thesis 2016,
 /// section 2.2. 0 for a single patch.
 double meanPatchDeviation(std::span<const ImageView> patches);

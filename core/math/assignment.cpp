@@ -105,14 +105,6 @@ double meanCost(const AssignmentCosts& costs) {
 
 } // namespace
 
-int AssignmentCosts::place(int person, int object) const {
-    if (choices.empty())
-        return object;
-    const auto begin = choices.begin() + static_cast<std::ptrdiff_t>(person) * perRow;
-    const auto found = std::find(begin, begin + perRow, object);
-    return found == begin + perRow ? -1 : static_cast<int>(found - begin);
-}
-
 struct Assigner::Offers : BestTwo<float> {};
 
 Assigner::Assigner(std::vector<int> places) : m_places(std::move(places)) {

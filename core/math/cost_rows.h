@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/assignment.h"
+#include "core/math/assignment_costs.h"
 
 #include <algorithm>
 #include <cmath>

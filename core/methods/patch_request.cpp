@@ -92,15 +92,13 @@ Estimate growthEstimate(const Request& request, int patch, int overlap, int thre
     return need;
 }
 
-Synthesis grown(PatchCanvas& canvas, const Request& request, const std::string& stage, double mapWeight,
-                const std::function<void(const PatchCell&)>& place, JobContext& context) {
+Synthesis grown(PatchGrower& grower, const Request& request, const std::string& stage, double mapWeight,
+                JobContext& context) {
+    context.stage(0.02, TR("Preparing the exemplar"));
+    grower.prepare();
     context.stage(0.98 - mapWeight, stage);
-    canvas.grow(
-        context, [&](int index) { place(canvas.grid().cell(index)); },
-        [&] { context.preview(canvas.image()); });
-    const int patches = canvas.grid().count();
-    Synthesis result = withEstimatedMap(canvas.take(), request, mapWeight, context);
-    result.figures = {{TR("Patches"), static_cast<double>(patches)}};
+    Synthesis result = withEstimatedMap(grower.grow(), request, mapWeight, context);
+    result.figures = {{TR("Patches"), static_cast<double>(grower.patches())}};
     return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/job/job_context.h"
-#include "core/match/patch_canvas.h"
+#include "core/match/patch_grower.h"
 #include "core/match/patch_match.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_fields.h"
@@ -43,12 +43,16 @@ double patchSearchSeconds(std::span<const Size> exemplars, int channels);
 /// each patch.
 Estimate growthEstimate(const Request& request, int patch, int overlap, int threads, bool balanced);
 
-/// Grows an output patch by patch and shows it on the way; the result has an estimated map and the number of
-/// patches. @param stage what the user is told. @param mapWeight of the making of the map; 0.02 went before,
-/// for what is prepared, and growing has the rest.
-/// @param place makes the patch of a cell; called from several threads.
-Synthesis grown(PatchCanvas& canvas, const Request& request, const std::string& stage, double mapWeight,
-                const std::function<void(const PatchCell&)>& place, JobContext& context);
+/// How the output of a request grows from patches of this size.
+template <class Settings> PatchGrower::Layout layoutOf(const Request& request, const Settings& settings) {
+    return {request.size, request.wrap, settings.patch, settings.overlapPixels(), settings.contrast};
+}
+
+/// Grows an output patch by patch; the result has an estimated map and the number of patches.
+/// @param stage what the user is told. @param mapWeight of the making of the map; preparing takes 0.02, and
+/// growing has the rest.
+Synthesis grown(PatchGrower& grower, const Request& request, const std::string& stage, double mapWeight,
+                JobContext& context);
 
 /// The result of a method that makes new pixels: the image with its estimated map.
 /// @param weight of the stage that makes the map.

@@ -1,8 +1,6 @@
 #include "core/base/text.h"
-#include "core/job/pool.h"
 #include "core/match/gaussian_patches.h"
-#include "core/match/patch_canvas.h"
-#include "core/match/patch_search.h"
+#include "core/match/patch_grower.h"
 #include "core/methods/conditional_gaussian/conditional_patch.h"
 #include "core/methods/conditional_gaussian/settings.h"
 #include "core/methods/method.h"
@@ -36,56 +34,23 @@ double standardDeviation(const Request& request) {
     return std::sqrt(squares / count);
 }
 
-/// Grows one output in raster order; every patch is drawn from the Gaussian of the exemplar patches that fit
-/// best, given the pixels that are there already.
-class Sampler {
+/// Every patch is drawn from the Gaussian of the exemplar patches that fit best, given the pixels that are
+/// there already.
+class Sampler : public PatchGrower {
 public:
     Sampler(const Request& request, const Settings& settings, JobContext& context)
-        : m_request(request), m_settings(settings), m_context(context),
-          m_search(
-              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
-          m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
+        : PatchGrower(patchSources(request), layoutOf(request, settings), context), m_settings(settings),
           m_deviation(standardDeviation(request)) {}
 
-    Synthesis run() {
-        m_context.stage(0.02, TR("Preparing the exemplar"));
-        for (const PatchCell& cell : m_canvas.grid().cells())
-            m_search.prepare(compared(cell));
-        return grown(
-            m_canvas, m_request, TR("Sampling patches"), kMapWeight,
-            [this](const PatchCell& cell) { place(cell); }, m_context);
-    }
-
 private:
-    struct Workspace {
-        Image known, fresh;
-        PatchSearch::Scratch search;
-    };
-
-    Footprint compared(const PatchCell& cell) const {
-        return cell.overlap.none() ? Footprint::filled({m_settings.patch, m_settings.patch})
-                                   : Footprint(cell.overlap);
-    }
-
-    void place(const PatchCell& cell) {
-        const auto work = m_pool.borrow([this] {
-            const Size patch{m_settings.patch, m_settings.patch};
-            return Workspace{Image(patch, m_request.channels()), Image(patch, m_request.channels()),
-                             m_search.scratch()};
-        });
-        m_canvas.read(cell, work->known);
-        if (cell.overlap.none())
-            work->known = Image(m_search.pixels(m_search.drawn(m_context.random().uniform(0, 0))));
-        m_search.compute(work->known, compared(cell), work->search, [this] { m_context.check(); });
-        const std::vector<ImageView> patches =
-            m_search.pixels(m_search.nearest(m_settings.neighbours, work->search));
+    void make(const PatchCell& cell, Workspace& work) override {
+        const std::vector<ImageView> patches = search().pixels(nearest(cell, m_settings.neighbours, work));
         const std::vector<double> normals =
-            normalNumbers(m_context.random(), cell, patches.size(), kCoefficients);
+            normalNumbers(context().random(), cell, patches.size(), kCoefficients);
         if (cell.overlap.none())
-            combinePatches(patches, gaussianWeights(normals), work->fresh);
+            combinePatches(patches, gaussianWeights(normals), work.fresh);
         else
-            condition(cell, patches, normals, *work);
-        m_canvas.place(cell, work->fresh);
+            condition(cell, patches, normals, work);
     }
 
     void condition(const PatchCell& cell, const std::vector<ImageView>& patches,
@@ -93,16 +58,16 @@ private:
         const bool sampled = m_settings.choose == Choose::Sample;
         const auto noise = [&](int x, int y, int c) {
             const int at = (c * m_settings.patch + y) * m_settings.patch + x;
-            return m_context.random().normal(cell.column, cell.row, kNoise + static_cast<std::uint32_t>(at));
+            return context().random().normal(cell.column, cell.row, kNoise + static_cast<std::uint32_t>(at));
         };
         if (sampled && m_settings.model == Model::Relaxed)
             addNoise(work.known, m_settings.theta / 100 * m_deviation, noise,
                      [&](int x, int y) { return cell.overlap.contains(x, y, m_settings.patch); });
-        m_context.check();
+        context().check();
         const double sigma = m_settings.sigma / 100 * m_deviation;
         conditionPatch(patches, work.known, cell.overlap, sigma, sampled ? normals : std::vector<double>{},
                        work.fresh);
-        m_context.check();
+        context().check();
         if (sampled)
             addNoise(work.fresh, sigma, noise,
                      [&](int x, int y) { return !cell.overlap.contains(x, y, m_settings.patch); });
@@ -118,13 +83,8 @@ private:
                         patch(x, y, c) += static_cast<float>(deviation * noise(x, y, c));
     }
 
-    const Request& m_request;
     const Settings& m_settings;
-    JobContext& m_context;
-    PatchSearch m_search;
-    PatchCanvas m_canvas;
     double m_deviation;
-    Pool<Workspace> m_pool;
 };
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
@@ -142,7 +102,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return Sampler(request, settings, context).run();
+    Sampler sampler(request, settings, context);
+    return grown(sampler, request, TR("Sampling patches"), kMapWeight, context);
 }
 
 } // namespace

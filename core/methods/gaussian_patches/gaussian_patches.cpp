@@ -1,9 +1,7 @@
 #include "core/match/gaussian_patches.h"
 
 #include "core/base/text.h"
-#include "core/job/pool.h"
-#include "core/match/patch_canvas.h"
-#include "core/match/patch_search.h"
+#include "core/match/patch_grower.h"
 #include "core/match/patch_stitch.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
@@ -28,39 +26,22 @@ struct Settings {
 
 /// Replaces every patch of a guide by a sample of the Gaussian of the exemplar patches most like it. The
 /// guide is the exemplar itself, mirrored beyond its borders, or the initial image.
-class Replacer {
+class Replacer : public PatchGrower {
 public:
     Replacer(const Request& request, const Settings& settings, JobContext& context)
-        : m_request(request), m_settings(settings), m_context(context),
-          m_search(
-              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
-          m_guide(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
-          m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()) {
-    }
-
-    Synthesis run() {
-        m_context.stage(0.02, TR("Preparing the exemplar"));
-        for (const PatchCell& cell : m_canvas.grid().cells())
-            m_search.prepare(compared(cell));
-        if (m_request.initial)
-            m_guide.fill(*m_request.initial);
+        : PatchGrower(patchSources(request), layoutOf(request, settings), context), m_request(request),
+          m_settings(settings),
+          m_guide(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()) {
+        if (request.initial)
+            m_guide.fill(*request.initial);
         else
             layOutExemplar();
-        return grown(
-            m_canvas, m_request, TR("Replacing patches"), kMapWeight,
-            [this](const PatchCell& cell) { place(cell); }, m_context);
     }
 
 private:
-    struct Workspace {
-        Image guide, old, fresh, weight;
-        PatchSearch::Scratch search;
-    };
-
     /// Without an initial image the guide goes on beyond the output.
-    Footprint compared(const PatchCell& cell) const {
-        return Footprint::filled(m_request.initial ? m_canvas.visible(cell)
-                                                   : Size{m_settings.patch, m_settings.patch});
+    Footprint compared(const PatchCell& cell) const override {
+        return Footprint::filled(m_request.initial ? canvas().visible(cell) : patchSize());
     }
 
     /// Mirrored beyond its borders, and in the middle of an axis that wraps, so that the guide has no seam.
@@ -77,30 +58,24 @@ private:
                                               from(y, guide.height(), m_request.wrap.y, exemplar.height), c);
     }
 
-    void place(const PatchCell& cell) {
-        const auto work = m_pool.borrow([this] {
-            const Size patch{m_settings.patch, m_settings.patch};
-            const int channels = m_request.channels();
-            return Workspace{Image(patch, channels), Image(patch, channels), Image(patch, channels),
-                             Image(patch, 1), m_search.scratch()};
-        });
-        m_guide.read(cell, work->guide);
-        m_search.compute(work->guide, compared(cell), work->search, [this] { m_context.check(); });
+    void make(const PatchCell& cell, Workspace& work) override {
+        Image guide(patchSize(), m_request.channels());
+        m_guide.read(cell, guide);
+        compare(cell, guide, work);
         const std::vector<ImageView> patches =
-            m_search.pixels(m_search.nearest(m_settings.neighbours, work->search));
-        combinePatches(patches, gaussianWeights(normalNumbers(m_context.random(), cell, patches.size())),
-                       work->fresh);
-        m_canvas.read(cell, work->old);
-        rampWeights(cell.overlap, work->weight.plane(0));
-        m_canvas.place(cell, work->old, work->fresh, work->weight.view().plane(0));
+            search().pixels(search().nearest(m_settings.neighbours, work.search));
+        drawPatch(patches, context().random(), cell, 0, work.fresh);
+    }
+
+    void place(const PatchCell& cell, Workspace& work) override {
+        Image weight(patchSize(), 1);
+        rampWeights(cell.overlap, weight.plane(0));
+        canvas().place(cell, work.known, work.fresh, weight.view().plane(0));
     }
 
     const Request& m_request;
     const Settings& m_settings;
-    JobContext& m_context;
-    PatchSearch m_search;
-    PatchCanvas m_guide, m_canvas;
-    Pool<Workspace> m_pool;
+    PatchCanvas m_guide;
 };
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
@@ -114,7 +89,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return Replacer(request, settings, context).run();
+    Replacer replacer(request, settings, context);
+    return grown(replacer, request, TR("Replacing patches"), kMapWeight, context);
 }
 
 } // namespace

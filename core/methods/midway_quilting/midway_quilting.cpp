@@ -1,8 +1,5 @@
 #include "core/base/text.h"
-#include "core/job/pool.h"
-#include "core/match/patch_canvas.h"
-#include "core/match/patch_search.h"
-#include "core/match/patch_stitch.h"
+#include "core/match/patch_grower.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
 
@@ -25,66 +22,38 @@ struct Settings {
 };
 
 /// Quilting whose patches are deformed in the middle of their overlaps until they agree.
-class MidwayQuilter {
+class MidwayQuilter : public PatchGrower {
 public:
     MidwayQuilter(const Request& request, const Settings& settings, JobContext& context)
-        : m_request(request), m_settings(settings), m_context(context),
-          m_search(
-              patchSources(request), settings.patch, [&context] { context.check(); }, settings.contrast),
-          m_canvas(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()),
-          m_stitcher(PatchStitch::Midway, settings.patch, {settings.propagation, settings.color}) {}
-
-    Synthesis run() {
-        m_context.stage(0.02, TR("Preparing the exemplar"));
-        for (const PatchCell& cell : m_canvas.grid().cells()) {
-            m_search.prepare(compared(cell));
-            m_stitcher.prepare(cell.overlap);
-        }
-        if (m_request.initial)
-            m_canvas.fill(*m_request.initial);
-        return grown(
-            m_canvas, m_request, TR("Placing patches"), kMapWeight,
-            [this](const PatchCell& cell) { place(cell); }, m_context);
+        : PatchGrower(
+              patchSources(request), layoutOf(request, settings), context,
+              PatchStitcher(PatchStitch::Midway, settings.patch, {settings.propagation, settings.color})),
+          m_settings(settings), m_guided(request.initial != nullptr) {
+        if (m_guided)
+            canvas().fill(*request.initial);
     }
 
 private:
-    struct Workspace {
-        Image known;
-        PatchStitcher::Scratch stitch;
-        PatchSearch::Scratch search;
-    };
-
-    Footprint compared(const PatchCell& cell) const {
-        return m_request.initial ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
+    Footprint compared(const PatchCell& cell) const override {
+        return m_guided ? Footprint::filled(canvas().visible(cell)) : Footprint(cell.overlap);
     }
 
     PatchPosition choose(const PatchCell& cell, Workspace& work) const {
-        const Random& random = m_context.random();
-        if (cell.overlap.none() && !m_request.initial)
-            return m_search.drawn(random.uniform(cell.column, cell.row));
-        m_search.compute(work.known, compared(cell), work.search, [this] { m_context.check(); });
-        return m_search.drawn(m_search.within(m_settings.tolerance, work.search), random, cell.column,
+        const Random& random = context().random();
+        if (cell.overlap.none() && !m_guided)
+            return search().drawn(random.uniform(cell.column, cell.row));
+        compare(cell, work.known, work);
+        return search().drawn(search().within(m_settings.tolerance, work.search), random, cell.column,
                               cell.row);
     }
 
-    void place(const PatchCell& cell) {
-        const auto work = m_pool.borrow([this] {
-            return Workspace{Image({m_settings.patch, m_settings.patch}, m_request.channels()),
-                             m_stitcher.scratch(), m_search.scratch()};
-        });
-        m_canvas.read(cell, work->known);
-        Image fresh(m_search.pixels(choose(cell, *work)));
-        m_stitcher.join(work->known, cell.overlap, fresh, work->stitch);
-        m_canvas.place(cell, fresh);
+    void make(const PatchCell& cell, Workspace& work) override {
+        work.fresh = Image(search().pixels(choose(cell, work)));
+        join(cell, work);
     }
 
-    const Request& m_request;
     const Settings& m_settings;
-    JobContext& m_context;
-    PatchSearch m_search;
-    PatchCanvas m_canvas;
-    PatchStitcher m_stitcher;
-    Pool<Workspace> m_pool;
+    bool m_guided; ///< whether the canvas begins with an image
 };
 
 /// What sorting and moving the mass of one patch's lines takes on a thread, with room for the allocator's
@@ -101,7 +70,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return MidwayQuilter(request, settings, context).run();
+    MidwayQuilter quilter(request, settings, context);
+    return grown(quilter, request, TR("Placing patches"), kMapWeight, context);
 }
 
 } // namespace

@@ -91,7 +91,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
             low = zoomedIn(coarser, size, request.wrap, check);
         ScaleSampler sampler(exemplars, scale, settings, size, request.wrap, low, context);
         patches += sampler.patches();
-        coarser = sampler.run();
+        sampler.prepare();
+        coarser = sampler.grow();
     }
     exemplars.clear();
     Synthesis result = withEstimatedMap(std::move(coarser), request, kMapWeight, context);

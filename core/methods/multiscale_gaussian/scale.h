@@ -2,8 +2,7 @@
 
 #include "core/job/job_context.h"
 #include "core/job/pool.h"
-#include "core/match/patch_canvas.h"
-#include "core/match/patch_search.h"
+#include "core/match/patch_grower.h"
 #include "core/math/zoom.h"
 #include "core/methods/multiscale_gaussian/settings.h"
 #include "core/methods/synthesis.h"
@@ -29,40 +28,31 @@ ExemplarScales exemplarScales(const Exemplar& exemplar, int scales, const std::f
 
 /// Synthesises one scale of the output: the coarsest as locally Gaussian synthesis, the others by adding
 /// samples of the high band to what the coarser scale gave (Raad, thesis 2016, algorithm 5).
-class ScaleSampler {
+class ScaleSampler : public PatchGrower {
 public:
     /// @param scale 0 is the finest. @param size of the output at this scale. @param low v_k, the coarser
     /// scale's result zoomed in; empty at the coarsest scale.
     ScaleSampler(const std::vector<ExemplarScales>& exemplars, int scale, const Settings& settings, Size size,
                  Wrap wrap, const Image& low, JobContext& context);
 
-    int patches() const { return m_canvas.grid().count(); }
-    Image run();
-
 private:
-    struct Workspace {
-        Image known, fresh, low;
-        PatchStitcher::Scratch stitch;
-        PatchSearch::Scratch search, lowSearch;
+    /// What a thread needs beside the Workspace at all scales but the coarsest.
+    struct LowWorkspace {
+        Image patch;
+        PatchSearch::Scratch search;
     };
 
-    bool coarsest() const { return !m_low.has_value(); }
-    Footprint compared(const PatchCell& cell) const;
-    void place(const PatchCell& cell);
-    std::vector<PatchPosition> neighbours(const PatchCell& cell, Workspace& work) const;
+    void make(const PatchCell& cell, Workspace& work) override;
+    void sample(const PatchCell& cell, const std::vector<ImageView>& patches, Image& to) const;
+    std::vector<PatchPosition> neighbours(const PatchCell& cell, Workspace& work, LowWorkspace& low) const;
     std::vector<ImageView> pieces(const std::vector<PatchPosition>& positions) const;
-    std::uint32_t firstDraw() const { return static_cast<std::uint32_t>(m_scale) << 16U; }
 
     int m_scale;
     const Settings& m_settings;
-    JobContext& m_context;
-    PatchCanvas m_canvas;
-    PatchSearch m_search;
     std::optional<PatchSearch> m_lowSearch; ///< over u_k ∗ G
     std::optional<PatchCanvas> m_low;       ///< v_k
     std::vector<ImageView> m_high;
-    PatchStitcher m_stitcher;
-    Pool<Workspace> m_pool;
+    Pool<LowWorkspace> m_pool;
 };
 
 } // namespace texloom::multiscale_gaussian

@@ -3,7 +3,6 @@
 #include "core/base/text.h"
 #include "core/image/half_scale.h"
 #include "core/job/pool.h"
-#include "core/match/canvas_image.h"
 #include "core/methods/patch_request.h"
 
 #include <fmt/core.h>
@@ -135,15 +134,14 @@ void Optimizer::start(int level) {
         coarse = image(1);
     m_size = canvas(level);
     m_canvas.reset();
-    m_canvas.emplace(Size{m_size.width + m_settings.patch - 1, m_size.height + m_settings.patch - 1},
-                     m_request.channels());
+    m_canvas.emplace(m_size, m_request.channels(), m_settings.patch - 1);
     if (coarse)
-        return load(*coarse);
+        return m_canvas->load(*coarse, m_context);
     if (m_request.initial) {
         Image initial(*m_request.initial);
         for (int i = 0; i < level; ++i)
             initial = halved(initial);
-        return load(initial);
+        return m_canvas->load(initial, m_context);
     }
     const ImageView exemplar = m_pyramid.level(level).front().image;
     const std::vector<double> means = channelMeans(exemplar);
@@ -155,41 +153,14 @@ void Optimizer::start(int level) {
                     std::pow(static_cast<double>(exemplar(x, y, c)) - means[static_cast<std::size_t>(c)], 2);
         const double deviation = std::sqrt(square / static_cast<double>(exemplar.size().area()));
         m_context.parallel(0, m_size.height, [&](int y) {
-            float* row = m_canvas->data.data() + y * m_canvas->stride() + c;
+            float* row = m_canvas->row(y) + c;
             for (int x = 0; x < m_size.width; ++x)
-                row[x * m_canvas->pixel] = static_cast<float>(
+                row[x * m_canvas->pixels().pixel] = static_cast<float>(
                     means[static_cast<std::size_t>(c)] +
                     deviation * m_context.random().normal(x, y, static_cast<std::uint32_t>(c)));
         });
     }
-    close();
-}
-
-/// Takes the image, enlarged where it is smaller than the canvas.
-void Optimizer::load(const ImageView& image) {
-    m_context.parallel(0, m_size.height, [&](int y) {
-        std::vector<float> row(static_cast<std::size_t>(m_size.width));
-        float* to = m_canvas->data.data() + y * m_canvas->stride();
-        for (int c = 0; c < image.channels; ++c) {
-            enlargeRow(image.plane(c), m_size, y, row.data());
-            for (int x = 0; x < m_size.width; ++x)
-                to[x * m_canvas->pixel + c] = row[static_cast<std::size_t>(x)];
-        }
-    });
-    close();
-}
-
-/// Writes the first rows and columns once more behind the last.
-void Optimizer::close() {
-    const int pixel = m_canvas->pixel, margin = m_settings.patch - 1;
-    for (int y = 0; y < m_canvas->size.height; ++y) {
-        float* row = m_canvas->data.data() + y * m_canvas->stride();
-        if (y >= m_size.height)
-            std::copy_n(m_canvas->at(0, y % m_size.height), m_canvas->stride(), row);
-        else
-            for (int x = 0; x < margin; ++x)
-                std::copy_n(row + (x % m_size.width) * pixel, pixel, row + (m_size.width + x) * pixel);
-    }
+    m_canvas->close(m_context);
 }
 
 void Optimizer::optimize(int level) {
@@ -275,7 +246,8 @@ double Optimizer::assign(Pass& pass, Band& band) {
     const int columns = pass.lattice.count().width, stride = pass.lattice.stride;
     const auto wanted = [&](int person, float* to) {
         const int n = band.top * columns + person;
-        pass.patches.planar(m_canvas->at(n % columns * stride, n / columns * stride), m_canvas->stride(), to);
+        pass.patches.planar(m_canvas->pixels().at(n % columns * stride, n / columns * stride),
+                            m_canvas->pixels().stride(), to);
     };
     AssignmentCosts& costs = pass.narrowed ? pass.some : pass.all.costs();
     if (pass.narrowed) {
@@ -324,7 +296,8 @@ void Optimizer::costSome(Pass& pass, const Band& band) const {
             const auto begin = static_cast<std::size_t>((y - band.top) * columns + x) *
                                static_cast<std::size_t>(costs.perRow);
             choices(pass, x, y, costs.choices.data() + begin);
-            pass.patches.planar(m_canvas->at(x * stride, y * stride), m_canvas->stride(), wanted.data());
+            pass.patches.planar(m_canvas->pixels().at(x * stride, y * stride), m_canvas->pixels().stride(),
+                                wanted.data());
             for (int i = 0; i < costs.perRow; ++i)
                 costs.costs[begin + static_cast<std::size_t>(i)] =
                     pass.patches.cost(wanted.data(), costs.choices[begin + static_cast<std::size_t>(i)]);
@@ -374,15 +347,16 @@ void Optimizer::aggregate(Pass& pass) {
         const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
         for (int y = band * kBandRows; y < std::min(m_size.height, (band + 1) * kBandRows); ++y) {
             m_context.check();
-            row->median(y, solver, m_canvas->data.data() + y * m_canvas->stride());
+            row->median(y, solver, m_canvas->row(y));
         }
     });
-    close();
+    m_canvas->close(m_context);
 }
 
 void Optimizer::finish(Pass& pass) {
     m_context.stage(0.02, TR("Tracing the pixels"));
-    PositionMap map = nearestProposed(pass.proposals, *m_canvas, m_request.exemplarSizes(), m_context);
+    PositionMap map =
+        nearestProposed(pass.proposals, m_canvas->pixels(), m_request.exemplarSizes(), m_context);
     m_context.parallel(0, map.height(), [&](int y) {
         for (int x = 0; x < map.width(); ++x)
             map.at(x, y) = pass.patches.unmirrored(map.at(x, y));
@@ -394,7 +368,7 @@ void Optimizer::finish(Pass& pass) {
 
 /// Every `step`-th pixel of the canvas.
 Image Optimizer::image(int step) const {
-    return canvasImage(*m_canvas, m_size, m_request.channels(), step, m_context);
+    return m_canvas->image(step, m_context);
 }
 
 void Optimizer::offer() const {

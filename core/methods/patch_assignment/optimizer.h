@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/job/job_context.h"
+#include "core/match/closed_canvas.h"
 #include "core/match/exemplar_pyramid.h"
 #include "core/match/patch_proposals.h"
 #include "core/math/assignment.h"
@@ -50,8 +51,6 @@ private:
     }
     bool nearOptimal() const { return m_settings.epsilon > 0 || m_settings.relaxed; }
     void start(int level);
-    void load(const ImageView& image);
-    void close();
     void optimize(int level);
     double toleranceAt(int level, int iteration) const;
     void plan(Pass& pass, int level) const;
@@ -71,7 +70,7 @@ private:
     ExemplarPyramid m_pyramid;
     double m_range; ///< of the exemplars' values: the unit of ε and ρ
     Size m_size;
-    std::optional<Interleaved> m_canvas; ///< with its first rows and columns once more at the end
+    std::optional<ClosedCanvas> m_canvas;
     Synthesis m_result;
 };
 

@@ -3,7 +3,6 @@
 #include "core/base/text.h"
 #include "core/image/half_scale.h"
 #include "core/job/pool.h"
-#include "core/match/canvas_image.h"
 #include "core/match/patch_use.h"
 #include "core/methods/patch_request.h"
 
@@ -127,11 +126,11 @@ Synthesis Optimizer::run() {
             coarse = image(1);
         m_size = canvas(level);
         m_canvas.reset();
-        m_canvas.emplace(Size{m_size.width + kMargin, m_size.height + kMargin}, m_request.channels());
+        m_canvas.emplace(m_size, m_request.channels(), kMargin);
         if (first)
             startRandom(level);
         else
-            load(*coarse);
+            m_canvas->load(*coarse, m_context);
         coarse.reset();
         for (const int width : widths(level)) {
             m_context.stage(0.98 * std::pow(0.4, level) / whole,
@@ -147,7 +146,7 @@ void Optimizer::startRandom(int level) {
         Image initial(*m_request.initial);
         for (int i = 0; i < level; ++i)
             initial = halved(initial);
-        return load(initial);
+        return m_canvas->load(initial, m_context);
     }
     // Squares of the exemplar at random places: the right colours from the start.
     const GridMatcher matcher(m_pyramid.level(level), {m_size, kSmallestPatch, kSmallestPatch}, m_context);
@@ -158,37 +157,11 @@ void Optimizer::startRandom(int level) {
             const float* from = matcher.target(corner.exemplar)
                                     .pixels()
                                     .at(corner.x + x % kSmallestPatch, corner.y + y % kSmallestPatch);
-            std::copy_n(from, m_canvas->pixel,
-                        m_canvas->data.begin() + y * m_canvas->stride() + x * m_canvas->pixel);
+            const int pixel = m_canvas->pixels().pixel;
+            std::copy_n(from, pixel, m_canvas->row(y) + x * pixel);
         }
     }
-    close();
-}
-
-/// Takes the image, enlarged where it is smaller than the canvas.
-void Optimizer::load(const ImageView& image) {
-    m_context.parallel(0, m_size.height, [&](int y) {
-        std::vector<float> row(static_cast<std::size_t>(m_size.width));
-        float* to = m_canvas->data.data() + y * m_canvas->stride();
-        for (int c = 0; c < image.channels; ++c) {
-            enlargeRow(image.plane(c), m_size, y, row.data());
-            for (int x = 0; x < m_size.width; ++x)
-                to[x * m_canvas->pixel + c] = row[static_cast<std::size_t>(x)];
-        }
-    });
-    close();
-}
-
-/// Writes the first rows and columns once more behind the last.
-void Optimizer::close() {
-    const int pixel = m_canvas->pixel;
-    m_context.parallel(0, m_size.height, [&](int y) {
-        float* row = m_canvas->data.data() + y * m_canvas->stride();
-        std::copy_n(row, kMargin * pixel, row + static_cast<std::ptrdiff_t>(m_size.width) * pixel);
-    });
-    for (int y = 0; y < kMargin; ++y)
-        std::copy_n(m_canvas->data.begin() + y * m_canvas->stride(), m_canvas->stride(),
-                    m_canvas->data.begin() + (m_size.height + y) * m_canvas->stride());
+    m_canvas->close(m_context);
 }
 
 void Optimizer::optimize(int level, int patch) {
@@ -211,7 +184,7 @@ void Optimizer::optimize(int level, int patch) {
         if (m_settings.bidirectional)
             addInverse(pass);
         if (pass.balance)
-            pass.balance->compare(*m_canvas, m_size);
+            pass.balance->compare(m_canvas->pixels(), m_size);
         aggregate(pass);
         offer();
         m_context.progress((iteration + 1.0) / m_settings.iterations);
@@ -232,7 +205,7 @@ bool Optimizer::project(Pass& pass, int iteration) {
         const auto pixels = [&](int x, int y, Size extent, Interleaved& to) {
             for (int row = 0; row < extent.height; ++row)
                 for (int column = 0; column < extent.width; ++column)
-                    std::copy_n(m_canvas->at((x + column) % m_size.width, (y + row) % m_size.height),
+                    std::copy_n(m_canvas->pixels().at((x + column) % m_size.width, (y + row) % m_size.height),
                                 to.pixel, to.data.begin() + row * to.stride() + column * to.pixel);
         };
         const int rounds = iteration == 0 ? kFirstRounds : 2;
@@ -265,8 +238,8 @@ void Optimizer::project(Pass& pass, PatchField& field) const {
     m_context.parallel(0, field.size().height, [&](int y) {
         for (int x = 0; x < field.size().width; ++x) {
             m_context.check();
-            field.at(x, y) =
-                pass.set->nearest(m_canvas->at(x * stride, y * stride), m_canvas->stride(), field.at(x, y));
+            field.at(x, y) = pass.set->nearest(m_canvas->pixels().at(x * stride, y * stride),
+                                               m_canvas->pixels().stride(), field.at(x, y));
         }
     });
 }
@@ -276,7 +249,7 @@ void Optimizer::addInverse(Pass& pass) {
     const int stride = pass.lattice.stride;
     const auto check = [this] { m_context.check(); };
     const PatchSet made(
-        {&*m_canvas}, *pass.basis, stride,
+        {&m_canvas->pixels()}, *pass.basis, stride,
         [this](const Source& at) { return at.x < m_size.width && at.y < m_size.height; }, check);
     const std::vector<Source>& ours = pass.set->sources();
     std::vector<int> chosen(ours.size());
@@ -360,27 +333,28 @@ void Optimizer::aggregate(Pass& pass) {
         const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
         for (int y = band * kBand; y < std::min(m_size.height, (band + 1) * kBand); ++y) {
             m_context.check();
-            float* pixels = m_canvas->data.data() + y * m_canvas->stride();
+            float* pixels = m_canvas->row(y);
             if (m_settings.aggregation == Aggregation::Median)
                 row->median(y, ProposalRow::Solver::Weiszfeld, pixels);
             else
                 row->mean(y, pixels);
         }
     });
-    close();
+    m_canvas->close(m_context);
 }
 
 void Optimizer::finish(Pass& pass) {
     m_context.stage(0.02, TR("Tracing the pixels"));
     finishPatches(
-        m_settings.finish, nearestProposed(pass.proposals, *m_canvas, m_request.exemplarSizes(), m_context),
+        m_settings.finish,
+        nearestProposed(pass.proposals, m_canvas->pixels(), m_request.exemplarSizes(), m_context),
         [this] { return image(1); }, m_request, m_context, m_result);
     m_context.progress(1);
 }
 
 /// Every `step`-th pixel of the canvas.
 Image Optimizer::image(int step) const {
-    return canvasImage(*m_canvas, m_size, m_request.channels(), step, m_context);
+    return m_canvas->image(step, m_context);
 }
 
 void Optimizer::offer() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/job/job_context.h"
+#include "core/match/closed_canvas.h"
 #include "core/match/exemplar_pyramid.h"
 #include "core/match/patch_proposals.h"
 #include "core/match/patch_set.h"
@@ -33,8 +34,6 @@ private:
     Size canvas(int level) const;
     std::vector<int> widths(int level) const;
     void startRandom(int level);
-    void load(const ImageView& image);
-    void close();
     void optimize(int level, int patch);
     bool project(Pass& pass, int iteration);
     void project(Pass& pass, PatchField& field) const;
@@ -50,8 +49,8 @@ private:
     const Settings& m_settings;
     JobContext& m_context;
     ExemplarPyramid m_pyramid;
-    Size m_size;                         ///< of the present scale's canvas
-    std::optional<Interleaved> m_canvas; ///< with its first rows and columns once more at the end
+    Size m_size; ///< of the present scale's canvas
+    std::optional<ClosedCanvas> m_canvas;
     Synthesis m_result;
 };
 
