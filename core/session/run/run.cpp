@@ -74,6 +74,12 @@ Request withoutWeights(Request request) {
     return request;
 }
 
+/// How much of a run a step makes up, as far as can be told; where no step says how long it takes, all alike.
+double shareOf(const RunStep& step, const RunPlan& plan) {
+    return plan.estimate.seconds > 0 ? step.estimate.seconds / plan.estimate.seconds
+                                     : 1.0 / static_cast<double>(plan.steps.size());
+}
+
 bool weighed(const Request& request) {
     return std::any_of(request.exemplars.begin(), request.exemplars.end(), [&](const Exemplar& exemplar) {
         return exemplar.weight != request.exemplars.front().weight;
@@ -134,7 +140,7 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     Request request = plan.request;
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const RunStep& step = plan.steps[i];
-        context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
+        context.step(static_cast<std::uint32_t>(i), shareOf(step, plan));
         if (i > 0)
             request.initial = std::make_shared<const Image>(std::move(result.synthesis.image));
         const bool ignores = weighed(request) && !step.method->info().weighsExemplars;
