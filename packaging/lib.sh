@@ -50,9 +50,18 @@ installPackages() {
       "${asRoot[@]}" apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
-# buildPreset NAME [WRAPPER...]: configures and builds one preset of CMakePresets.json in build/NAME.
+# configurePreset NAME: configures a preset of CMakePresets.json in build/NAME.
+configurePreset() {
+  quietly "Configuring preset $1" "configure_$1" cmake --preset "$1"
+}
+
+# buildTargets NAME TARGET [WRAPPER...]: builds one target of a configured preset.
+buildTargets() {
+  quietly "Building preset $1" "build_$1" "${@:3}" cmake --build --preset "$1" --target "$2"
+}
+
+# buildPreset NAME: configures and builds all of a preset.
 buildPreset() {
   cd "$root" || return
-  quietly "Configuring preset $1" "configure_$1" cmake --preset "$1" &&
-    quietly "Building preset $1" "build_$1" "${@:2}" cmake --build --preset "$1"
+  configurePreset "$1" && buildTargets "$1" all
 }

@@ -1,41 +1,61 @@
 #!/usr/bin/env bash
-# Installs what Texloom needs, builds it with warnings as errors, and runs every test and style check.
+# Installs what Texloom needs, builds it with warnings as errors, and runs tests and style checks: all, or a part.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
+usage() {
+  echo "Usage: packaging/test.sh [--core | --method ID] [--quick] [--sanitizers]"
+  echo "  --core        only the library and the command line, without the window"
+  echo "  --method ID   only what tests this method, such as quilting; no style checks"
+  echo "  --quick       leave out clang-tidy and the slow tests"
+  echo "  --sanitizers  also build and test the core with sanitizers"
+}
+
+part=all
+method=
 quick=false
 sanitizers=false
-for argument in "$@"; do
-  case $argument in
+while (($#)); do
+  case $1 in
+    --core) part=core ;;
+    --method)
+      part=method
+      method=${2:-}
+      shift ;;
     --quick) quick=true ;;
     --sanitizers) sanitizers=true ;;
     -h | --help)
-      echo "Usage: packaging/test.sh [--quick] [--sanitizers]"
-      echo "  --quick       leave out clang-tidy"
-      echo "  --sanitizers  also build and test the core with sanitizers"
+      usage
       exit ;;
     *)
-      echo "packaging/test.sh: unknown option $argument; see --help" >&2
+      echo "packaging/test.sh: unknown option $1; see --help" >&2
       exit 2 ;;
   esac
+  shift || true
 done
+if [[ $part == method && ! -d core/methods/${method//-/_} || $part == method && -z $method ]]; then
+  echo "packaging/test.sh: --method needs the id of a method, such as quilting; there is no \"$method\"" >&2
+  exit 2
+fi
 
 export OMP_WAIT_POLICY=passive QT_QPA_PLATFORM=offscreen
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 failed=()
+times=()
 
 # attempt NAME COMMAND...: goes on after a failure, so that one run shows everything that is wrong.
 attempt() {
-  local name=$1
+  local name=$1 begun=$SECONDS
   shift
   echo "== $name"
   "$@" || failed+=("$name")
+  times+=("$name $((SECONDS - begun)) s")
 }
 
-# testPreset NAME [WRAPPER...]: builds a preset and runs its tests.
-testPreset() {
-  buildPreset "$@" && "${@:2}" ctest --preset "$1" --no-tests=error --output-on-failure </dev/null
+# runTests PRESET [ARGUMENT...]: ctest on what was built.
+runTests() {
+  ctest --preset "$1" --no-tests=error --output-on-failure "${@:2}" </dev/null
 }
 
 # The thread sanitizer does not start where the kernel spreads addresses widely.
@@ -44,24 +64,58 @@ if setarch -R true 2>/dev/null; then
   fixedAddresses=(setarch -R)
 fi
 
-installPackages
-attempt "tests" testPreset dev
+# sanitized NAME [WRAPPER...]: builds a preset and runs its tests.
+sanitized() {
+  configurePreset "$1" && buildTargets "$1" all "${@:2}" && "${@:2}" ctest --preset "$1" --no-tests=error \
+    --output-on-failure </dev/null
+}
+
+targets=all
+chosen=()
+case $part in
+  core)
+    targets=core_tests
+    chosen=(-L '^core$') ;;
+  method)
+    targets=test_$method
+    chosen=(-L "^$method\$") ;;
+esac
 if $quick; then
-  attempt "style" packaging/check_style.sh --format-only
-else
-  attempt "style" packaging/check_style.sh
+  chosen+=(-LE '^slow$')
+fi
+
+# Each needs the one before.
+attempt "packages" installPackages
+((${#failed[@]})) || attempt "configure" configurePreset dev
+((${#failed[@]})) || attempt "build" buildTargets dev "$targets"
+((${#failed[@]})) || attempt "tests" runTests dev "${chosen[@]}"
+if [[ $part != method ]]; then
+  if $quick; then
+    attempt "style" packaging/check_style.sh --format-only
+  else
+    attempt "style" packaging/check_style.sh
+  fi
 fi
 if $sanitizers; then
-  attempt "address sanitizer" testPreset asan
-  attempt "thread sanitizer" testPreset tsan "${fixedAddresses[@]}"
+  attempt "address sanitizer" sanitized asan
+  attempt "thread sanitizer" sanitized tsan "${fixedAddresses[@]}"
 fi
-attempt "desktop entry" desktop-file-validate packaging/texloom.desktop
-attempt "application metadata" quietly "Validating" metainfo \
-  appstreamcli validate --no-net packaging/io.github.texloom.Texloom.metainfo.xml
+if [[ $part == all ]]; then
+  attempt "desktop entry" desktop-file-validate packaging/texloom.desktop
+  attempt "application metadata" quietly "Validating" metainfo \
+    appstreamcli validate --no-net packaging/io.github.texloom.Texloom.metainfo.xml
+fi
 
+printf -v list '%s, ' "${times[@]}"
+echo "Times: ${list%, }; together $SECONDS s."
 if ((${#failed[@]})); then
   printf -v list '%s, ' "${failed[@]}"
   echo "Failed: ${list%, }."
   exit 1
 fi
-$quick && echo "All quick checks passed." || echo "All checks passed."
+case $part-$quick in
+  all-false) echo "All checks passed." ;;
+  all-true) echo "All quick checks passed." ;;
+  core-*) echo "All checks of the core passed." ;;
+  *) echo "All tests of $method passed." ;;
+esac

@@ -3,6 +3,7 @@
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/color/color_pipeline.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
@@ -90,13 +91,6 @@ Json toJson(const Method& method) {
     for (const Param& param : method.params())
         json["parameters"].push_back(toJson(param));
     return json;
-}
-
-std::string defaultText(const Param& param) {
-    if (param.scale())
-        return fmt::format("{:.0f} % of the exemplar's shorter side", *param.scale() * 100);
-    const std::string unit = param.unit().empty() ? "" : " " + param.unit();
-    return toText(param.defaultFor(0)) + unit;
 }
 
 void printMethod(const Method& method) {
@@ -343,6 +337,13 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
 
 } // namespace
 
+std::string defaultText(const Param& param) {
+    if (param.scale())
+        return fmt::format("{:.0f} % of the exemplar's shorter side", *param.scale() * 100);
+    const std::string unit = param.unit().empty() ? "" : " " + param.unit();
+    return toText(param.defaultFor(0)) + unit;
+}
+
 RunInput inputFor(const SynthOptions& options) {
     RunInput input;
     input.steps = stepsOf(options);
@@ -397,6 +398,14 @@ void listMethods(const std::string& id, bool json) {
 }
 
 RunInput loadAndWarn(const Recipe& recipe) {
+    static std::string told; // once for a batch of them
+    if (!recipe.version.empty() && recipe.version != kVersion && recipe.version != told) {
+        fmt::print(
+            messages(),
+            "texloom-cli: The recipe was made by Texloom {}; this is {}, so that the result may differ.\n",
+            recipe.version, kVersion);
+        told = recipe.version;
+    }
     return loadRecipe(recipe, [](const fs::path& file) {
         fmt::print(messages(),
                    "texloom-cli: {} is not the file that the recipe was made with; the result will differ.\n",

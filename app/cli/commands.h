@@ -62,7 +62,7 @@ struct LatticeOptions {
 
 /// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
 void runInput(RunInput input, const OutputOptions& out);
-/// loadRecipe() that tells of files that have changed.
+/// loadRecipe() that tells of files that have changed, and of another build that made the recipe.
 RunInput loadAndWarn(const Recipe& recipe);
 struct StressOptions {
     SynthOptions synth;
@@ -73,6 +73,9 @@ struct StressOptions {
 RunInput inputFor(const SynthOptions& options);
 /// Runs a plan with a progress bar. @throws Error, Cancelled
 Result runToEnd(RunPlan plan, bool quiet);
+
+/// A parameter's default as people read it: "0.25", "16 % of the exemplar's shorter side".
+std::string defaultText(const Param& param);
 
 /// Each does one command. @throws Error, UsageError, Cancelled
 void listMethods(const std::string& id, bool json);

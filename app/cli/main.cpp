@@ -4,6 +4,7 @@
 #include "app/cli/blend_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/method_pages.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 
@@ -44,10 +45,18 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
 void addMethods(CLI::App& app) {
     static std::string id;
     static bool json = false;
+    static std::filesystem::path pages;
     CLI::App* command = app.add_subcommand("methods", "List every method with its parameters");
     command->add_option("method", id, "Only this one");
     command->add_flag("--json", json, "As JSON");
-    command->callback([] { cli::listMethods(id, json); });
+    command->add_option("--markdown", pages, "Folder to write a page to for every method, instead")
+        ->excludes("--json");
+    command->callback([] {
+        if (pages.empty())
+            cli::listMethods(id, json);
+        else
+            cli::writeMethodPages(pages);
+    });
 }
 
 void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {

@@ -12,7 +12,7 @@ int channelsOf(const std::vector<PatchSource>& sources) {
 
 } // namespace
 
-PatchGrower::PatchGrower(std::vector<PatchSource> sources, const Layout& layout, JobContext& context,
+PatchGrower::PatchGrower(const std::vector<PatchSource>& sources, const Layout& layout, JobContext& context,
                          std::optional<PatchStitcher> stitcher)
     : m_context(context), m_search(
                               sources, layout.patch, [&context] { context.check(); }, layout.contrast),

@@ -43,7 +43,7 @@ protected:
     };
 
     /// @param sources must outlive the grower. @param stitcher for join(), where it is used.
-    PatchGrower(std::vector<PatchSource> sources, const Layout& layout, JobContext& context,
+    PatchGrower(const std::vector<PatchSource>& sources, const Layout& layout, JobContext& context,
                 std::optional<PatchStitcher> stitcher = {});
 
     /// Makes `fresh` of the exemplars' patches and of what is `known`. Called from several threads.

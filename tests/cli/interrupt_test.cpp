@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kSoon = 1s; // far above the 100 ms of a job, for loaded machines
+constexpr auto kSoon = 1s; // far above the 100 ms of a job, which are tested elsewhere
 
 /// A folder with an exemplar, and a synth on it that takes minutes.
 class Interrupt : public ::testing::TestWithParam<int> {

@@ -15,6 +15,7 @@ namespace texloom::test {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
@@ -53,6 +54,29 @@ protected:
 
 TEST_F(Cli, SaysItsVersion) {
     EXPECT_THAT(run({"--version"}), HasSubstr("texloom-cli "));
+}
+
+TEST_F(Cli, SaysThatAnotherBuildMadeARecipe) {
+    synth({});
+    const Image made = image("out.png");
+    Json recipe = json("out.json");
+    const std::string own = recipe.at("version");
+    recipe["version"] = "0.0.9+abc";
+    writeText(m_folder / "older.json", recipe.dump());
+    const Ended ended = runCli({"run", "older.json", "-o", "again.png"}, m_folder.path());
+    EXPECT_EQ(ended.status, 0);
+    EXPECT_THAT(ended.err, AllOf(HasSubstr("0.0.9+abc"), HasSubstr(own)));
+    EXPECT_TRUE(samePixels(image("again.png"), made));
+}
+
+TEST_F(Cli, WritesAPageForEveryMethod) {
+    run({"methods", "--markdown", "pages"});
+    for (const Method& method : methods()) {
+        const std::string page = readText(m_folder / "pages" / (method.id() + ".md"));
+        EXPECT_THAT(page, AllOf(HasSubstr("# " + method.info().title), HasSubstr(method.info().citation)));
+        for (const Param& param : method.params())
+            EXPECT_THAT(page, HasSubstr("| `" + param.name() + "` |"));
+    }
 }
 
 TEST_F(Cli, ExplainsItselfInHelp) {

@@ -79,6 +79,12 @@ void handOver(const MethodInfo& first, Synthesis made, const MethodInfo& second,
     }
 }
 
+/// How much of a run a step makes up, as far as can be told; where no step says how long it takes, all alike.
+double shareOf(const RunStep& step, const RunPlan& plan) {
+    return plan.estimate.seconds > 0 ? step.estimate.seconds / plan.estimate.seconds
+                                     : 1.0 / static_cast<double>(plan.steps.size());
+}
+
 bool weighed(const Request& request) {
     return std::any_of(request.exemplars.begin(), request.exemplars.end(), [&](const Exemplar& exemplar) {
         return exemplar.weight != request.exemplars.front().weight;
@@ -150,7 +156,7 @@ void runSteps(const RunPlan& plan, JobContext& context, Result& result) {
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const RunStep& step = plan.steps[i];
         const MethodInfo& info = step.method->info();
-        context.step(static_cast<std::uint32_t>(i), step.estimate.seconds / plan.estimate.seconds);
+        context.step(static_cast<std::uint32_t>(i), shareOf(step, plan));
         Request request = plan.requestFor(i, info);
         if (i > 0)
             handOver(plan.steps[i - 1].method->info(), std::move(result.synthesis), info, request);

@@ -36,6 +36,16 @@ TEST(PlanRun, RefusesMoreMemoryThanThereIsWithBothFigures) {
     EXPECT_THROW(planRun(sample.input, need - 1), Error);
 }
 
+TEST(RunPlan, GetsToItsEndWhereNobodySaysHowLongItTakes) {
+    RunPlan plan = planRun(SampleRun().input);
+    plan.estimate.seconds = plan.steps.front().estimate.seconds = 0;
+    JobMonitor monitor;
+    JobContext context(
+        {plan.request.seed, 2, false}, [] { return false; }, monitor);
+    EXPECT_EQ(runPlan(plan, context).synthesis.image.size(), (Size{64, 60}));
+    EXPECT_NEAR(monitor.progress(), 1, 1e-6);
+}
+
 TEST(PlanRun, RefusesARunWithoutAnExemplar) {
     SampleRun sample;
     sample.input.exemplars.clear();

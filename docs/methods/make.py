@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Makes the pages of the methods and the pictures that are missing, or checks that they are as the program says.
+
+    make.py TEXLOOM-CLI            writes the pages, and a picture for each method that has none
+    make.py TEXLOOM-CLI --check    fails where a page says something else, or a picture is missing
+
+To make a picture anew, delete it first.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+EXEMPLARS = HERE.parent.parent / "resources/exemplars"
+# What shows a method at its best; all others are shown on soil_clods.png.
+SHOWN_ON = {
+    "gaussian-patches": "crazy_paving.png",
+    "heeger-bergen": "grass_dry_gray.png",
+    "midway-quilting": "plank_wall_dark.png",
+    "near-regular": "solar_cells_blue.jpg",
+    "patchmatch": "railway_ballast.png",
+    "quilting": "crazy_paving.png",
+    "random-phase": "sand_ripples.png",
+    "regular-tile": "solar_cells_blue.jpg",
+    "texture-optimization": "crazy_paving.png",
+}
+SIDE = 384
+EXAMPLE = HERE.parent.parent / "tests/methods/examples/mirror_tile.cpp"
+GUIDE = HERE.parent.parent / "CONTRIBUTING.md"
+
+
+def write_pages(cli, folder):
+    subprocess.run([cli, "methods", "--markdown", folder], check=True)
+
+
+def make_picture(cli, method):
+    exemplar = EXEMPLARS / SHOWN_ON.get(method, "soil_clods.png")
+    subprocess.run([cli, "synth", method, exemplar, "--size", str(SIDE), "--seed", "1", "--quiet", "--no-sidecar",
+                    "-o", HERE / "picture" / f"{method}.jpg"], check=True)
+
+
+def check(cli):
+    wrong = []
+    with tempfile.TemporaryDirectory() as folder:
+        write_pages(cli, folder)
+        wanted = {page.name: page.read_text(encoding="utf-8") for page in pathlib.Path(folder).glob("*.md")}
+    for name in sorted(wanted.keys() | {page.name for page in HERE.glob("*.md")}):
+        page = HERE / name
+        if name not in wanted:
+            wrong.append(f"docs/methods/{name}: there is no such method")
+        elif not page.is_file() or page.read_text(encoding="utf-8") != wanted[name]:
+            wrong.append(f"docs/methods/{name}: not what the declaration says")
+        elif name != "README.md" and not (HERE / "picture" / name).with_suffix(".jpg").is_file():
+            wrong.append(f"docs/methods/picture/{pathlib.Path(name).stem}.jpg: missing")
+    if f"```cpp\n{EXAMPLE.read_text(encoding='utf-8')}```\n" not in GUIDE.read_text(encoding="utf-8"):
+        wrong.append("CONTRIBUTING.md: does not show tests/methods/examples/mirror_tile.cpp as it is")
+    return wrong
+
+
+def main():
+    cli = sys.argv[1]
+    if sys.argv[2:] == ["--check"]:
+        wrong = check(cli)
+        print("\n".join([*wrong, "docs/methods/make.py TEXLOOM-CLI writes pages and missing pictures."] if wrong else []))
+        return 1 if wrong else 0
+    write_pages(cli, HERE)
+    (HERE / "picture").mkdir(exist_ok=True)
+    for page in sorted(HERE.glob("*.md")):
+        if page.name != "README.md" and not (HERE / "picture" / page.name).with_suffix(".jpg").is_file():
+            make_picture(cli, page.stem)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
