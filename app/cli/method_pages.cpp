@@ -34,23 +34,33 @@ std::string helpOf(const Param& param) {
                        toText(param.condition()->value));
 }
 
+/// Whether many methods have this port, so that a line of its own says what it is.
+bool isUsual(const Port& port) {
+    return port.id == kExemplarPort || port.id == kMaskPort || port.id == kInitialPort ||
+           port.id == kCompanionPort;
+}
+
 /// What a method can do beside the least, one line each.
 std::vector<std::string> abilities(const MethodInfo& info) {
     const std::pair<bool, const char*> all[] = {
-        {info.copiesPixels, "Every pixel is copied from the exemplar, and the position map says from where."},
-        {info.wraps, "The output tiles on either axis (`--wrap x`, `y` or `xy`)."},
-        {info.makesRegions,
+        {info.copiesPixels(), "Every pixel is copied from the exemplar, and the position map says from where."},
+        {info.canWrap(), "The output tiles on either axis (`--wrap x`, `y` or `xy`)."},
+        {info.makesParts(),
          "Any part of a larger output can be made alone (`--region`), so that size has no limit."},
-        {info.severalExemplars,
-         info.weighsExemplars ? "It learns from several exemplars, each as much as it weighs (`--weight`)."
+        {info.learnsFromSeveral(),
+         info.heedsWeights() ? "It learns from several exemplars, each as much as it weighs (`--weight`)."
                               : "It learns from several exemplars."},
-        {info.usesMask, "What a mask hides in an exemplar is left out (`--mask`)."},
-        {info.startsFromImage, "It can start from an image (`--init`) or follow another method (`--then`)."},
+        {info.heedsMasks(), "What a mask hides in an exemplar is left out (`--mask`)."},
+        {info.startsFromImage(), "It can start from an image (`--init`) or follow another method (`--then`)."},
     };
     std::vector<std::string> lines;
     for (const auto& [can, line] : all)
         if (can)
             lines.emplace_back(line);
+    for (const Port& port : info.takes)
+        if (!isUsual(port))
+            lines.push_back(fmt::format("`--input {}=FILE` gives it {}. {}", port.id, kindText(port.kind).text(),
+                                        port.help));
     return lines;
 }
 
@@ -60,17 +70,17 @@ std::string parameterTable(const Method& method) {
     std::string table = "| `--set` | Parameter | Range | Default | |\n|---|---|---|---|---|\n";
     for (const Param& param : method.params())
         table += fmt::format("| `{}` | {} | {} | {} | {} |\n", param.name(), cell(titleOf(param)),
-                             cell(param.limitsText()), cell(defaultText(param)), cell(helpOf(param)));
+                             cell(param.limits().text()), cell(defaultText(param)), cell(helpOf(param)));
     return table;
 }
 
 std::string listPage() {
     std::string page =
         "<!-- Written by `texloom-cli methods --markdown docs/methods` from the declarations. -->\n"
-        "# Methods\n\n| Method | |\n|---|---|\n";
-    for (const Method& method : methods())
-        page += fmt::format("| [{}]({}.md) | {} |\n", method.info().title, method.id(),
-                            cell(method.info().summary));
+        "# Methods\n\n| Method | Kind | |\n|---|---|---|\n";
+    for (const Method* method : methodsByCategory())
+        page += fmt::format("| [{}]({}.md) | {} | {} |\n", method->info().title, method->id(),
+                            categoryTitle(method->info().category), cell(method->info().summary));
     return page;
 }
 

@@ -124,9 +124,9 @@ void addNotes(const Request& request, const Settings& settings, const Layout& la
         return;
     result.notes.push_back(
         message("{} is one piece of this size, so that the output only repeats it; choose pieces of at "
-                    "most {} px.",
-                    request.exemplars.front().name,
-                    std::max(8, request.exemplars.front().image->size().longerSide() / 2)));
+                "most {} px.",
+                request.exemplars.front().name,
+                std::max(8, request.exemplars.front().image->size().longerSide() / 2)));
 }
 
 void check(const Request& request, const Settings& settings) {

@@ -295,10 +295,10 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                       {TR("Draws of samples"), static_cast<double>(maker.tries())},
                       {TR("Error of the worst cut"), error}};
     if (error > settings.threshold)
-        result.notes.push_back(message(
-            "The worst cut's error is {:.2f} of that of unlike pixels, more than the {} wished for; "
-            "more tries, larger tiles or fewer colours may help.",
-            error, numberText(settings.threshold)));
+        result.notes.push_back(
+            message("The worst cut's error is {:.2f} of that of unlike pixels, more than the {} wished for; "
+                    "more tries, larger tiles or fewer colours may help.",
+                    error, numberText(settings.threshold)));
     context.progress(1);
     return result;
 }

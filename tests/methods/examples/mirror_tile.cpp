@@ -46,8 +46,10 @@ const Method self = method<Settings>(
     {.title = TR("Mirror tile"),
      .summary = TR("Mirrors the exemplar at its borders: no seams, but a pattern that is easily seen."),
      .citation = "common practice",
-     .wraps = true,
-     .copiesPixels = true},
+     .category = Category::Tools,
+     .takes = {ports::exemplar()},
+     .gives = {ports::wrappingImage(), ports::map()},
+     .usesSeed = false},
     {field(&Settings::shift, "shift", TR("Shift"))
          .range(0, 4096)
          .unit("px")

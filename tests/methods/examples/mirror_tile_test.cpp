@@ -25,7 +25,7 @@ Synthesis made(const Request& request, const Values& settings = {}) {
 
 Request requestFor(Size size, Wrap wrap) {
     Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(blobs({20, 17}, 3)), nullptr});
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(blobs({20, 17}, 3))});
     request.size = size;
     request.wrap = wrap;
     return request;
