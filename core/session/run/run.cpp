@@ -67,6 +67,11 @@ void unstack(Result& result, const RunPlan& plan) {
     }
 }
 
+void forgetWeights(Request& request) {
+    for (Exemplar& exemplar : request.exemplars)
+        exemplar.weight = 1;
+}
+
 /// Gives a method what it takes up of what the one before it made.
 void handOver(const MethodInfo& first, Synthesis made, const MethodInfo& second, Request& request) {
     for (const PortLink& link : linksBetween(first, second)) {
@@ -158,6 +163,8 @@ void runSteps(const RunPlan& plan, JobContext& context, Result& result) {
         const MethodInfo& info = step.method->info();
         context.step(static_cast<std::uint32_t>(i), shareOf(step, plan));
         Request request = plan.requestFor(i, info);
+        if (!info.heedsWeights())
+            forgetWeights(request);
         if (i > 0)
             handOver(plan.steps[i - 1].method->info(), std::move(result.synthesis), info, request);
         result.synthesis = step.method->run(request, step.settings, context);

@@ -212,9 +212,6 @@ Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
     for (const auto& [port, given] : request.inputs.byPort())
         if (!info.input(port))
             own.inputs.clear(port);
-    if (!info.heedsWeights())
-        for (Exemplar& exemplar : own.exemplars)
-            exemplar.weight = 1;
     return own;
 }
 

@@ -90,7 +90,7 @@ private:
 
 TEST(GridFlow, agreesWithAnotherSolver) {
     std::uint64_t seed = 1;
-    for (const auto [width, height] : {std::pair(1, 1), {2, 2}, {3, 4}, {17, 9}, {40, 31}})
+    for (const auto& [width, height] : {std::pair(1, 1), {2, 2}, {3, 4}, {17, 9}, {40, 31}})
         for (const int largest : {2, 9, 1000000})
             for (int n = 0; n < 20; ++n) {
                 Grid grid(width, height, seed++, largest);

@@ -15,7 +15,7 @@ Image laplacian(const Image& f, Wrap wrap) {
     Image sum(size, 1);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
-            for (const auto [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+            for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
                 int u = x + dx, v = y + dy;
                 if (wrap.x)
                     u = (u + size.width) % size.width;

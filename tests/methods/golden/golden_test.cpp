@@ -118,9 +118,9 @@ std::vector<Request> fullerRequests() {
         for (int x = 0; x < 30; ++x)
             mask(x, y, 0) = 0;
     masked.exemplars.front().inputs.set(kMaskPort, shared(std::move(mask)));
-    several.exemplars.push_back({"paving", exemplars().at("paving"), nullptr});
+    several.exemplars.push_back({"paving", exemplars().at("paving")});
     several.exemplars.back().weight = 3;
-    initial.initial = shared(blobs(kOutput, 3, 9));
+    initial.inputs.set(kInitialPort, shared(blobs(kOutput, 3, 9)));
     return {masked, several, initial};
 }
 
