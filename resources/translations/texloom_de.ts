@@ -2074,20 +2074,12 @@
         <translation>Je Skala: mehr bringen die Patches näher an die der Vorlage.</translation>
     </message>
     <message>
-        <source>At most so many waves, the strongest: more follow finer regularity and take longer.</source>
-        <translation>Höchstens so viele Wellen, die stärksten: mehr folgen feinerer Regelmäßigkeit und dauern länger.</translation>
-    </message>
-    <message>
         <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
         <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
     </message>
     <message>
         <source>Blocks of {} px hold whole ones.</source>
         <translation>Blöcke von {} px fassen ganze.</translation>
-    </message>
-    <message>
-        <source>Both ways</source>
-        <translation>In beide Richtungen</translation>
     </message>
     <message>
         <source>Changes noise, or an initial image, from coarse to fine until its patches are distributed as the exemplar&apos;s are. New pixels rather than copies; keeps all the exemplar&apos;s patches in use, and mixes several exemplars by their weights.</source>
@@ -2098,14 +2090,6 @@
         <translation>Tiefe Frequenzen ändern</translation>
     </message>
     <message>
-        <source>Chaos</source>
-        <translation>Chaos</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>Spalten</translation>
-    </message>
-    <message>
         <source>Compact</source>
         <translation>Kompakt</translation>
     </message>
@@ -2114,16 +2098,8 @@
         <translation>Begleitkarten</translation>
     </message>
     <message>
-        <source>Cost of all seams</source>
-        <translation>Kosten aller Nähte</translation>
-    </message>
-    <message>
         <source>Cut-off</source>
         <translation>Grenze</translation>
-    </message>
-    <message>
-        <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
-        <translation>Zerschneidet die Vorlagen in Stücke, mischt sie so, dass jedes einmal vorkommt, und gleicht die Fugen aus. So wiederholen sich große natürliche Texturen wie Stein und Metall nicht; lange Strukturen über Stücke hinweg gehen verloren.</translation>
     </message>
     <message>
         <source>Cutting tiles</source>
@@ -2150,10 +2126,6 @@
         <translation>Abstand der Patches</translation>
     </message>
     <message>
-        <source>Drawing the regular part</source>
-        <translation>Der regelmäßige Teil wird gezeichnet</translation>
-    </message>
-    <message>
         <source>Drawing the tile set</source>
         <translation>Kachelsatz zeichnen</translation>
     </message>
@@ -2162,16 +2134,8 @@
         <translation>Ziehungen der Proben</translation>
     </message>
     <message>
-        <source>Drift over the output, in cycles</source>
-        <translation>Abweichung über die Ausgabe, in Perioden</translation>
-    </message>
-    <message>
         <source>Edge colours</source>
         <translation>Kantenfarben</translation>
-    </message>
-    <message>
-        <source>Entire patch</source>
-        <translation>Ganze Vorlage</translation>
     </message>
     <message>
         <source>Error of the worst cut</source>
@@ -2182,44 +2146,12 @@
         <translation>Fehler des schlechtesten Schnitts, bei dem keine Proben mehr gezogen werden, im Verhältnis zu dem ungleicher Pixel: Kleiner sucht länger.</translation>
     </message>
     <message>
-        <source>Feather</source>
-        <translation>Überblenden</translation>
-    </message>
-    <message>
-        <source>Finding waves</source>
-        <translation>Wellen werden gesucht</translation>
-    </message>
-    <message>
-        <source>Finds the waves that a near-regular exemplar is made of, to a fraction of a cycle, continues them over the output, and quilts patches that follow them. Suits weaves, bricks and tiles that are seen straight on.</source>
-        <translation>Findet die Wellen, aus denen eine fast regelmäßige Vorlage besteht, auf den Bruchteil einer Periode genau, setzt sie über die Ausgabe fort und fügt Patches aneinander, die ihnen folgen. Gut für Gewebe, Ziegel und Fliesen, die gerade von vorn zu sehen sind.</translation>
-    </message>
-    <message>
-        <source>Flips pieces and turns them by 180° at random: varies more, but light then comes from several sides, also in companion normal maps.</source>
-        <translation>Spiegelt Stücke und dreht sie um 180°, zufällig: mehr Abwechslung, aber das Licht kommt dann von mehreren Seiten, auch in begleitenden Normalenkarten.</translation>
-    </message>
-    <message>
-        <source>Fourier mask</source>
-        <translation>Fourier-Maske</translation>
-    </message>
-    <message>
         <source>Full</source>
         <translation>Vollständig</translation>
     </message>
     <message>
         <source>Good enough</source>
         <translation>Gut genug</translation>
-    </message>
-    <message>
-        <source>Graph cut</source>
-        <translation>Graphenschnitt</translation>
-    </message>
-    <message>
-        <source>How much the regular part counts beside the fit of overlaps: larger keeps the order, 0 quilts without it.</source>
-        <translation>Wie viel der regelmäßige Teil neben der Passung der Überlappungen zählt: mehr hält die Ordnung, 0 quiltet ohne ihn.</translation>
-    </message>
-    <message>
-        <source>How much worse than the best a place may fit and still be likely: larger varies more, smaller fits better.</source>
-        <translation>Wie viel schlechter als die beste eine Stelle passen und noch wahrscheinlich sein darf: Größer variiert mehr, kleiner passt besser.</translation>
     </message>
     <message>
         <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
@@ -2242,24 +2174,8 @@
         <translation>Arten von Kanten je Achse: Mehr ergeben mehr Kacheln, die sich weniger wiederholen und schwerer gut zu schneiden sind.</translation>
     </message>
     <message>
-        <source>Largest move to close, in cycles</source>
-        <translation>Größte Verschiebung zum Schließen, in Perioden</translation>
-    </message>
-    <message>
-        <source>Laying pieces</source>
-        <translation>Stücke legen</translation>
-    </message>
-    <message>
         <source>Laying tiles</source>
         <translation>Kacheln legen</translation>
-    </message>
-    <message>
-        <source>Lets seams cost less where the pictures change anyway, so that they follow edges.</source>
-        <translation>Lässt Nähte dort weniger kosten, wo sich die Bilder ohnehin ändern, sodass sie Kanten folgen.</translation>
-    </message>
-    <message>
-        <source>Levelling joints</source>
-        <translation>Fugen ausgleichen</translation>
     </message>
     <message>
         <source>Makes a small set of tiles whose edges match by colour, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
@@ -2278,14 +2194,6 @@
         <translation>Patches werden zugeordnet</translation>
     </message>
     <message>
-        <source>Mended seams</source>
-        <translation>Ausgebesserte Nähte</translation>
-    </message>
-    <message>
-        <source>Mending seams</source>
-        <translation>Nähte ausbessern</translation>
-    </message>
-    <message>
         <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
         <translation>Höchstens so viele je Patchgröße und Skala: mehr schließen besser an, dauern aber länger.</translation>
     </message>
@@ -2300,10 +2208,6 @@
     <message>
         <source>Most scales, each half the size of the one before: more keep larger structures.</source>
         <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
-    </message>
-    <message>
-        <source>Moving blocks</source>
-        <translation>Blöcke versetzen</translation>
     </message>
     <message>
         <source>Near-regular</source>
@@ -2338,28 +2242,8 @@
         <translation>Optimierung</translation>
     </message>
     <message>
-        <source>Pastes the whole exemplar again and again, each time along the cheapest seam of any shape, and mends the worst seams at the end. Keeps objects such as stones and leaves whole; copies large areas verbatim.</source>
-        <translation>Klebt die ganze Vorlage wieder und wieder auf, jedes Mal entlang der billigsten Naht beliebiger Form, und bessert am Ende die schlechtesten Nähte aus. Lässt Objekte wie Steine und Blätter ganz; kopiert große Flächen wörtlich.</translation>
-    </message>
-    <message>
-        <source>Pasting along cuts</source>
-        <translation>Entlang von Schnitten kleben</translation>
-    </message>
-    <message>
         <source>Patch distribution</source>
         <translation>Patchverteilung</translation>
-    </message>
-    <message>
-        <source>Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of them, and takes chance for rule.</source>
-        <translation>So hohe Spitzen des Spektrums, gemessen an der höchsten, zählen als Wellen: weniger findet mehr und hält Zufall für Regel.</translation>
-    </message>
-    <message>
-        <source>Piece size</source>
-        <translation>Stückgröße</translation>
-    </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Stücke</translation>
     </message>
     <message>
         <source>Pixel by pixel</source>
@@ -2368,14 +2252,6 @@
     <message>
         <source>Pixels of the exemplar where it is black are never used.</source>
         <translation>Pixel der Vorlage, an denen sie schwarz ist, werden nie benutzt.</translation>
-    </message>
-    <message>
-        <source>Placement</source>
-        <translation>Platzierung</translation>
-    </message>
-    <message>
-        <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
-        <translation>Poisson gleicht die Fugen aus und behält die Details; ein Schnitt kopiert jedes Pixel, wie es ist; Überblenden verwischt, wo sich Stücke überlappen; ohne zeigt die Stücke.</translation>
     </message>
     <message>
         <source>Position map</source>
@@ -2390,24 +2266,8 @@
         <translation>Zufällige tiefe Frequenzen</translation>
     </message>
     <message>
-        <source>Random mosaic</source>
-        <translation>Zufallsmosaik</translation>
-    </message>
-    <message>
-        <source>Random placement looks at nothing, so it cannot follow the initial image; choose entire or sub-patch.</source>
-        <translation>Zufällige Platzierung sieht nichts an und kann dem Anfangsbild nicht folgen; wählen Sie „entire“ oder „sub-patch“.</translation>
-    </message>
-    <message>
-        <source>Regular part</source>
-        <translation>Regelmäßiger Teil</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>Zeilen</translation>
     </message>
     <message>
         <source>Scale 1/{}</source>
@@ -2418,32 +2278,8 @@
         <translation>Skala 1/{}, Patches von {} px</translation>
     </message>
     <message>
-        <source>Seam cost per pixel</source>
-        <translation>Nahtkosten je Pixel</translation>
-    </message>
-    <message>
-        <source>Seams along edges</source>
-        <translation>Nähte entlang von Kanten</translation>
-    </message>
-    <message>
         <source>Set</source>
         <translation>Satz</translation>
-    </message>
-    <message>
-        <source>Share of a piece over which neighbours overlap, for cuts and feathering: larger joins better.</source>
-        <translation>Anteil eines Stücks, über den sich Nachbarn überlappen, für Schnitte und Überblenden: Größer fügt besser.</translation>
-    </message>
-    <message>
-        <source>Share of the variance in the regular part</source>
-        <translation>Anteil der Varianz im regelmäßigen Teil</translation>
-    </message>
-    <message>
-        <source>Shuffling pieces</source>
-        <translation>Stücke mischen</translation>
-    </message>
-    <message>
-        <source>Side of a piece, or width of a slice: larger keeps larger structures whole, smaller makes outputs differ more.</source>
-        <translation>Seite eines Stücks oder Breite eines Streifens: Größer lässt größere Strukturen ganz, kleiner macht Ausgaben verschiedener.</translation>
     </message>
     <message>
         <source>Side of a tile: larger repeats less and keeps larger structures, smaller has more edges.</source>
@@ -2454,32 +2290,12 @@
         <translation>Seite der verglichenen Patches je Skala: größere halten größere Strukturen zusammen und dauern länger.</translation>
     </message>
     <message>
-        <source>Side of the square that is compared for sub-patches and for mending: larger keeps larger structures whole.</source>
-        <translation>Seite des Quadrats, das für Teilstücke und beim Ausbessern verglichen wird: Größer lässt größere Strukturen ganz.</translation>
-    </message>
-    <message>
-        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller follows the waves more closely.</source>
-        <translation>Seite der kopierten Quadrate: größere halten größere Strukturen zusammen, kleinere folgen den Wellen genauer.</translation>
-    </message>
-    <message>
-        <source>Slices keep what runs along them, as the grain of wood; pieces cut both ways suit what looks alike in all directions; chaos throws blocks over copies of the exemplar.</source>
-        <translation>Streifen behalten, was an ihnen entlangläuft, wie die Maserung von Holz; in beide Richtungen geschnittene Stücke passen zu dem, was in alle Richtungen gleich aussieht; Chaos wirft Blöcke über Kopien der Vorlage.</translation>
-    </message>
-    <message>
-        <source>So many times the worst seam is pasted over, where that makes it better: more takes longer and hides more.</source>
-        <translation>So oft wird die schlechteste Naht überklebt, wo das besser ist: Mehr dauert länger und verdeckt mehr.</translation>
-    </message>
-    <message>
         <source>Solids</source>
         <translation>Körper</translation>
     </message>
     <message>
         <source>Sparse</source>
         <translation>Dünn besetzt</translation>
-    </message>
-    <message>
-        <source>Sub-patch</source>
-        <translation>Teilstück</translation>
     </message>
     <message>
         <source>The angle in degrees</source>
@@ -2540,22 +2356,6 @@
     <message>
         <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
         <translation>Die Karte braucht ein Bild je Vorlage, aus der sie gemacht wurde: {}, nicht {}.</translation>
-    </message>
-    <message>
-        <source>The mask hides all of the exemplar; leave at least 1 px to copy.</source>
-        <translation>Die Maske verdeckt die ganze Vorlage; lassen Sie mindestens 1 px zum Kopieren frei.</translation>
-    </message>
-    <message>
-        <source>The mask hides all of the exemplar; leave some of it to lay, at least {} px.</source>
-        <translation>Die Maske verdeckt die ganze Vorlage; lassen Sie etwas davon frei, mindestens {} px.</translation>
-    </message>
-    <message>
-        <source>The mask leaves no whole block of {} px to lay; choose smaller blocks or mask less.</source>
-        <translation>Die Maske lässt keinen ganzen Block von {} px zum Legen frei; wählen Sie kleinere Blöcke oder maskieren Sie weniger.</translation>
-    </message>
-    <message>
-        <source>The mask leaves no whole piece of {} px to lay; choose smaller pieces or mask less.</source>
-        <translation>Die Maske lässt kein ganzes Stück von {} px zum Legen frei; wählen Sie kleinere Stücke oder maskieren Sie weniger.</translation>
     </message>
     <message>
         <source>The mask leaves no whole sample of {} px for tiles of {} px; choose smaller tiles or mask less.</source>
@@ -2626,10 +2426,6 @@
         <translation>Dafür reicht der Speicher nicht; versuchen Sie eine kleinere Ausgabe.</translation>
     </message>
     <message>
-        <source>Threshold</source>
-        <translation>Schwelle</translation>
-    </message>
-    <message>
         <source>Tile set</source>
         <translation>Kachelsatz</translation>
     </message>
@@ -2654,24 +2450,8 @@
         <translation>Versuche</translation>
     </message>
     <message>
-        <source>Turn pieces</source>
-        <translation>Stücke drehen</translation>
-    </message>
-    <message>
         <source>Wang tiles</source>
         <translation>Wang-Kacheln</translation>
-    </message>
-    <message>
-        <source>Waves</source>
-        <translation>Wellen</translation>
-    </message>
-    <message>
-        <source>Weight of the waves</source>
-        <translation>Gewicht der Wellen</translation>
-    </message>
-    <message>
-        <source>Where the exemplar is pasted next: anywhere, where all of it fits what is there, or where a square of it does, which suits what has no clear structure.</source>
-        <translation>Wo die Vorlage als Nächstes aufgeklebt wird: irgendwo, dort, wo sie ganz zum Vorhandenen passt, oder dort, wo ein Quadrat von ihr passt, was für Texturen ohne klare Struktur gut ist.</translation>
     </message>
     <message>
         <source>Where the output has another size and there is no initial image, detail is quilted from patches of this side: larger keeps larger structures whole.</source>
@@ -2918,14 +2698,6 @@
         <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
     </message>
     <message>
-        <source>{} is {} × {} px, smaller than a piece of {} px; choose pieces of at most {} px.</source>
-        <translation>{} hat {} × {} px, weniger als ein Stück von {} px; wählen Sie Stücke von höchstens {} px.</translation>
-    </message>
-    <message>
-        <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
-        <translation>{} hat {} × {} px, weniger als das verglichene Quadrat von {} px; wählen Sie eines von höchstens {} px.</translation>
-    </message>
-    <message>
         <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
         <translation>{} nennt eine Vorlage von {} × {} px; Seiten gehen von 1 bis {} px.</translation>
     </message>
@@ -2974,10 +2746,6 @@
         <translation>„Regelmäßige Kachel“ wiederholt ganze.</translation>
     </message>
     <message>
-        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
-        <translation>Nur {} % von {} sind regelmäßig, sodass die Patches kaum geführt werden; senken Sie die Schwelle, oder nehmen Sie das Bild-Quilting.</translation>
-    </message>
-    <message>
         <source>The worst cut&apos;s error is {:.2f} of that of unlike pixels, more than the {} wished for; more tries, larger tiles or fewer colours may help.</source>
         <translation>Der Fehler des schlechtesten Schnitts beträgt {} des Fehlers ungleicher Pixel, mehr als die gewünschten {}; mehr Versuche, größere Kacheln oder weniger Farben können helfen.</translation>
     </message>
@@ -2986,20 +2754,8 @@
         <translation>Zwischenstand</translation>
     </message>
     <message>
-        <source>A picture of the result&apos;s size whose shapes the exemplar takes on.</source>
-        <translation>Ein Bild von der Größe des Ergebnisses, dessen Formen die Vorlage annimmt.</translation>
-    </message>
-    <message>
         <source>A tree finds a neighbourhood that is nearly the nearest, in time that hardly grows with the exemplar; exact compares all of them.</source>
         <translation>Ein Baum findet eine Umgebung, die fast die nächste ist, in einer Zeit, die mit der Vorlage kaum wächst; exakt vergleicht alle.</translation>
-    </message>
-    <message>
-        <source>All of the image to start from is known, so that there is nothing to make; mask less.</source>
-        <translation>Alles vom Ausgangsbild ist bekannt, sodass nichts zu machen ist; maskieren Sie weniger.</translation>
-    </message>
-    <message>
-        <source>Ashikhmin</source>
-        <translation>Ashikhmin</translation>
     </message>
     <message>
         <source>At most so many, each half the size of the one before: more keep larger structures.</source>
@@ -3010,66 +2766,6 @@
         <translation>Zusammenhang</translation>
     </message>
     <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar.</source>
-        <translation>Vergleicht alle Fenster exakt oder nur die nach ihren Hauptkomponenten wahrscheinlichen, in einer Zeit, die mit der Vorlage kaum wächst.</translation>
-    </message>
-    <message>
-        <source>Components</source>
-        <translation>Komponenten</translation>
-    </message>
-    <message>
-        <source>Copying pixels one by one</source>
-        <translation>Pixel werden einzeln kopiert</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>Efros–Leung</source>
-        <translation>Efros–Leung</translation>
-    </message>
-    <message>
-        <source>Finding what looks alike</source>
-        <translation>Ähnliches wird gesucht</translation>
-    </message>
-    <message>
-        <source>Finds out once which places of the exemplar look alike, and then walks through it, jumping between them. The fastest of the methods that work pixel by pixel; joins are rougher than Ashikhmin&apos;s.</source>
-        <translation>Findet einmal heraus, welche Stellen der Vorlage sich gleichen, und durchwandert sie dann mit Sprüngen zwischen ihnen. Das schnellste der Verfahren, die Pixel für Pixel arbeiten; Nähte sind rauer als bei Ashikhmin.</translation>
-    </message>
-    <message>
-        <source>Growing pixels</source>
-        <translation>Pixel wachsen</translation>
-    </message>
-    <message>
-        <source>Grows outwards from what is known, layer by layer, or row by row from the top left.</source>
-        <translation>Wächst von dem, was bekannt ist, Schicht um Schicht nach außen, oder Zeile um Zeile von links oben.</translation>
-    </message>
-    <message>
-        <source>Grows the output pixel by pixel from a seed; each becomes one of the exemplar&apos;s whose surroundings fit what is known around it. Faithful to small structures; slow, and a window of the wrong size grows garbage or copies verbatim.</source>
-        <translation>Lässt das Ergebnis Pixel für Pixel aus einem Keim wachsen; jedes wird eines der Vorlage, dessen Umgebung zu dem passt, was um es bekannt ist. Treu bei kleinen Strukturen; langsam, und ein Fenster von falscher Größe lässt Unsinn wachsen oder kopiert wörtlich.</translation>
-    </message>
-    <message>
-        <source>How closely the target is followed, if there is one: larger follows it more, smaller keeps more of the exemplar&apos;s structure.</source>
-        <translation>Wie genau dem Ziel gefolgt wird, falls es eines gibt: größer folgt ihm mehr, kleiner hält sich mehr an die Struktur der Vorlage.</translation>
-    </message>
-    <message>
-        <source>How far from the middle pixels of the window count, as a share of the window: larger looks further, smaller trusts the nearest.</source>
-        <translation>Wie weit von der Mitte Pixel des Fensters zählen, als Anteil des Fensters: größer blickt weiter, kleiner vertraut den nächsten.</translation>
-    </message>
-    <message>
-        <source>How far these lie from the pixel and from each other at least: larger leads to more different parts of the exemplar.</source>
-        <translation>Wie weit diese mindestens vom Pixel und voneinander entfernt liegen: größer führt in verschiedenere Teile der Vorlage.</translation>
-    </message>
-    <message>
-        <source>How likely a random pixel of the exemplar may be chosen too: larger varies more and copies smaller pieces.</source>
-        <translation>Wie wahrscheinlich auch ein zufälliges Pixel der Vorlage zur Wahl steht: größer variiert mehr und kopiert kleinere Stücke.</translation>
-    </message>
-    <message>
-        <source>How likely a walk jumps where another place looks the same: larger copies smaller pieces.</source>
-        <translation>Wie wahrscheinlich gesprungen wird, wo eine andere Stelle gleich aussieht: größer kopiert kleinere Stücke.</translation>
-    </message>
-    <message>
         <source>How much pictures A and B count beside the exemplar: larger follows them more closely.</source>
         <translation>Wie viel die Bilder A und B neben der Vorlage zählen: größer folgt ihnen genauer.</translation>
     </message>
@@ -3078,40 +2774,12 @@
         <translation>Wie viel schlechter ein Pixel passen darf, das die Kopie daneben fortsetzt: größer kopiert größere Stücke, 0 nimmt, was am besten passt.</translation>
     </message>
     <message>
-        <source>How much worse than the best a window may fit and still be drawn: larger varies more, smaller copies longer stretches.</source>
-        <translation>Wie viel schlechter als das beste ein Fenster passen und doch gezogen werden darf: größer variiert mehr, kleiner kopiert längere Strecken.</translation>
-    </message>
-    <message>
         <source>How often each scale is made: passes after the first see all that surrounds a pixel, which mends joins.</source>
         <translation>Wie oft jede Skala gemacht wird: Durchgänge nach dem ersten sehen alles, was ein Pixel umgibt, und bessern Nähte aus.</translation>
     </message>
     <message>
-        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which mends joins.</source>
-        <translation>Wie oft das Ergebnis durchlaufen wird: Durchgänge nach dem ersten sehen alles, was ein Pixel umgibt, und bessern Nähte aus.</translation>
-    </message>
-    <message>
         <source>Image analogies</source>
         <translation>Bildanalogien</translation>
-    </message>
-    <message>
-        <source>Jump</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>Jump map</source>
-        <translation>Sprungkarte</translation>
-    </message>
-    <message>
-        <source>Jump probability</source>
-        <translation>Sprungwahrscheinlichkeit</translation>
-    </message>
-    <message>
-        <source>Jumps</source>
-        <translation>Sprünge</translation>
-    </message>
-    <message>
-        <source>Known</source>
-        <translation>Bekannt</translation>
     </message>
     <message>
         <source>Leaf</source>
@@ -3120,10 +2788,6 @@
     <message>
         <source>Makes one pixel after another in rows, from coarse to fine, and takes each from where the exemplar looks most like what is there above and to the left. Always tiles from left to right; small details may become blurred.</source>
         <translation>Macht zeilenweise ein Pixel nach dem anderen, von grob nach fein, und nimmt jedes von dort, wo die Vorlage dem am meisten gleicht, was darüber und links davon steht. Kachelt von links nach rechts immer; kleine Einzelheiten können verschwimmen.</translation>
-    </message>
-    <message>
-        <source>Makes one pixel after another in rows; each continues one of the copies that its neighbours belong to, so that pieces of the exemplar grow until they meet. Very fast, and at its best on natural textures such as grass, leaves and pebbles.</source>
-        <translation>Macht zeilenweise ein Pixel nach dem anderen; jedes setzt eine der Kopien fort, zu denen seine Nachbarn gehören, sodass Stücke der Vorlage wachsen, bis sie sich treffen. Sehr schnell und am besten bei natürlichen Texturen wie Gras, Laub und Kies.</translation>
     </message>
     <message>
         <source>Makes what stands to picture B as the exemplar stands to picture A: paint the exemplar&apos;s materials as flat colours in A, and where they are to be in B. Without the pictures it makes more of the exemplar.</source>
@@ -3136,14 +2800,6 @@
     <message>
         <source>Neighbourhoods in a leaf of the tree: larger finds nearer ones, but takes longer.</source>
         <translation>Umgebungen in einem Blatt des Baums: größer findet nähere, dauert aber länger.</translation>
-    </message>
-    <message>
-        <source>Onion</source>
-        <translation>Zwiebel</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>Parent square</source>
@@ -3166,32 +2822,8 @@
         <translation>Bild B</translation>
     </message>
     <message>
-        <source>Places that are kept for each pixel of the exemplar because they look like it: more vary more.</source>
-        <translation>Stellen, die für jedes Pixel der Vorlage behalten werden, weil sie ihm gleichen: mehr variieren mehr.</translation>
-    </message>
-    <message>
-        <source>Principal components</source>
-        <translation>Hauptkomponenten</translation>
-    </message>
-    <message>
-        <source>Principal components by which likely windows are found: more find nearer ones, but take longer.</source>
-        <translation>Hauptkomponenten, nach denen wahrscheinliche Fenster gefunden werden: mehr finden nähere, dauern aber länger.</translation>
-    </message>
-    <message>
-        <source>Seed size</source>
-        <translation>Größe des Keims</translation>
-    </message>
-    <message>
-        <source>Side of the square of the exemplar that growth begins with, at most the window: larger begins with more structure.</source>
-        <translation>Seite des Quadrats der Vorlage, mit dem das Wachstum beginnt, höchstens das Fenster: größer beginnt mit mehr Struktur.</translation>
-    </message>
-    <message>
         <source>Side of the square that is compared (an even one counts as the next odd): larger keeps larger structures, but takes longer.</source>
         <translation>Seite des Quadrats, das verglichen wird (eine gerade zählt als die nächste ungerade): größer erhält größere Strukturen, dauert aber länger.</translation>
-    </message>
-    <message>
-        <source>Side of the square that is compared (an even one counts as the next odd): too small grows garbage, too large copies verbatim.</source>
-        <translation>Seite des Quadrats, das verglichen wird (eine gerade zählt als die nächste ungerade): zu klein lässt Unsinn wachsen, zu groß kopiert wörtlich.</translation>
     </message>
     <message>
         <source>Side of the square that is compared on the next coarser scale (an even one counts as the next odd): larger follows the coarser scale more closely; 0 forgets it.</source>
@@ -3202,32 +2834,8 @@
         <translation>Seite des Quadrats, dessen bekannte Hälfte verglichen wird (eine gerade zählt als die nächste ungerade): größer erhält größere Strukturen, dauert aber länger und kopiert mehr.</translation>
     </message>
     <message>
-        <source>Side of the squares by which places look alike (an even one counts as the next odd): larger jumps only where larger structures agree.</source>
-        <translation>Seite der Quadrate, nach denen Stellen sich gleichen (eine gerade zählt als die nächste ungerade): größer springt nur, wo größere Strukturen übereinstimmen.</translation>
-    </message>
-    <message>
-        <source>Sigma</source>
-        <translation>Sigma</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>Target weight</source>
-        <translation>Gewicht des Ziels</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
         <translation>Die Maske lässt keine ganze Umgebung von {} px übrig; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
-    </message>
-    <message>
-        <source>The target has {} channels, the exemplar {}; they need the same number.</source>
-        <translation>Das Ziel hat {} Kanäle, die Vorlage {}; es müssen gleich viele sein.</translation>
-    </message>
-    <message>
-        <source>There is a mask of what is known, but no image to start from; give that too.</source>
-        <translation>Es gibt eine Maske dessen, was bekannt ist, aber kein Ausgangsbild; geben Sie auch dieses.</translation>
     </message>
     <message>
         <source>There is a picture B, but {} has no picture A; give both, or none.</source>
@@ -3238,24 +2846,12 @@
         <translation>Baum</translation>
     </message>
     <message>
-        <source>Walking through the exemplar</source>
-        <translation>Die Vorlage wird durchwandert</translation>
-    </message>
-    <message>
         <source>Weight of A and B</source>
         <translation>Gewicht von A und B</translation>
     </message>
     <message>
         <source>Wei–Levoy</source>
         <translation>Wei–Levoy</translation>
-    </message>
-    <message>
-        <source>What is to be kept of the image to start from is not said; give a mask of what is known.</source>
-        <translation>Was vom Ausgangsbild bleiben soll, ist nicht gesagt; geben Sie eine Maske dessen, was bekannt ist.</translation>
-    </message>
-    <message>
-        <source>What of the image to start from is kept; the rest, where it is black, is made anew.</source>
-        <translation>Was vom Ausgangsbild bleibt; der Rest, wo sie schwarz ist, wird neu gemacht.</translation>
     </message>
     <message>
         <source>What the exemplar is made of, pixel for pixel: flat colours for its materials, or the picture before a filter made the exemplar of it.</source>
@@ -3266,16 +2862,8 @@
         <translation>Woraus das Ergebnis bestehen soll, in den Farben von Bild A.</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
         <source>{} has a picture A, but there is no picture B; give both, or none.</source>
         <translation>{} hat ein Bild A, aber es gibt kein Bild B; geben Sie beide oder keines.</translation>
-    </message>
-    <message>
-        <source>{} is one piece of this size, so that the output only repeats it; choose pieces of at most {} px.</source>
-        <translation>{} ist bei dieser Größe ein einziges Stück, sodass die Ausgabe es nur wiederholt; wählen Sie Stücke von höchstens {} px.</translation>
     </message>
     <message>
         <source>{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of at most {} px, or a larger exemplar.</source>

@@ -2074,20 +2074,12 @@
         <translation>À chaque échelle : davantage rapproche les patchs de ceux de l’échantillon.</translation>
     </message>
     <message>
-        <source>At most so many waves, the strongest: more follow finer regularity and take longer.</source>
-        <translation>Au plus autant d’ondes, les plus fortes : davantage suit une régularité plus fine et prend plus de temps.</translation>
-    </message>
-    <message>
         <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
         <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
     </message>
     <message>
         <source>Blocks of {} px hold whole ones.</source>
         <translation>Des blocs de {} px en contiennent d’entiers.</translation>
-    </message>
-    <message>
-        <source>Both ways</source>
-        <translation>Dans les deux sens</translation>
     </message>
     <message>
         <source>Changes noise, or an initial image, from coarse to fine until its patches are distributed as the exemplar&apos;s are. New pixels rather than copies; keeps all the exemplar&apos;s patches in use, and mixes several exemplars by their weights.</source>
@@ -2098,14 +2090,6 @@
         <translation>Modification des basses fréquences</translation>
     </message>
     <message>
-        <source>Chaos</source>
-        <translation>Chaos</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>Colonnes</translation>
-    </message>
-    <message>
         <source>Compact</source>
         <translation>Compact</translation>
     </message>
@@ -2114,16 +2098,8 @@
         <translation>Cartes associées</translation>
     </message>
     <message>
-        <source>Cost of all seams</source>
-        <translation>Coût de toutes les coutures</translation>
-    </message>
-    <message>
         <source>Cut-off</source>
         <translation>Coupure</translation>
-    </message>
-    <message>
-        <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
-        <translation>Découpe les modèles en morceaux, les mélange pour que chacun serve une fois et nivelle les joints. Évite que de grandes textures naturelles comme la pierre et le métal se répètent ; les longues structures à travers les morceaux sont perdues.</translation>
     </message>
     <message>
         <source>Cutting tiles</source>
@@ -2150,10 +2126,6 @@
         <translation>Distance des patchs</translation>
     </message>
     <message>
-        <source>Drawing the regular part</source>
-        <translation>Tracé de la partie régulière</translation>
-    </message>
-    <message>
         <source>Drawing the tile set</source>
         <translation>Tracé du jeu de tuiles</translation>
     </message>
@@ -2162,16 +2134,8 @@
         <translation>Tirages d’échantillons</translation>
     </message>
     <message>
-        <source>Drift over the output, in cycles</source>
-        <translation>Dérive sur la sortie, en périodes</translation>
-    </message>
-    <message>
         <source>Edge colours</source>
         <translation>Couleurs des bords</translation>
-    </message>
-    <message>
-        <source>Entire patch</source>
-        <translation>Modèle entier</translation>
     </message>
     <message>
         <source>Error of the worst cut</source>
@@ -2182,44 +2146,12 @@
         <translation>Erreur de la pire coupe à partir de laquelle on ne tire plus d’échantillons, rapportée à celle de pixels dissemblables : plus petit cherche plus longtemps.</translation>
     </message>
     <message>
-        <source>Feather</source>
-        <translation>Fondu</translation>
-    </message>
-    <message>
-        <source>Finding waves</source>
-        <translation>Recherche des ondes</translation>
-    </message>
-    <message>
-        <source>Finds the waves that a near-regular exemplar is made of, to a fraction of a cycle, continues them over the output, and quilts patches that follow them. Suits weaves, bricks and tiles that are seen straight on.</source>
-        <translation>Trouve à une fraction de période près les ondes qui composent un échantillon presque régulier, les prolonge sur la sortie et coud des patchs qui les suivent. Convient aux tissages, briques et carreaux vus de face.</translation>
-    </message>
-    <message>
-        <source>Flips pieces and turns them by 180° at random: varies more, but light then comes from several sides, also in companion normal maps.</source>
-        <translation>Retourne des morceaux et les tourne de 180° au hasard : plus de variété, mais la lumière vient alors de plusieurs côtés, aussi dans les cartes de normales associées.</translation>
-    </message>
-    <message>
-        <source>Fourier mask</source>
-        <translation>Masque de Fourier</translation>
-    </message>
-    <message>
         <source>Full</source>
         <translation>Complet</translation>
     </message>
     <message>
         <source>Good enough</source>
         <translation>Assez bon</translation>
-    </message>
-    <message>
-        <source>Graph cut</source>
-        <translation>Coupe de graphe</translation>
-    </message>
-    <message>
-        <source>How much the regular part counts beside the fit of overlaps: larger keeps the order, 0 quilts without it.</source>
-        <translation>Combien compte la partie régulière à côté de l’accord des recouvrements : plus garde l’ordre, 0 coud sans elle.</translation>
-    </message>
-    <message>
-        <source>How much worse than the best a place may fit and still be likely: larger varies more, smaller fits better.</source>
-        <translation>De combien une place peut convenir moins bien que la meilleure et rester probable : plus grand varie davantage, plus petit convient mieux.</translation>
     </message>
     <message>
         <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
@@ -2242,24 +2174,8 @@
         <translation>Sortes de bords sur chaque axe : davantage donne plus de tuiles, qui se répètent moins et sont plus difficiles à bien couper.</translation>
     </message>
     <message>
-        <source>Largest move to close, in cycles</source>
-        <translation>Plus grand déplacement pour fermer, en périodes</translation>
-    </message>
-    <message>
-        <source>Laying pieces</source>
-        <translation>Pose des morceaux</translation>
-    </message>
-    <message>
         <source>Laying tiles</source>
         <translation>Pose des tuiles</translation>
-    </message>
-    <message>
-        <source>Lets seams cost less where the pictures change anyway, so that they follow edges.</source>
-        <translation>Fait coûter moins cher les coutures là où les images changent de toute façon, pour qu’elles suivent les contours.</translation>
-    </message>
-    <message>
-        <source>Levelling joints</source>
-        <translation>Nivellement des joints</translation>
     </message>
     <message>
         <source>Makes a small set of tiles whose edges match by colour, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
@@ -2278,14 +2194,6 @@
         <translation>Appariement des patchs</translation>
     </message>
     <message>
-        <source>Mended seams</source>
-        <translation>Coutures réparées</translation>
-    </message>
-    <message>
-        <source>Mending seams</source>
-        <translation>Réparation des coutures</translation>
-    </message>
-    <message>
         <source>Most rounds for each patch size on each scale: more join better, but take longer.</source>
         <translation>Au plus autant par taille de patch et par échelle : davantage raccorde mieux, mais prend plus de temps.</translation>
     </message>
@@ -2300,10 +2208,6 @@
     <message>
         <source>Most scales, each half the size of the one before: more keep larger structures.</source>
         <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
-    </message>
-    <message>
-        <source>Moving blocks</source>
-        <translation>Déplacement des blocs</translation>
     </message>
     <message>
         <source>Near-regular</source>
@@ -2338,28 +2242,8 @@
         <translation>Optimisation</translation>
     </message>
     <message>
-        <source>Pastes the whole exemplar again and again, each time along the cheapest seam of any shape, and mends the worst seams at the end. Keeps objects such as stones and leaves whole; copies large areas verbatim.</source>
-        <translation>Colle le modèle entier encore et encore, chaque fois le long de la couture la moins coûteuse, de forme quelconque, et répare les pires coutures à la fin. Garde entiers des objets comme pierres et feuilles ; copie de grandes zones telles quelles.</translation>
-    </message>
-    <message>
-        <source>Pasting along cuts</source>
-        <translation>Collage le long des coupes</translation>
-    </message>
-    <message>
         <source>Patch distribution</source>
         <translation>Distribution des patchs</translation>
-    </message>
-    <message>
-        <source>Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of them, and takes chance for rule.</source>
-        <translation>Les pics du spectre de cette hauteur, par rapport au plus haut, comptent comme ondes : moins en trouve davantage et prend le hasard pour la règle.</translation>
-    </message>
-    <message>
-        <source>Piece size</source>
-        <translation>Taille des morceaux</translation>
-    </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Morceaux</translation>
     </message>
     <message>
         <source>Pixel by pixel</source>
@@ -2368,14 +2252,6 @@
     <message>
         <source>Pixels of the exemplar where it is black are never used.</source>
         <translation>Les pixels de l’échantillon où elle est noire ne servent jamais.</translation>
-    </message>
-    <message>
-        <source>Placement</source>
-        <translation>Placement</translation>
-    </message>
-    <message>
-        <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
-        <translation>Poisson nivelle les joints et garde le détail ; une coupe copie chaque pixel tel quel ; le fondu estompe là où les morceaux se recouvrent ; sans, on voit les morceaux.</translation>
     </message>
     <message>
         <source>Position map</source>
@@ -2390,24 +2266,8 @@
         <translation>Basses fréquences aléatoires</translation>
     </message>
     <message>
-        <source>Random mosaic</source>
-        <translation>Mosaïque aléatoire</translation>
-    </message>
-    <message>
-        <source>Random placement looks at nothing, so it cannot follow the initial image; choose entire or sub-patch.</source>
-        <translation>Le placement aléatoire ne regarde rien et ne peut donc pas suivre l’image initiale ; choisissez entire ou sub-patch.</translation>
-    </message>
-    <message>
-        <source>Regular part</source>
-        <translation>Partie régulière</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>Rows</source>
-        <translation>Lignes</translation>
     </message>
     <message>
         <source>Scale 1/{}</source>
@@ -2418,32 +2278,8 @@
         <translation>Échelle 1/{}, patchs de {} px</translation>
     </message>
     <message>
-        <source>Seam cost per pixel</source>
-        <translation>Coût de couture par pixel</translation>
-    </message>
-    <message>
-        <source>Seams along edges</source>
-        <translation>Coutures le long des contours</translation>
-    </message>
-    <message>
         <source>Set</source>
         <translation>Jeu</translation>
-    </message>
-    <message>
-        <source>Share of a piece over which neighbours overlap, for cuts and feathering: larger joins better.</source>
-        <translation>Part d’un morceau sur laquelle les voisins se recouvrent, pour les coupes et le fondu : plus grand raccorde mieux.</translation>
-    </message>
-    <message>
-        <source>Share of the variance in the regular part</source>
-        <translation>Part de la variance dans la partie régulière</translation>
-    </message>
-    <message>
-        <source>Shuffling pieces</source>
-        <translation>Mélange des morceaux</translation>
-    </message>
-    <message>
-        <source>Side of a piece, or width of a slice: larger keeps larger structures whole, smaller makes outputs differ more.</source>
-        <translation>Côté d’un morceau ou largeur d’une tranche : plus grand garde entières de plus grandes structures, plus petit rend les sorties plus différentes.</translation>
     </message>
     <message>
         <source>Side of a tile: larger repeats less and keeps larger structures, smaller has more edges.</source>
@@ -2454,32 +2290,12 @@
         <translation>Côté des patchs comparés à chaque échelle : plus grand garde entières de plus grandes structures et prend plus de temps.</translation>
     </message>
     <message>
-        <source>Side of the square that is compared for sub-patches and for mending: larger keeps larger structures whole.</source>
-        <translation>Côté du carré comparé pour les sous-patchs et les réparations : plus grand garde entières de plus grandes structures.</translation>
-    </message>
-    <message>
-        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller follows the waves more closely.</source>
-        <translation>Côté des carrés copiés : plus grand garde entières de plus grandes structures, plus petit suit mieux les ondes.</translation>
-    </message>
-    <message>
-        <source>Slices keep what runs along them, as the grain of wood; pieces cut both ways suit what looks alike in all directions; chaos throws blocks over copies of the exemplar.</source>
-        <translation>Les tranches gardent ce qui court le long d’elles, comme le fil du bois ; les morceaux coupés dans les deux sens conviennent à ce qui se ressemble dans toutes les directions ; le chaos jette des blocs sur des copies du modèle.</translation>
-    </message>
-    <message>
-        <source>So many times the worst seam is pasted over, where that makes it better: more takes longer and hides more.</source>
-        <translation>Autant de fois la pire couture est recouverte, là où c’est mieux : davantage prend plus de temps et cache plus.</translation>
-    </message>
-    <message>
         <source>Solids</source>
         <translation>Solides</translation>
     </message>
     <message>
         <source>Sparse</source>
         <translation>Parcimonie</translation>
-    </message>
-    <message>
-        <source>Sub-patch</source>
-        <translation>Sous-patch</translation>
     </message>
     <message>
         <source>The angle in degrees</source>
@@ -2540,22 +2356,6 @@
     <message>
         <source>The map needs one image for each exemplar that it was made from: {}, not {}.</source>
         <translation>La carte demande une image par échantillon dont elle est issue : {}, et non {}.</translation>
-    </message>
-    <message>
-        <source>The mask hides all of the exemplar; leave at least 1 px to copy.</source>
-        <translation>Le masque cache tout le modèle ; laissez au moins 1 px à copier.</translation>
-    </message>
-    <message>
-        <source>The mask hides all of the exemplar; leave some of it to lay, at least {} px.</source>
-        <translation>Le masque cache tout le modèle ; laissez-en une partie à poser, au moins {} px.</translation>
-    </message>
-    <message>
-        <source>The mask leaves no whole block of {} px to lay; choose smaller blocks or mask less.</source>
-        <translation>Le masque ne laisse aucun bloc entier de {} px à poser ; choisissez des blocs plus petits ou masquez moins.</translation>
-    </message>
-    <message>
-        <source>The mask leaves no whole piece of {} px to lay; choose smaller pieces or mask less.</source>
-        <translation>Le masque ne laisse aucun morceau entier de {} px à poser ; choisissez des morceaux plus petits ou masquez moins.</translation>
     </message>
     <message>
         <source>The mask leaves no whole sample of {} px for tiles of {} px; choose smaller tiles or mask less.</source>
@@ -2626,10 +2426,6 @@
         <translation>La mémoire n’y suffit pas ; essayez une sortie plus petite.</translation>
     </message>
     <message>
-        <source>Threshold</source>
-        <translation>Seuil</translation>
-    </message>
-    <message>
         <source>Tile set</source>
         <translation>Jeu de tuiles</translation>
     </message>
@@ -2654,24 +2450,8 @@
         <translation>Essais</translation>
     </message>
     <message>
-        <source>Turn pieces</source>
-        <translation>Tourner les morceaux</translation>
-    </message>
-    <message>
         <source>Wang tiles</source>
         <translation>Tuiles de Wang</translation>
-    </message>
-    <message>
-        <source>Waves</source>
-        <translation>Ondes</translation>
-    </message>
-    <message>
-        <source>Weight of the waves</source>
-        <translation>Poids des ondes</translation>
-    </message>
-    <message>
-        <source>Where the exemplar is pasted next: anywhere, where all of it fits what is there, or where a square of it does, which suits what has no clear structure.</source>
-        <translation>Où le modèle est collé ensuite : n’importe où, là où il convient tout entier à ce qui est là, ou là où un carré de lui convient, ce qui est bon pour ce qui n’a pas de structure nette.</translation>
     </message>
     <message>
         <source>Where the output has another size and there is no initial image, detail is quilted from patches of this side: larger keeps larger structures whole.</source>
@@ -2918,14 +2698,6 @@
         <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
     </message>
     <message>
-        <source>{} is {} × {} px, smaller than a piece of {} px; choose pieces of at most {} px.</source>
-        <translation>{} fait {} × {} px, moins qu’un morceau de {} px ; choisissez des morceaux d’au plus {} px.</translation>
-    </message>
-    <message>
-        <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
-        <translation>{} fait {} × {} px, moins que le carré comparé de {} px ; choisissez-en un d’au plus {} px.</translation>
-    </message>
-    <message>
         <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
         <translation>{} annonce un modèle de {} × {} px ; les côtés vont de 1 à {} px.</translation>
     </message>
@@ -2974,10 +2746,6 @@
         <translation>« Tuile régulière » en répète d’entières.</translation>
     </message>
     <message>
-        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
-        <translation>Seuls {} % de {} sont réguliers : presque rien ne guide les patchs ; baissez le seuil, ou prenez le quilting d’images.</translation>
-    </message>
-    <message>
         <source>The worst cut&apos;s error is {:.2f} of that of unlike pixels, more than the {} wished for; more tries, larger tiles or fewer colours may help.</source>
         <translation>L’erreur de la pire coupe vaut {} de celle de pixels sans rapport, plus que les {} voulus ; plus d’essais, de plus grandes tuiles ou moins de couleurs peuvent aider.</translation>
     </message>
@@ -2986,20 +2754,8 @@
         <translation>point de reprise</translation>
     </message>
     <message>
-        <source>A picture of the result&apos;s size whose shapes the exemplar takes on.</source>
-        <translation>Une image de la taille du résultat dont l’exemplaire prend les formes.</translation>
-    </message>
-    <message>
         <source>A tree finds a neighbourhood that is nearly the nearest, in time that hardly grows with the exemplar; exact compares all of them.</source>
         <translation>Un arbre trouve un voisinage presque le plus proche, en un temps qui ne croît guère avec l’exemplaire ; exacte les compare tous.</translation>
-    </message>
-    <message>
-        <source>All of the image to start from is known, so that there is nothing to make; mask less.</source>
-        <translation>Toute l’image de départ est connue, il n’y a donc rien à faire ; masquez moins.</translation>
-    </message>
-    <message>
-        <source>Ashikhmin</source>
-        <translation>Ashikhmin</translation>
     </message>
     <message>
         <source>At most so many, each half the size of the one before: more keep larger structures.</source>
@@ -3010,66 +2766,6 @@
         <translation>Cohérence</translation>
     </message>
     <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar.</source>
-        <translation>Compare toutes les fenêtres exactement, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire.</translation>
-    </message>
-    <message>
-        <source>Components</source>
-        <translation>Composantes</translation>
-    </message>
-    <message>
-        <source>Copying pixels one by one</source>
-        <translation>Copie des pixels un à un</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Distance</translation>
-    </message>
-    <message>
-        <source>Efros–Leung</source>
-        <translation>Efros–Leung</translation>
-    </message>
-    <message>
-        <source>Finding what looks alike</source>
-        <translation>Recherche de ce qui se ressemble</translation>
-    </message>
-    <message>
-        <source>Finds out once which places of the exemplar look alike, and then walks through it, jumping between them. The fastest of the methods that work pixel by pixel; joins are rougher than Ashikhmin&apos;s.</source>
-        <translation>Détermine une fois quels endroits de l’exemplaire se ressemblent, puis le parcourt en sautant de l’un à l’autre. La plus rapide des méthodes pixel par pixel ; les raccords sont plus rudes que chez Ashikhmin.</translation>
-    </message>
-    <message>
-        <source>Growing pixels</source>
-        <translation>Croissance des pixels</translation>
-    </message>
-    <message>
-        <source>Grows outwards from what is known, layer by layer, or row by row from the top left.</source>
-        <translation>Croît à partir de ce qui est connu, couche par couche, ou ligne par ligne depuis le haut à gauche.</translation>
-    </message>
-    <message>
-        <source>Grows the output pixel by pixel from a seed; each becomes one of the exemplar&apos;s whose surroundings fit what is known around it. Faithful to small structures; slow, and a window of the wrong size grows garbage or copies verbatim.</source>
-        <translation>Fait croître le résultat pixel par pixel à partir d’un germe ; chacun devient un pixel de l’exemplaire dont les alentours s’accordent à ce qui est connu autour de lui. Fidèle aux petites structures ; lent, et une fenêtre de mauvaise taille engendre du désordre ou copie mot à mot.</translation>
-    </message>
-    <message>
-        <source>How closely the target is followed, if there is one: larger follows it more, smaller keeps more of the exemplar&apos;s structure.</source>
-        <translation>Avec quelle précision la cible est suivie, s’il y en a une : plus grand, il la suit davantage ; plus petit, il garde plus de la structure de l’exemplaire.</translation>
-    </message>
-    <message>
-        <source>How far from the middle pixels of the window count, as a share of the window: larger looks further, smaller trusts the nearest.</source>
-        <translation>Jusqu’à quelle distance du milieu les pixels de la fenêtre comptent, en part de la fenêtre : plus grand, il regarde plus loin ; plus petit, il se fie aux plus proches.</translation>
-    </message>
-    <message>
-        <source>How far these lie from the pixel and from each other at least: larger leads to more different parts of the exemplar.</source>
-        <translation>À quelle distance du pixel et les uns des autres ils se trouvent au moins : plus grande, elle mène vers des parties plus différentes de l’exemplaire.</translation>
-    </message>
-    <message>
-        <source>How likely a random pixel of the exemplar may be chosen too: larger varies more and copies smaller pieces.</source>
-        <translation>Avec quelle probabilité un pixel quelconque de l’exemplaire peut aussi être choisi : plus grand, il varie davantage et copie de plus petits morceaux.</translation>
-    </message>
-    <message>
-        <source>How likely a walk jumps where another place looks the same: larger copies smaller pieces.</source>
-        <translation>Avec quelle probabilité on saute là où un autre endroit a le même aspect : plus grande, elle copie de plus petits morceaux.</translation>
-    </message>
-    <message>
         <source>How much pictures A and B count beside the exemplar: larger follows them more closely.</source>
         <translation>Combien les images A et B comptent à côté de l’exemplaire : plus grand, elles sont suivies de plus près.</translation>
     </message>
@@ -3078,40 +2774,12 @@
         <translation>De combien un pixel qui continue la copie voisine peut convenir moins bien : plus grand, il copie de plus grands morceaux ; 0 prend ce qui convient le mieux.</translation>
     </message>
     <message>
-        <source>How much worse than the best a window may fit and still be drawn: larger varies more, smaller copies longer stretches.</source>
-        <translation>De combien une fenêtre peut convenir moins bien que la meilleure et être tirée quand même : plus grand, cela varie davantage ; plus petit, cela copie de plus longs passages.</translation>
-    </message>
-    <message>
         <source>How often each scale is made: passes after the first see all that surrounds a pixel, which mends joins.</source>
         <translation>Combien de fois chaque échelle est faite : les passages après le premier voient tout ce qui entoure un pixel, ce qui répare les raccords.</translation>
     </message>
     <message>
-        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which mends joins.</source>
-        <translation>Combien de fois le résultat est parcouru : les passages après le premier voient tout ce qui entoure un pixel, ce qui répare les raccords.</translation>
-    </message>
-    <message>
         <source>Image analogies</source>
         <translation>Analogies d’images</translation>
-    </message>
-    <message>
-        <source>Jump</source>
-        <translation>Saut</translation>
-    </message>
-    <message>
-        <source>Jump map</source>
-        <translation>Carte de sauts</translation>
-    </message>
-    <message>
-        <source>Jump probability</source>
-        <translation>Probabilité de saut</translation>
-    </message>
-    <message>
-        <source>Jumps</source>
-        <translation>Sauts</translation>
-    </message>
-    <message>
-        <source>Known</source>
-        <translation>Connu</translation>
     </message>
     <message>
         <source>Leaf</source>
@@ -3120,10 +2788,6 @@
     <message>
         <source>Makes one pixel after another in rows, from coarse to fine, and takes each from where the exemplar looks most like what is there above and to the left. Always tiles from left to right; small details may become blurred.</source>
         <translation>Crée un pixel après l’autre, ligne par ligne, du grossier au fin, et prend chacun là où l’exemplaire ressemble le plus à ce qui se trouve au-dessus et à gauche. Se raccorde toujours de gauche à droite ; les petits détails peuvent devenir flous.</translation>
-    </message>
-    <message>
-        <source>Makes one pixel after another in rows; each continues one of the copies that its neighbours belong to, so that pieces of the exemplar grow until they meet. Very fast, and at its best on natural textures such as grass, leaves and pebbles.</source>
-        <translation>Crée un pixel après l’autre, ligne par ligne ; chacun continue l’une des copies auxquelles ses voisins appartiennent, si bien que des morceaux de l’exemplaire croissent jusqu’à se rencontrer. Très rapide, et à son mieux sur les textures naturelles comme l’herbe, les feuilles et les galets.</translation>
     </message>
     <message>
         <source>Makes what stands to picture B as the exemplar stands to picture A: paint the exemplar&apos;s materials as flat colours in A, and where they are to be in B. Without the pictures it makes more of the exemplar.</source>
@@ -3136,14 +2800,6 @@
     <message>
         <source>Neighbourhoods in a leaf of the tree: larger finds nearer ones, but takes longer.</source>
         <translation>Voisinages dans une feuille de l’arbre : plus grand, elle en trouve de plus proches, mais prend plus de temps.</translation>
-    </message>
-    <message>
-        <source>Onion</source>
-        <translation>Oignon</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Ordre</translation>
     </message>
     <message>
         <source>Parent square</source>
@@ -3166,32 +2822,8 @@
         <translation>Image B</translation>
     </message>
     <message>
-        <source>Places that are kept for each pixel of the exemplar because they look like it: more vary more.</source>
-        <translation>Endroits gardés pour chaque pixel de l’exemplaire parce qu’ils lui ressemblent : davantage font varier plus.</translation>
-    </message>
-    <message>
-        <source>Principal components</source>
-        <translation>Composantes principales</translation>
-    </message>
-    <message>
-        <source>Principal components by which likely windows are found: more find nearer ones, but take longer.</source>
-        <translation>Composantes principales par lesquelles les fenêtres probables sont trouvées : davantage en trouvent de plus proches, mais prennent plus de temps.</translation>
-    </message>
-    <message>
-        <source>Seed size</source>
-        <translation>Taille du germe</translation>
-    </message>
-    <message>
-        <source>Side of the square of the exemplar that growth begins with, at most the window: larger begins with more structure.</source>
-        <translation>Côté du carré de l’exemplaire par lequel la croissance commence, au plus la fenêtre : plus grand, elle commence avec plus de structure.</translation>
-    </message>
-    <message>
         <source>Side of the square that is compared (an even one counts as the next odd): larger keeps larger structures, but takes longer.</source>
         <translation>Côté du carré comparé (un côté pair compte comme l’impair suivant) : plus grand, il garde de plus grandes structures, mais prend plus de temps.</translation>
-    </message>
-    <message>
-        <source>Side of the square that is compared (an even one counts as the next odd): too small grows garbage, too large copies verbatim.</source>
-        <translation>Côté du carré comparé (un côté pair compte comme l’impair suivant) : trop petit, il engendre du désordre ; trop grand, il copie mot à mot.</translation>
     </message>
     <message>
         <source>Side of the square that is compared on the next coarser scale (an even one counts as the next odd): larger follows the coarser scale more closely; 0 forgets it.</source>
@@ -3202,32 +2834,8 @@
         <translation>Côté du carré dont la moitié connue est comparée (un côté pair compte comme l’impair suivant) : plus grand, il garde de plus grandes structures, mais prend plus de temps et copie davantage.</translation>
     </message>
     <message>
-        <source>Side of the squares by which places look alike (an even one counts as the next odd): larger jumps only where larger structures agree.</source>
-        <translation>Côté des carrés selon lesquels les endroits se ressemblent (un côté pair compte comme l’impair suivant) : plus grand, on ne saute que là où de plus grandes structures s’accordent.</translation>
-    </message>
-    <message>
-        <source>Sigma</source>
-        <translation>Sigma</translation>
-    </message>
-    <message>
-        <source>Target</source>
-        <translation>Cible</translation>
-    </message>
-    <message>
-        <source>Target weight</source>
-        <translation>Poids de la cible</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
         <translation>Le masque ne laisse aucun voisinage entier de {} px ; choisissez-en un plus petit ou masquez moins.</translation>
-    </message>
-    <message>
-        <source>The target has {} channels, the exemplar {}; they need the same number.</source>
-        <translation>La cible a {} canaux, l’exemplaire {} ; il en faut le même nombre.</translation>
-    </message>
-    <message>
-        <source>There is a mask of what is known, but no image to start from; give that too.</source>
-        <translation>Il y a un masque de ce qui est connu, mais pas d’image de départ ; donnez-la aussi.</translation>
     </message>
     <message>
         <source>There is a picture B, but {} has no picture A; give both, or none.</source>
@@ -3238,24 +2846,12 @@
         <translation>Arbre</translation>
     </message>
     <message>
-        <source>Walking through the exemplar</source>
-        <translation>Parcours de l’exemplaire</translation>
-    </message>
-    <message>
         <source>Weight of A and B</source>
         <translation>Poids de A et B</translation>
     </message>
     <message>
         <source>Wei–Levoy</source>
         <translation>Wei–Levoy</translation>
-    </message>
-    <message>
-        <source>What is to be kept of the image to start from is not said; give a mask of what is known.</source>
-        <translation>Ce qui doit rester de l’image de départ n’est pas dit ; donnez un masque de ce qui est connu.</translation>
-    </message>
-    <message>
-        <source>What of the image to start from is kept; the rest, where it is black, is made anew.</source>
-        <translation>Ce qui reste de l’image de départ ; le reste, là où il est noir, est refait.</translation>
     </message>
     <message>
         <source>What the exemplar is made of, pixel for pixel: flat colours for its materials, or the picture before a filter made the exemplar of it.</source>
@@ -3266,16 +2862,8 @@
         <translation>De quoi le résultat doit être fait, dans les couleurs de l’image A.</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenêtre</translation>
-    </message>
-    <message>
         <source>{} has a picture A, but there is no picture B; give both, or none.</source>
         <translation>{} a une image A, mais il n’y a pas d’image B ; donnez les deux, ou aucune.</translation>
-    </message>
-    <message>
-        <source>{} is one piece of this size, so that the output only repeats it; choose pieces of at most {} px.</source>
-        <translation>{} est un seul morceau de cette taille, si bien que la sortie ne fait que le répéter ; choisissez des morceaux d’au plus {} px.</translation>
     </message>
     <message>
         <source>{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of at most {} px, or a larger exemplar.</source>
