@@ -43,15 +43,17 @@ bool isUsual(const Port& port) {
 /// What a method can do beside the least, one line each.
 std::vector<std::string> abilities(const MethodInfo& info) {
     const std::pair<bool, const char*> all[] = {
-        {info.copiesPixels(), "Every pixel is copied from the exemplar, and the position map says from where."},
+        {info.copiesPixels(),
+         "Every pixel is copied from the exemplar, and the position map says from where."},
         {info.canWrap(), "The output tiles on either axis (`--wrap x`, `y` or `xy`)."},
         {info.makesParts(),
          "Any part of a larger output can be made alone (`--region`), so that size has no limit."},
         {info.learnsFromSeveral(),
          info.heedsWeights() ? "It learns from several exemplars, each as much as it weighs (`--weight`)."
-                              : "It learns from several exemplars."},
+                             : "It learns from several exemplars."},
         {info.heedsMasks(), "What a mask hides in an exemplar is left out (`--mask`)."},
-        {info.startsFromImage(), "It can start from an image (`--init`) or follow another method (`--then`)."},
+        {info.startsFromImage(),
+         "It can start from an image (`--init`) or follow another method (`--then`)."},
     };
     std::vector<std::string> lines;
     for (const auto& [can, line] : all)
@@ -59,8 +61,8 @@ std::vector<std::string> abilities(const MethodInfo& info) {
             lines.emplace_back(line);
     for (const Port& port : info.takes)
         if (!isUsual(port))
-            lines.push_back(fmt::format("`--input {}=FILE` gives it {}. {}", port.id, kindText(port.kind).text(),
-                                        port.help));
+            lines.push_back(fmt::format("`--input {}=FILE` gives it {}. {}", port.id,
+                                        kindText(port.kind).text(), port.help));
     return lines;
 }
 

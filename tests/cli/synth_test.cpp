@@ -101,7 +101,7 @@ TEST_F(Cli, ListsEveryMethodAndParameterAsJson) {
     const Json all = Json::parse(run({"methods", "--json"}));
     ASSERT_EQ(all.size(), methods().size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Method& method = methods()[i];
+        const Method& method = *methodsByCategory()[i];
         EXPECT_EQ(all[i].at("id"), method.id());
         const Json& params = all[i].at("parameters");
         ASSERT_EQ(params.size(), method.params().size());

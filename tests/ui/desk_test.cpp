@@ -68,7 +68,7 @@ private Q_SLOTS:
         QVERIFY(outlook.estimate && outlook.estimate->bytes > 0 && outlook.refusal.isEmpty());
 
         RunInput wrong = runOf(1);
-        wrong.settings = {{"patch", 90}};
+        wrong.steps.front().parameters = {{"patch", 90}};
         desk.lookAhead(wrong);
         QVERIFY(told.wait());
         QVERIFY(!desk.canRun() && !desk.canQuick());
@@ -185,12 +185,13 @@ private Q_SLOTS:
     void aPreviewIsTheWholeOutputMadeSmall() {
         RunInput input = runOf(1, {800, 400});
         input.region = Region{10, 10, {50, 50}};
-        input.initial = waves({800, 400});
+        input.inputs["initial"] = {waves({800, 400})};
         const RunInput quick = quickOf(input);
         QVERIFY((quick.size == Size{384, 192}));
-        QVERIFY((quick.initial->image->size() == Size{384, 192}));
+        QVERIFY((pictureOf(quick.inputs, "initial")->image->size() == Size{384, 192}));
         QVERIFY(!quick.region);
-        QCOMPARE((*quick.initial->image)(100, 50, 1), (*input.initial->image)(100, 50, 1));
+        QCOMPARE((*pictureOf(quick.inputs, "initial")->image)(100, 50, 1),
+                 (*pictureOf(input.inputs, "initial")->image)(100, 50, 1));
         QVERIFY((quickSize({300, 384}) == Size{300, 384}));
         QVERIFY((quickSize({100'000, 10}) == Size{384, 1}));
     }

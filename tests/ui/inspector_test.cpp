@@ -1,3 +1,4 @@
+#include "core/session/run/exemplar_use.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/value_editor.h"
 #include "ui/inspector/inspector.h"

@@ -91,7 +91,7 @@ private Q_SLOTS:
         window.inspector()->output()->setOutputSize({800, 400});
         QVERIFY((window.input(true).size == Size{384, 192}));
         QVERIFY((window.input(false).size == Size{800, 400}));
-        QVERIFY(window.input(true).settings == window.input(false).settings);
+        QVERIFY(window.input(true).steps.front().parameters == window.input(false).steps.front().parameters);
         QCOMPARE(window.input(true).seed, window.input(false).seed);
     }
 

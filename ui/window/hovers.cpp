@@ -23,6 +23,7 @@ Hovers::Hovers(const RunDesk* desk, const ExemplarStore* store, const Places& pl
     : QObject(parent), m_desk(desk), m_store(store), m_in(places) {
     connect(m_in.results, &ResultView::resultHovered, this, &Hovers::overResult);
     connect(m_in.results, &ResultView::positionHovered, this, &Hovers::overExemplar);
+    connect(m_in.results, &ResultView::legendChanged, m_in.exemplars, &ExemplarPanel::setLegend);
     connect(m_in.results, &ResultView::unhovered, this, &Hovers::end);
     connect(m_in.exemplars, &ExemplarPanel::hovered, this, &Hovers::overExemplar);
     connect(m_in.exemplars, &ExemplarPanel::unhovered, this, &Hovers::end);

@@ -72,7 +72,8 @@ struct RunPlan {
     const Method& lastMethod() const { return *steps.back().method; }
     /// The methods' ids with `separator` between them.
     std::string methodIds(const std::string& separator) const;
-    /// What the method of one step is given: of the plan's request what it has ports for. @param info of that method, which may not be among `steps` yet.
+    /// What the method of one step is given: of the plan's request what it has ports for. @param info of that
+    /// method, which may not be among `steps` yet.
     Request requestFor(std::size_t step, const MethodInfo& info) const;
     /// The same run for one strip of the output, from row `y` on.
     RunPlan strip(int y) const;

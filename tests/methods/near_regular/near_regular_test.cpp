@@ -187,7 +187,7 @@ Synthesis run(const Image& exemplar, Size size, const Values& settings, Wrap wra
               std::uint64_t seed = 1) {
     const Method& method = findMethod("near-regular");
     Request request;
-    request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar), nullptr}};
+    request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar)}};
     request.size = size;
     request.wrap = wrap;
     request.seed = seed;

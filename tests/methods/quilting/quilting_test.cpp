@@ -39,6 +39,15 @@ Quilt quilt(const Request& request, const Settings& settings, int threads = 2,
     return std::get<Quilt>(job.take());
 }
 
+/// By the method, which says what its map is.
+Synthesis run(const Request& request, const Values& settings) {
+    const Method& method = findMethod("quilting");
+    const Values all = method.resolved(settings, request.exemplars.front().image->size());
+    Job<Synthesis> job({request.seed, 2, false},
+                       [&](JobContext& context) { return method.run(request, all, context); });
+    return std::get<Synthesis>(job.take());
+}
+
 /// A tile of noise repeated over an image.
 Image periodic(Size size, Size period, int channels) {
     const Image tile = noise(period, channels);
@@ -182,8 +191,9 @@ TEST(Quilting, largeToleranceDrawsFromAllPatches) {
 
 TEST(Quilting, smoothedCutBlendsOnlyNearTheCut) {
     const Request request = requestFor(blobs({64, 64}, 3), {160, 160});
-    const Synthesis hard = quilt(request, {24, 0.25, 0, Stitch::Cut, 2});
-    const Synthesis soft = quilt(request, {24, 0.25, 0, Stitch::SmoothCut, 2});
+    const Synthesis hard = run(request, {{"patch", 24}, {"stitch", std::string("cut")}});
+    const Synthesis soft =
+        run(request, {{"patch", 24}, {"stitch", std::string("smooth-cut")}, {"softness", 2}});
     EXPECT_EQ(soft.mapKind, MapKind::Dominant);
     EXPECT_EQ(hard.mapKind, MapKind::Exact);
     const Image fromMap = soft.map.apply(request.exemplars.front().image->view());

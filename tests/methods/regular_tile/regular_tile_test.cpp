@@ -73,7 +73,7 @@ TEST(TileSearch, drawsAmongTheBestOnly) {
 
 Synthesis run(const Image& exemplar, Request request, const Values& settings) {
     const Method& method = findMethod("regular-tile");
-    request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar), nullptr}};
+    request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar)}};
     const Values all = method.resolved(settings, exemplar.size());
     method.check(request, all);
     Job<Synthesis> job({request.seed, 2, false},
