@@ -81,6 +81,48 @@ void checkExrWindow(const fs::path& path) {
     }
 }
 
+/// The decoder takes memory for as many bytes as an attribute says that it has, before it finds out that the
+/// file is shorter: the sizes are held against the file here first.
+void checkExrAttributes(const fs::path& path) {
+    std::error_code error;
+    const std::uintmax_t whole = fs::file_size(path, error);
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(8); // magic number and version
+    const auto word = [&file] {
+        std::string text;
+        std::getline(file, text, '\0');
+        return text;
+    };
+    for (std::string name = word(); file && !name.empty(); name = word()) {
+        word(); // type
+        std::int32_t size = 0;
+        file.read(reinterpret_cast<char*>(&size), sizeof(size));
+        if (file && (size < 0 || static_cast<std::uintmax_t>(size) > whole))
+            fail("{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.",
+                 path.string(), size, whole);
+        file.seekg(size, std::ios::cur);
+    }
+}
+
+/// The same for the chunks of a PNG before its pixels.
+void checkPngChunks(const fs::path& path) {
+    std::error_code error;
+    const std::uintmax_t whole = fs::file_size(path, error);
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(8); // signature
+    for (std::array<unsigned char, 8> head{}; file.read(reinterpret_cast<char*>(head.data()), head.size());) {
+        const std::uint32_t size = std::uint32_t{head[0]} << 24U | std::uint32_t{head[1]} << 16U |
+                                   std::uint32_t{head[2]} << 8U | std::uint32_t{head[3]};
+        const std::string_view type(reinterpret_cast<const char*>(head.data()) + 4, 4);
+        if (type == "IDAT")
+            return;
+        if (size > whole)
+            fail("{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.",
+                 path.string(), size, whole);
+        file.seekg(std::int64_t{size} + 4, std::ios::cur); // with the checksum
+    }
+}
+
 /// The first line of what the library says, without a closing stop.
 std::string reason(std::string message) {
     message = message.substr(0, message.find('\n'));
@@ -90,8 +132,12 @@ std::string reason(std::string message) {
 }
 
 std::unique_ptr<OIIO::ImageInput> openInput(const fs::path& path, const std::string& format) {
-    if (format == "openexr")
+    if (format == "openexr") {
+        checkExrAttributes(path);
         checkExrWindow(path);
+    }
+    if (format == "png")
+        checkPngChunks(path);
     auto input = OIIO::ImageInput::create(format);
     if (!input)
         fail("{} cannot be read: this build has no reader for {}.", path.string(), format);
