@@ -1877,6 +1877,10 @@
         <source>{} is what the result is made from and would be lost; name another file.</source>
         <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
     </message>
+    <message>
+        <source>{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.</source>
+        <translation>{} ist beschädigt: ein Eintrag des Kopfs soll {} Bytes haben, aber die Datei hat {}.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

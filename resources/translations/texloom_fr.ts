@@ -1877,6 +1877,10 @@
         <source>{} is what the result is made from and would be lost; name another file.</source>
         <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
     </message>
+    <message>
+        <source>{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.</source>
+        <translation>{} est endommagé : une entrée de l’en-tête dit avoir {} octets, mais le fichier en a {}.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
