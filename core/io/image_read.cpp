@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <span>
 
 namespace texloom {
 
@@ -81,45 +82,65 @@ void checkExrWindow(const fs::path& path) {
     }
 }
 
-/// The decoder takes memory for as many bytes as an attribute says that it has, before it finds out that the
-/// file is shorter: the sizes are held against the file here first.
-void checkExrAttributes(const fs::path& path) {
-    std::error_code error;
-    const std::uintmax_t whole = fs::file_size(path, error);
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(8); // magic number and version
-    const auto word = [&file] {
+/// Decoders take memory for as many bytes as an entry of a header says that it has, before they find out that
+/// the file is shorter: sizes are held against the file's before it is decoded.
+class HeaderEntries {
+public:
+    /// @param first offset of the first entry.
+    HeaderEntries(const fs::path& path, std::streamoff first) : m_path(path), m_file(path, std::ios::binary) {
+        std::error_code error;
+        m_whole = fs::file_size(path, error);
+        m_file.seekg(first);
+    }
+
+    /// Whether there was as much to read.
+    bool read(std::span<char> bytes) {
+        return static_cast<bool>(m_file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())));
+    }
+    /// Up to the next zero, which is read, too.
+    std::string word() {
         std::string text;
-        std::getline(file, text, '\0');
+        std::getline(m_file, text, '\0');
         return text;
-    };
-    for (std::string name = word(); file && !name.empty(); name = word()) {
-        word(); // type
-        std::int32_t size = 0;
-        file.read(reinterpret_cast<char*>(&size), sizeof(size));
-        if (file && (size < 0 || static_cast<std::uintmax_t>(size) > whole))
+    }
+    /// Goes on behind an entry of this size and `more` bytes. @throws Error if the file cannot hold it.
+    void skip(std::int64_t size, int more = 0) {
+        if (size < 0 || static_cast<std::uintmax_t>(size) > m_whole)
             fail("{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.",
-                 path.string(), size, whole);
-        file.seekg(size, std::ios::cur);
+                 m_path.string(), size, m_whole);
+        m_file.seekg(size + more, std::ios::cur);
+    }
+
+private:
+    const fs::path& m_path;
+    std::ifstream m_file;
+    std::uintmax_t m_whole = 0;
+};
+
+/// The attributes of an EXR's first header: name, type, size and value behind eight bytes of its own.
+void checkExrAttributes(const fs::path& path) {
+    HeaderEntries entries(path, 8);
+    while (!entries.word().empty()) {
+        entries.word(); // type
+        std::array<char, 4> bytes{};
+        if (!entries.read(bytes))
+            return;
+        std::int32_t size = 0;
+        std::memcpy(&size, bytes.data(), sizeof(size));
+        entries.skip(size);
     }
 }
 
-/// The same for the chunks of a PNG before its pixels.
+/// The chunks of a PNG before its pixels: size, type, value and a checksum of four bytes behind the
+/// signature.
 void checkPngChunks(const fs::path& path) {
-    std::error_code error;
-    const std::uintmax_t whole = fs::file_size(path, error);
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(8); // signature
-    for (std::array<unsigned char, 8> head{}; file.read(reinterpret_cast<char*>(head.data()), head.size());) {
-        const std::uint32_t size = std::uint32_t{head[0]} << 24U | std::uint32_t{head[1]} << 16U |
-                                   std::uint32_t{head[2]} << 8U | std::uint32_t{head[3]};
-        const std::string_view type(reinterpret_cast<const char*>(head.data()) + 4, 4);
-        if (type == "IDAT")
-            return;
-        if (size > whole)
-            fail("{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.",
-                 path.string(), size, whole);
-        file.seekg(std::int64_t{size} + 4, std::ios::cur); // with the checksum
+    HeaderEntries entries(path, 8);
+    std::array<char, 8> head{};
+    while (entries.read(head) && std::string_view(head.data() + 4, 4) != "IDAT") {
+        std::uint32_t size = 0;
+        for (int i = 0; i < 4; ++i)
+            size = size << 8U | static_cast<unsigned char>(head.at(static_cast<std::size_t>(i)));
+        entries.skip(size, 4);
     }
 }
 
