@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <span>
 
 namespace texloom {
 
@@ -82,6 +83,68 @@ void checkExrWindow(const fs::path& path) {
     }
 }
 
+/// Decoders take memory for as many bytes as an entry of a header says that it has, before they find out that
+/// the file is shorter: sizes are held against the file's before it is decoded.
+class HeaderEntries {
+public:
+    /// @param first offset of the first entry.
+    HeaderEntries(const fs::path& path, std::streamoff first) : m_path(path), m_file(path, std::ios::binary) {
+        std::error_code error;
+        m_whole = fs::file_size(path, error);
+        m_file.seekg(first);
+    }
+
+    /// Whether there was as much to read.
+    bool read(std::span<char> bytes) {
+        return static_cast<bool>(m_file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())));
+    }
+    /// Up to the next zero, which is read, too.
+    std::string word() {
+        std::string text;
+        std::getline(m_file, text, '\0');
+        return text;
+    }
+    /// Goes on behind an entry of this size and `more` bytes. @throws Error if the file cannot hold it.
+    void skip(std::int64_t size, int more = 0) {
+        if (size < 0 || static_cast<std::uintmax_t>(size) > m_whole)
+            fail("{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.",
+                 m_path.string(), size, m_whole);
+        m_file.seekg(size + more, std::ios::cur);
+    }
+
+private:
+    const fs::path& m_path;
+    std::ifstream m_file;
+    std::uintmax_t m_whole = 0;
+};
+
+/// The attributes of an EXR's first header: name, type, size and value behind eight bytes of its own.
+void checkExrAttributes(const fs::path& path) {
+    HeaderEntries entries(path, 8);
+    while (!entries.word().empty()) {
+        entries.word(); // type
+        std::array<char, 4> bytes{};
+        if (!entries.read(bytes))
+            return;
+        std::int32_t size = 0;
+        std::memcpy(&size, bytes.data(), sizeof(size));
+        entries.skip(size);
+    }
+}
+
+/// The chunks of a PNG before its pixels: size, type, value and a checksum of four bytes behind the
+/// signature.
+void checkPngChunks(const fs::path& path) {
+    HeaderEntries entries(path, 8);
+    std::array<char, 8> head{};
+    while (entries.read(head) && std::string_view(head.data() + 4, 4) != "IDAT") {
+        std::uint32_t size = 0;
+        for (int i = 0; i < 4; ++i)
+            size = size << 8U | static_cast<unsigned char>(head.at(static_cast<std::size_t>(i)));
+        entries.skip(size, 4);
+    }
+}
+
 /// The first line of what the library says, without a closing stop.
 std::string reason(std::string message) {
     message = message.substr(0, message.find('\n'));
@@ -91,8 +154,12 @@ std::string reason(std::string message) {
 }
 
 std::unique_ptr<OIIO::ImageInput> openInput(const fs::path& path, const std::string& format) {
-    if (format == "openexr")
+    if (format == "openexr") {
+        checkExrAttributes(path);
         checkExrWindow(path);
+    }
+    if (format == "png")
+        checkPngChunks(path);
     auto input = OIIO::ImageInput::create(format);
     if (!input)
         fail("{} cannot be read: this build has no reader for {}.", path.string(), format);

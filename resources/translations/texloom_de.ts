@@ -2753,6 +2753,10 @@
         <source>checkpoint</source>
         <translation>Zwischenstand</translation>
     </message>
+    <message>
+        <source>{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.</source>
+        <translation>{} ist beschädigt: ein Eintrag des Kopfs soll {} Bytes haben, aber die Datei hat {}.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

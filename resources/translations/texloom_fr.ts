@@ -2753,6 +2753,10 @@
         <source>checkpoint</source>
         <translation>point de reprise</translation>
     </message>
+    <message>
+        <source>{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.</source>
+        <translation>{} est endommagé : une entrée de l’en-tête dit avoir {} octets, mais le fichier en a {}.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

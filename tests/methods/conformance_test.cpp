@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
+#include "tests/methods/every_method.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
 #include "tests/support/time_limit.h"
@@ -458,18 +459,7 @@ TEST_P(Conformance, initialImageOfAnotherSizeIsRefused) {
     EXPECT_THROW(runWith(method(), request, 1), UsageError);
 }
 
-std::vector<std::string> ids() {
-    std::vector<std::string> all;
-    for (const Method& method : methods())
-        all.push_back(method.id());
-    return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(EveryMethod, Conformance, testing::ValuesIn(ids()), [](const auto& tested) {
-    std::string name = tested.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(EveryMethod, Conformance, testing::ValuesIn(everyMethod()), testName);
 
 } // namespace
 } // namespace texloom::test

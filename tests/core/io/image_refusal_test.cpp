@@ -205,6 +205,26 @@ TEST(ReadImage, RefusesAHeaderBeyondWhatAFormatAllows) {
     }
 }
 
+TEST(ReadImage, RefusesEntriesOfHeadersThatAreLongerThanTheFile) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.exr"}) {
+        WriteOptions options;
+        options.depth = std::string_view(name) == "a.exr" ? Depth::Float : Depth::Bits8;
+        options.recipe = "{}";
+        writeImage(folder / name, blobs({20, 10}, 3), options);
+        std::string bytes = readText(folder / name);
+        // The length of the recipe: of a PNG's chunk before the word tEXt, of an EXR's attribute after
+        // "string".
+        const bool png = bytes.starts_with("\x89PNG");
+        const std::size_t place =
+            png ? bytes.find("tEXt") - 4 : bytes.find(std::string("texloom:recipe\0string\0", 22)) + 22;
+        ASSERT_LT(place, bytes.size());
+        bytes.replace(place, 4, "\x70\x00\x00\x70", 4);
+        writeText(folder / name, bytes);
+        EXPECT_THAT([&] { readImage(folder / name); }, refusal(name, "damaged", "bytes"));
+    }
+}
+
 TEST(ReadImage, RefusesAPngWithFarTooFewRows) {
     const TemporaryFolder folder;
     writeHugePngHeader(folder / "a.png", 1000, 1000);

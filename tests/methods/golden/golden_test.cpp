@@ -9,6 +9,7 @@
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/session/run/exemplar_file.h"
+#include "tests/methods/every_method.h"
 #include "tests/methods/golden/rounding.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
@@ -177,18 +178,7 @@ TEST_P(Golden, resultsHaveTheBitsThatTheyHad) {
     compare(lineFor(method, "more", fullerRequests()));
 }
 
-std::vector<std::string> ids() {
-    std::vector<std::string> all;
-    for (const Method& method : methods())
-        all.push_back(method.id());
-    return all;
-}
-
-INSTANTIATE_TEST_SUITE_P(EveryMethod, Golden, testing::ValuesIn(ids()), [](const auto& tested) {
-    std::string name = tested.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(EveryMethod, Golden, testing::ValuesIn(everyMethod()), testName);
 
 } // namespace
 } // namespace texloom::test
