@@ -8,7 +8,8 @@
 namespace texloom {
 
 /// A file written beside its final place and renamed when it is whole; removed if that never comes.
-/// It remembers every write that failed, since encoders do not tell of all.
+/// It remembers every write that failed, since encoders do not tell of all. A file that is replaced keeps its
+/// owner and rights, and links to it stay links. What killed programs left in the folder is removed.
 class TemporaryFile {
 public:
     /// @throws Error if no file can be made beside `target`.
@@ -29,7 +30,8 @@ public:
     void commit();
 
 private:
-    std::filesystem::path m_target;
+    std::filesystem::path m_name;   ///< as it was given
+    std::filesystem::path m_target; ///< the file itself, where the name is a link
     std::filesystem::path m_path;
     int m_handle = -1;
     int m_error = 0; ///< errno of the first write that failed
