@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <climits>
 #include <cmath>
 
@@ -127,14 +128,33 @@ Value Param::checked(const Value& value) const {
         number = *real;
     else
         refuse(toText(value));
-    const bool wrongKind =
-        m_type == Type::Integer && (number != std::floor(number) || std::abs(number) > INT_MAX);
-    if (!std::isfinite(number) || wrongKind || (hasRange() && (number < smallest() || number > largest())))
+    const bool isWhole = number == std::floor(number);
+    const bool tooLarge = m_type == Type::Integer && std::abs(number) > INT_MAX;
+    if (!std::isfinite(number) || tooLarge || (hasRange() && (number < smallest() || number > largest())))
         refuse(toText(value));
+    if (m_type == Type::Integer && !isWhole)
+        failUsage("{} = {}: this is not a whole number; {}: {}.", m_name, toText(value), Message(m_title),
+                  limits());
     if (m_type == Type::Integer)
         return static_cast<int>(number);
     return number;
 }
+
+namespace {
+
+/// Refuses a text that is no number, or none that can be held.
+[[noreturn]] void refuseNumber(const Param& param, std::string_view text) {
+    double number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    const Message title(param.title());
+    if (read.ec == std::errc::result_out_of_range)
+        failUsage("{} = {}: this number is too large, or too near 0, to be held; {}: {}.", param.name(), text,
+                  title, param.limits());
+    failUsage("{} = {}: this is no number in decimal digits, without spaces; {}: {}.", param.name(), text,
+              title, param.limits());
+}
+
+} // namespace
 
 Value Param::parse(std::string_view text) const {
     if (m_type == Type::Choice)
@@ -149,8 +169,10 @@ Value Param::parse(std::string_view text) const {
         refuse(std::string(text));
     }
     double number = 0;
+    if (text.empty())
+        refuse("(nothing)");
     if (!parseNumber(text, number))
-        refuse(text.empty() ? "(nothing)" : std::string(text));
+        refuseNumber(*this, text);
     return checked(number);
 }
 

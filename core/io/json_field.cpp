@@ -7,6 +7,7 @@
 #include <climits>
 #include <cmath>
 #include <cstdint>
+#include <set>
 
 namespace texloom {
 
@@ -97,9 +98,18 @@ Values JsonField::values() const {
 
 Json parseJson(const Message& document, std::string_view text) {
     try {
-        return Json::parse(text, [&document](int depth, Json::parse_event_t, Json&) {
+        std::vector<std::set<std::string>> keys; // of the objects around the place that is read
+        return Json::parse(text, [&](int depth, Json::parse_event_t event, Json& parsed) {
             if (depth > kDeepest)
                 failUsage("The {} is nested more than {} levels deep.", document, kDeepest);
+            if (event == Json::parse_event_t::object_start)
+                keys.emplace_back();
+            else if (event == Json::parse_event_t::object_end)
+                keys.pop_back();
+            else if (event == Json::parse_event_t::key &&
+                     !keys.back().insert(parsed.get<std::string>()).second)
+                failUsage("The {} says {} twice in one place; only one of them can hold.", document,
+                          parsed.get<std::string>());
             return true;
         });
     } catch (const Json::parse_error& error) {

@@ -6,6 +6,7 @@
 #include "core/color/color_pipeline.h"
 #include "core/image/map_role.h"
 #include "core/io/edit_json.h"
+#include "core/io/file_name_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 
@@ -23,21 +24,22 @@ Json fileJson(const RecipeFile& file, const fs::path& folder) {
     std::error_code error;
     const fs::path absolute = fs::absolute(file.path, error).lexically_normal();
     const fs::path relative = absolute.lexically_relative(fs::absolute(folder, error).lexically_normal());
-    Json json = {{"file", relative.empty() ? absolute.generic_string() : relative.generic_string()},
-                 {"space", file.space}};
+    Json json;
+    putFileName(json, "file", relative.empty() ? absolute : relative);
+    json["space"] = file.space;
     if (!file.hash.empty())
         json["sha1"] = file.hash;
     if (!file.role.empty())
         json["role"] = file.role;
+    if (!file.layer.empty())
+        json["layer"] = file.layer;
     return json;
 }
 
 RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
     field.needObject();
     RecipeFile file;
-    const fs::path path(field.at("file").text());
-    if (path.empty())
-        field.at("file").wrong(TR("the name of a file"));
+    const fs::path path = fileNameFrom(field, "file");
     file.path = path.is_absolute() ? path : (folder / path).lexically_normal();
     file.space = field.has("space") ? field.at("space").text() : "";
     if (!file.space.empty())
@@ -46,6 +48,7 @@ RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
     file.role = field.has("role") ? field.at("role").text() : "";
     if (!file.role.empty())
         mapRoleFrom(file.role);
+    file.layer = field.has("layer") ? field.at("layer").text() : "";
     return file;
 }
 
@@ -98,7 +101,8 @@ Json exemplarJson(const RecipeExemplar& exemplar, const fs::path& folder) {
 RecipeExemplar exemplarFrom(const JsonField& field, const fs::path& folder) {
     RecipeExemplar exemplar;
     exemplar.image = fileFrom(field, folder);
-    field.only({"file", "space", "sha1", "mask", "companions", "inputs", "edits", "weight"});
+    field.only(
+        {"file", "fileBytes", "space", "layer", "sha1", "mask", "companions", "inputs", "edits", "weight"});
     if (field.has("mask"))
         exemplar.mask = fileFrom(field.at("mask"), folder);
     if (field.has("companions")) {

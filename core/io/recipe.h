@@ -24,6 +24,7 @@ struct RecipeFile {
     std::string hash;  ///< SHA-1 of its bytes, or empty
     /// Of companion maps, the id of what they hold; empty: as the file's name says.
     std::string role = {};
+    std::string layer = {}; ///< the part or layer of it, see ReadOptions::layer
 };
 
 /// Files by the id of the port that they go into, in the order in which they were given.

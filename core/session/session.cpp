@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/io/file_name_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 #include "core/session/run/exemplar_use.h"
@@ -86,7 +87,7 @@ std::string Session::toJson(const fs::path& folder) const {
     for (const bool one : used)
         json["used"].push_back(one);
     if (!file.empty())
-        json["file"] = file.string();
+        putFileName(json, "file", file);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -96,7 +97,7 @@ Session Session::fromJson(std::string_view text, const fs::path& folder) {
     if (!json.is_object())
         failUsage("A session is a JSON object; this is not one.");
     checkFormat(root);
-    root.only({"session", "settings", "used", "current", "seedLocked", "file"});
+    root.only({"session", "settings", "used", "current", "seedLocked", "file", "fileBytes"});
     Session session;
     session.settings = Recipe::fromJson(root.at("settings").json().dump(), folder, false);
     const std::size_t count = session.settings.exemplars.size();
@@ -112,7 +113,7 @@ Session Session::fromJson(std::string_view text, const fs::path& folder) {
     if (root.has("seedLocked"))
         session.seedLocked = flagFrom(root.at("seedLocked"));
     if (root.has("file"))
-        session.file = root.at("file").text();
+        session.file = fileNameFrom(root, "file");
     return session;
 }
 

@@ -87,6 +87,10 @@ TEST(Param, RefusesWholeNumbersThatNoIntHolds) {
 TEST(Param, RefusesNoNumber) {
     EXPECT_THAT([] { overlap().parse("half"); }, usageRefusal("overlap = half"));
     EXPECT_THAT([] { overlap().parse(""); }, usageRefusal("overlap", "(nothing)"));
+    for (const char* text : {"0x10", " 0.2", "0.2 ", "0,2"})
+        EXPECT_THAT([&] { overlap().parse(text); }, usageRefusal(text, "decimal digits")) << text;
+    for (const char* text : {"1e-400", "1e400"})
+        EXPECT_THAT([&] { overlap().parse(text); }, usageRefusal(text, "too near 0")) << text;
 }
 
 TEST(Param, RefusesValuesThatAreNotFinite) {

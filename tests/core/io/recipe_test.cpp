@@ -1,4 +1,5 @@
 #include "core/io/image_file.h"
+#include "core/io/json_field.h"
 #include "core/io/recipe.h"
 #include "tests/core/io/write_as.h"
 #include "tests/core/refusal.h"
@@ -266,6 +267,32 @@ TEST(ReadRecipe, NamesTheFileThatIsWrong) {
 TEST(ReadRecipe, NamesAFileThatIsNotThere) {
     const TemporaryFolder folder;
     EXPECT_THAT([&] { readRecipe(folder / "gone.json"); }, refusal("gone.json"));
+}
+
+TEST(Recipe, RefusesAKeyThatStandsTwice) {
+    EXPECT_THAT([] { Recipe::fromJson(R"({"texloom": 1, "method": "a", "method": "b"})", "/"); },
+                usageRefusal("method", "twice"));
+    EXPECT_NO_THROW(parseJson("recipe", R"({"a": {"b": 1}, "b": [{"a": 1}, {"a": 2}]})"));
+}
+
+TEST(Recipe, RefusesNamesThatNoFileCanHave) {
+    const auto recipe = [](const std::string& file) {
+        return R"({"texloom": 1, "method": "quilting", "size": [9, 9], "exemplars": [{)" + file + "}]}";
+    };
+    EXPECT_THAT([&] { Recipe::fromJson(recipe(R"("file": "tex.png\u0000x")"), "/"); },
+                usageRefusal("exemplars[0].file", "zero"));
+    EXPECT_THAT([&] { Recipe::fromJson(recipe(R"("file": "x", "fileBytes": "e")"), "/"); },
+                usageRefusal("fileBytes", "hexadecimal"));
+}
+
+TEST(Recipe, KeepsNamesOfAnyBytesAndLayers) {
+    Recipe recipe;
+    recipe.exemplars = {{{"/data/latin\xe9.png", "srgb", ""}, {}, {}}};
+    recipe.exemplars.front().image.layer = "diffuse";
+    recipe.size = {8, 8};
+    const Recipe again = Recipe::fromJson(recipe.toJson("/data"), "/data");
+    EXPECT_EQ(again.exemplars.front().image.path, recipe.exemplars.front().image.path);
+    EXPECT_EQ(again.exemplars.front().image.layer, "diffuse");
 }
 
 } // namespace texloom::test
