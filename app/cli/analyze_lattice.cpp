@@ -66,8 +66,10 @@ void printText(const ExemplarFile& exemplar, const LatticeAnalysis& analysis, in
 
 void printLattice(const LatticeOptions& options) {
     const ExemplarFile exemplar = loadExemplar(options.exemplar, options.exemplarSpace);
-    if (!options.picture.empty())
+    if (!options.picture.empty()) {
         checkWritable(options.picture, 1, depthsFor(options.picture).front());
+        checkOnlyOutput({options.exemplar}, options.picture, options.overwrite);
+    }
     const auto start = std::chrono::steady_clock::now();
     const LatticeAnalysis analysis = analyzeLattice(*exemplar.image, checkInterrupt);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -5,10 +5,13 @@
 #include "core/base/error.h"
 #include "core/io/image_file.h"
 #include "core/session/batch/batch.h"
+#include "core/session/export/export.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <utility>
 
 namespace texloom::cli {
 
@@ -25,6 +28,7 @@ struct BatchOptions {
     int memory = 0;
     bool list = false;
     bool skipExisting = false;
+    bool overwrite = false;
     bool quiet = false;
 };
 
@@ -45,7 +49,7 @@ struct Tally {
     }
 };
 
-OutputOptions outputOf(const BatchItem& item, const BatchOptions& options) {
+OutputOptions outputOf(const BatchItem& item, const BatchOptions& options, const OutputGuard& around) {
     OutputOptions out;
     out.output = item.output;
     out.maps = item.maps;
@@ -55,31 +59,38 @@ OutputOptions outputOf(const BatchItem& item, const BatchOptions& options) {
     out.noSidecar = !item.sidecar;
     out.threads = options.threads;
     out.memory = options.memory;
+    out.overwrite = options.overwrite;
+    out.around = &around;
     out.quiet = options.quiet;
     return out;
 }
 
 /// @return why it failed, or an empty text. @throws Cancelled
-std::string attempt(const BatchItem& item, const BatchOptions& options) {
+std::string attempt(const BatchItem& item, const BatchOptions& options, const OutputGuard& around) {
     try {
         if (!item.problem.empty())
             throw Error(item.problem);
-        runInput(loadAndWarn(item.recipe), outputOf(item, options));
+        runInput(loadAndWarn(item.whole()), outputOf(item, options, around));
         return {};
     } catch (const std::exception& error) {
         return messageOf(error).text();
     }
 }
 
-void runItem(std::size_t number, const BatchItem& item, const BatchOptions& options, Tally& tally) {
-    checkInterrupt();
+bool skipped(const BatchItem& item, const BatchOptions& options) {
     std::error_code error;
-    if (options.skipExisting && fs::exists(item.output, error)) {
+    return options.skipExisting && fs::exists(item.output, error);
+}
+
+void runItem(std::size_t number, const BatchItem& item, const BatchOptions& options,
+             const OutputGuard& around, Tally& tally) {
+    checkInterrupt();
+    if (skipped(item, options)) {
         ++tally.skipped;
         tally.add(number, item, "skipped");
         return;
     }
-    const std::string problem = attempt(item, options);
+    const std::string problem = attempt(item, options, around);
     if (problem.empty()) {
         ++tally.done;
         tally.add(number, item, "done");
@@ -99,10 +110,41 @@ void printItems(const Batch& batch, const Shard& shard) {
 void writeSummary(const BatchOptions& options, const Tally& tally) {
     if (options.summary.empty())
         return;
-    const Json json = {
-        {"batch", options.file.string()}, {"shard", options.shard},        {"done", tally.done},
-        {"skipped", tally.skipped},       {"failed", tally.failed.size()}, {"runs", tally.runs}};
+    const Json json = {{"texloomReport", 1},       {"batch", options.file.string()},
+                       {"shard", options.shard},   {"done", tally.done},
+                       {"skipped", tally.skipped}, {"failed", tally.failed.size()},
+                       {"runs", tally.runs}};
     writeText(options.summary, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void announce(const BatchItem& item, OutputGuard& guard) {
+    guard.writes(item.output, "result");
+    for (const fs::path& map : item.maps)
+        guard.writes(map, "position map");
+    if (item.sidecar)
+        guard.writes(fs::path(item.output).replace_extension(".json"), "recipe");
+    if (!item.report.empty())
+        guard.writes(item.report, "report");
+}
+
+/// Refuses before anything runs what would replace a file that any run reads, or one of others.
+/// @return what the whole batch reads.
+OutputGuard checkOutputs(const Batch& batch, const Shard& shard, const BatchOptions& options) {
+    OutputGuard guard;
+    guard.reads(options.file, "the batch itself");
+    guard.reads(batch.recipes, "a recipe of the batch");
+    const void* known = nullptr;
+    for (const BatchItem& item : batch.items)
+        if (item.exemplars.get() != std::exchange(known, item.exemplars.get()))
+            guard.reads(sourcesOf(item.whole()), "a source of the batch");
+    if (!options.summary.empty())
+        guard.writes(options.summary, "summary");
+    for (std::size_t i = 0; i < batch.items.size(); ++i)
+        if (const BatchItem& item = batch.items[i];
+            shard.holds(i) && item.problem.empty() && !skipped(item, options))
+            announce(item, guard);
+    guard.check(options.overwrite);
+    return guard;
 }
 
 void run(const BatchOptions& options) {
@@ -115,11 +157,12 @@ void run(const BatchOptions& options) {
     }
     if (!options.summary.empty())
         checkFolder(options.summary);
+    const OutputGuard around = checkOutputs(batch, shard, options);
     Tally tally;
     try {
         for (std::size_t i = 0; i < batch.items.size(); ++i)
             if (shard.holds(i))
-                runItem(i + 1, batch.items[i], options, tally);
+                runItem(i + 1, batch.items[i], options, around, tally);
     } catch (const Cancelled&) {
         writeSummary(options, tally);
         throw;
@@ -149,6 +192,7 @@ void addBatch(CLI::App& app) {
         ->check(CLI::Range(1, 1 << 24));
     command->add_flag("--list", options.list, "Only list the runs");
     command->add_flag("--skip-existing", options.skipExisting, "Leave out runs whose output is there");
+    addOverwrite(*command, options.overwrite);
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");
     command->callback([] { run(options); });
 }

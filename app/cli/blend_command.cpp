@@ -1,5 +1,6 @@
 #include "app/cli/blend_command.h"
 
+#include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "core/base/error.h"
 #include "core/match/blend.h"
@@ -22,6 +23,7 @@ struct BlendCommand {
     BlendCurve::Shape curve = BlendCurve::Shape::Horizontal;
     double position = 0.5;
     BlendOptions blend;
+    bool overwrite = false;
     bool quiet = false;
 };
 
@@ -43,7 +45,7 @@ void run(const BlendCommand& command) {
         failUsage("--band {}: it goes up to half the images' shorter side, {} px.", command.blend.band,
                   size.shorterSide() / 2);
     checkWritable(command.output, first.image->channels(), depthLike(first, command.output));
-    checkKept({command.first, command.second}, command.output);
+    checkOnlyOutput({command.first, command.second}, command.output, command.overwrite);
     exportPicture(command.output, blended(first, second, command), first, checkInterrupt);
     if (!command.quiet)
         fmt::print("{}: {} × {} px\n", command.output.string(), size.width, size.height);
@@ -91,6 +93,7 @@ void addBlend(CLI::App& app) {
     addChoice<BlendColor>(*command, "--color", options.blend.midway.color,
                           {{"rgb", BlendColor::Rgb}, {"dct", BlendColor::Dct}, {"pca", BlendColor::Pca}},
                           "Colour axes of midway: rgb, dct or pca");
+    addOverwrite(*command, options.overwrite);
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");
     command->callback([] { run(options); });
 }

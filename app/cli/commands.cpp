@@ -267,29 +267,22 @@ std::uint64_t memoryLimit(const OutputOptions& out) {
     return static_cast<std::uint64_t>(out.memory) << 20;
 }
 
-bool sameFile(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
-}
-
 /// Refuses before the work what would fail after it, or write over what it was made from.
-void checkOutputs(const RunPlan& plan, const OutputOptions& out, Depth depth) {
-    checkWritable(out.output, plan.request.resultChannels(), depth);
-    const std::vector<fs::path> sources = sourcesOf(plan.recipe);
-    checkKept(sources, out.output);
-    if (!out.space.empty())
-        color::findSpace(out.space);
-    for (const fs::path& map : out.maps) {
+void checkOutputs(const RunPlan& plan, const ExportOptions& options, const OutputOptions& out) {
+    checkWritable(options.image, plan.request.resultChannels(), options.depth);
+    if (!options.space.empty())
+        color::findSpace(options.space);
+    for (const fs::path& map : options.maps) {
         mapConvention(map);
-        checkKept(sources, map);
-        if (sameFile(map, out.output))
-            failUsage("--map {}: it is the output; name another file.", map.string());
         checkWritable(map, 3, depthsFor(map).back());
     }
+    OutputGuard guard(out.around);
+    announce(plan, options, guard);
     if (!out.report.empty()) {
         checkFolder(out.report);
-        checkKept(sources, out.report);
+        guard.writes(out.report, "report");
     }
+    guard.check(out.overwrite);
 }
 
 /// Runs a plan that leaves checkpoints beside the output, if its methods do, and goes on from the last one if
@@ -313,18 +306,19 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     ExportOptions options;
     options.image = out.output;
     options.depth = parseDepth(out.depth, exemplar, out.output);
-    checkOutputs(plan, out, options.depth);
     options.space = out.space;
     options.maps = out.maps;
     options.sidecar = !out.noSidecar;
     options.check = checkInterrupt;
+    checkOutputs(plan, options, out);
 
     const auto make = [&out](RunPlan run) { return runToEnd(std::move(run), out.quiet); };
     const Result result =
         plan.stripRows > 0 ? exportStrips(plan, options, make) : runWithCheckpoints(std::move(plan), out);
-    if (result.plan.stripRows == 0)
+    if (result.plan.stripRows == 0) {
         exportResult(result, options);
-    fs::remove(checkpointFor(out.output));
+        fs::remove(checkpointFor(out.output));
+    }
     for (const Message& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);
@@ -366,6 +360,13 @@ RunInput inputFor(const SynthOptions& options) {
 
 Result runToEnd(RunPlan plan, bool quiet) {
     return followed(*startRun(std::move(plan), false), quiet);
+}
+
+void checkOnlyOutput(const std::vector<fs::path>& sources, const fs::path& output, bool overwrite) {
+    OutputGuard guard;
+    guard.reads(sources, "a source of the result");
+    guard.writes(output, "result");
+    guard.check(overwrite);
 }
 
 void listMethods(const std::string& id, bool json) {
@@ -426,6 +427,9 @@ void synth(const SynthOptions& options) {
 void runRecipe(const RunOptions& options) {
     RunInput input = loadAndWarn(readRun(options.recipe));
     OutputOptions out = options.out;
+    OutputGuard around;
+    around.reads(options.recipe, "the recipe of this run");
+    out.around = &around;
     if (out.output.empty()) {
         input.threads = out.threads;
         Result unnamed;
@@ -449,7 +453,7 @@ void applyMap(const ApplyOptions& options) {
     checkWritable(options.output, images.front().channels, depthLike(files.front(), options.output));
     std::vector<fs::path> sources = options.exemplars;
     sources.push_back(options.map);
-    checkKept(sources, options.output);
+    checkOnlyOutput(sources, options.output, options.overwrite);
     const PositionMap map = readPositionMap(options.map, sizes);
     checkInterrupt();
     WriteOptions write;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/export/output_guard.h"
 #include "core/session/run/run.h"
 
 #include <filesystem>
@@ -17,7 +18,9 @@ struct OutputOptions {
     std::string space; ///< of the output, or empty for what the format's users expect
     std::filesystem::path report;
     int threads = 0;
-    int memory = 0; ///< most MiB that the run may take; 0 for what is free
+    int memory = 0;                      ///< most MiB that the run may take; 0 for what is free
+    bool overwrite = false;              ///< whether files that Texloom did not write may be replaced
+    const OutputGuard* around = nullptr; ///< of what the call reads beside the recipe's files
     bool noSidecar = false;
     bool resume = false; ///< go on from the checkpoint beside the output, if there is one
     bool quiet = false;
@@ -50,6 +53,7 @@ struct ApplyOptions {
     std::filesystem::path map;
     std::vector<std::filesystem::path> exemplars;
     std::filesystem::path output;
+    bool overwrite = false;
     bool quiet = false;
 };
 
@@ -57,6 +61,7 @@ struct LatticeOptions {
     std::filesystem::path exemplar;
     std::string exemplarSpace;
     std::filesystem::path picture; ///< file for the autocorrelation, or empty
+    bool overwrite = false;
     bool json = false;
 };
 
@@ -69,6 +74,10 @@ struct StressOptions {
     int rounds = 5;
 };
 
+/// Checks that one command's only output replaces nothing that it reads, nor a file of others.
+/// @throws UsageError
+void checkOnlyOutput(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& output,
+                     bool overwrite);
 /// What the options of `synth` ask for, with its images loaded. @throws Error, UsageError
 RunInput inputFor(const SynthOptions& options);
 /// Runs a plan with a progress bar. @throws Error, Cancelled

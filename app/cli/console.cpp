@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 
+#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -38,6 +39,11 @@ std::string barText(JobMonitor& monitor) {
 }
 
 } // namespace
+
+void addOverwrite(CLI::App& command, bool& overwrite) {
+    command.add_flag("--overwrite", overwrite,
+                     "Replace files that are there, even where Texloom did not write them");
+}
 
 void silenceLibraries() {
     const int own = ::dup(STDERR_FILENO);

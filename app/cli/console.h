@@ -8,7 +8,14 @@
 #include <utility>
 #include <variant>
 
+namespace CLI {
+class App;
+}
+
 namespace texloom::cli {
+
+/// Lets a command replace files that Texloom did not write.
+void addOverwrite(CLI::App& command, bool& overwrite);
 
 /// Sends what libraries write to stderr nowhere: libpng, for one, prints a line of its own before the error
 /// is ours to word.

@@ -38,6 +38,7 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
                        "JSON file for recipe, timings, peak memory, figures and curves");
     command.add_flag("--resume", out.resume,
                      "Go on from the checkpoint that a run which was broken off left beside the output");
+    cli::addOverwrite(command, out.overwrite);
     command.add_flag("--no-sidecar", out.noSidecar, "Do not write the recipe beside the output");
     command.add_flag("--quiet", out.quiet, "Print nothing but errors");
 }
@@ -46,16 +47,18 @@ void addMethods(CLI::App& app) {
     static std::string id;
     static bool json = false;
     static std::filesystem::path pages;
+    static bool overwrite = false;
     CLI::App* command = app.add_subcommand("methods", "List every method with its parameters");
     command->add_option("method", id, "Only this one");
     command->add_flag("--json", json, "As JSON");
     command->add_option("--markdown", pages, "Folder to write a page to for every method, instead")
         ->excludes("--json");
+    cli::addOverwrite(*command, overwrite);
     command->callback([] {
         if (pages.empty())
             cli::listMethods(id, json);
         else
-            cli::writeMethodPages(pages);
+            cli::writeMethodPages(pages, overwrite);
     });
 }
 
@@ -129,6 +132,7 @@ void addStress(CLI::App& app) {
         ->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
         ->check(CLI::Range(1, 1024));
     command->add_option("--report", options.synth.out.report, "JSON file for the figures of all rounds");
+    cli::addOverwrite(*command, options.synth.out.overwrite);
     command->add_flag("--quiet", options.synth.out.quiet, "Print nothing but errors");
     command->callback([] { cli::stress(options); });
 }
@@ -149,6 +153,7 @@ void addApply(CLI::App& app) {
     command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of its size")
         ->required();
     command->add_option("-o,--output", options.output, "File to write")->required();
+    cli::addOverwrite(*command, options.overwrite);
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");
     command->callback([] { cli::applyMap(options); });
 }
@@ -165,6 +170,7 @@ void addAnalyze(CLI::App& app) {
     lattice->add_option(
         "--picture", options.picture,
         "File for the autocorrelation, zero displacement in the middle; .exr keeps values below 0");
+    cli::addOverwrite(*lattice, options.overwrite);
     lattice->add_flag("--json", options.json, "As JSON");
     lattice->callback([] { cli::printLattice(options); });
     cli::addAnalyzeStatistics(*command);

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "core/io/image_file.h"
+#include "core/session/export/output_guard.h"
 
 #include <fmt/format.h>
 
@@ -102,7 +103,12 @@ std::string methodPage(const Method& method) {
     return page;
 }
 
-void writeMethodPages(const std::filesystem::path& folder) {
+void writeMethodPages(const std::filesystem::path& folder, bool overwrite) {
+    OutputGuard guard;
+    for (const Method& method : methods())
+        guard.writes(folder / (method.id() + ".md"), TR("page"));
+    guard.writes(folder / "README.md", TR("page"));
+    guard.check(overwrite);
     std::filesystem::create_directories(folder);
     for (const Method& method : methods())
         writeText(folder / (method.id() + ".md"), methodPage(method));

@@ -12,7 +12,8 @@ namespace texloom::cli {
 std::string methodPage(const Method& method);
 
 /// Writes the page of every method to ID.md in a folder, which is made where it is missing, and a list of
-/// them to README.md. @throws Error
-void writeMethodPages(const std::filesystem::path& folder);
+/// them to README.md.
+/// @param overwrite whether files may be replaced that Texloom did not write. @throws Error
+void writeMethodPages(const std::filesystem::path& folder, bool overwrite);
 
 } // namespace texloom::cli

@@ -10,7 +10,29 @@ namespace texloom::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Json = JsonField::Json;
+
+fs::path outputOf(const StressOptions& options, int round) {
+    return fmt::format("{}_{}.png", options.synth.out.output.string(), round);
+}
+
+void checkOutputs(const RunInput& input, const StressOptions& options) {
+    OutputGuard guard;
+    for (const RunExemplar& exemplar : input.exemplars) {
+        guard.reads(exemplar.image.path, "a source of the result");
+        if (exemplar.mask)
+            guard.reads(exemplar.mask->path, "a source of the result");
+    }
+    checkFolder(outputOf(options, 1));
+    for (int round = 1; round <= options.rounds; ++round)
+        guard.writes(outputOf(options, round), "result");
+    if (!options.synth.out.report.empty()) {
+        checkFolder(options.synth.out.report);
+        guard.writes(options.synth.out.report, "report");
+    }
+    guard.check(options.synth.out.overwrite);
+}
 
 /// The figures of one round: the run's own, and how far its image is from the first exemplars.
 Json figuresOf(const Result& result, const TextureDistance& distance) {
@@ -35,6 +57,7 @@ void stress(const StressOptions& options) {
     input.threads = options.synth.out.threads;
     if (!input.exemplars.front().companions.empty() || !input.inputs.empty())
         failUsage("stress: --companion and --init belong to a single run; leave them out.");
+    checkOutputs(input, options);
     const std::vector<RunExemplar> first = input.exemplars;
     Json rounds = Json::array();
     if (!options.synth.out.quiet)
@@ -45,7 +68,7 @@ void stress(const StressOptions& options) {
                              [&](JobContext& context) { return stressRound(plan, first, context); });
         const auto [result, distance] = followed(job, options.synth.out.quiet);
         ExportOptions file;
-        file.image = fmt::format("{}_{}.png", options.synth.out.output.string(), round);
+        file.image = outputOf(options, round);
         file.sidecar = false;
         file.check = checkInterrupt;
         exportResult(result, file);
@@ -55,7 +78,7 @@ void stress(const StressOptions& options) {
         learnFrom(result.synthesis.image, input);
     }
     if (!options.synth.out.report.empty())
-        writeText(options.synth.out.report, Json{{"rounds", rounds}}.dump(2) + "\n");
+        writeText(options.synth.out.report, Json{{"texloomReport", 1}, {"rounds", rounds}}.dump(2) + "\n");
 }
 
 } // namespace texloom::cli

@@ -81,7 +81,7 @@ TEST_F(Batch, SkipsWhatIsThereOnlyWhenTold) {
     const Ended skipping = run({"--shard", "1/4", "--skip-existing", "--summary", "summary.json"});
     EXPECT_THAT(skipping.err, HasSubstr("1 of 2 runs failed: 5; 0 done, 1 skipped."));
     EXPECT_EQ(readText(m_folder / "bark_8_s1.png"), "mine");
-    run({"--shard", "1/4"});
+    run({"--shard", "1/4", "--overwrite"});
     EXPECT_EQ(readImageInfo(m_folder / "bark_8_s1.png").size, (Size{40, 40}));
 }
 

@@ -57,7 +57,7 @@ TEST_P(Interrupt, EndsALongSynthAtOnceAndLeavesNothing) {
 
 TEST_F(Interrupt, KeepsAnEarlierOutput) {
     writeText(m_folder / "out.png", "an earlier result");
-    Program program(longSynth(), m_folder.path());
+    Program program(longSynth({"--overwrite"}), m_folder.path());
     waitForWork(program, 1500ms);
     program.signal(SIGINT);
     EXPECT_EQ(program.wait().status, 130);

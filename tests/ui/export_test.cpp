@@ -1,5 +1,6 @@
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
+#include "tests/support/textures.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/message_bar.h"
 #include "ui/common/text.h"
@@ -83,7 +84,17 @@ private Q_SLOTS:
         child<QLineEdit>(*dialog, "exportName")->textChanged({});
         auto* table = child<QTableWidget>(*dialog, "exportTable");
         QCOMPARE(table->rowCount(), 1);
-        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("replaces")));
+        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("not Texloom's")));
+        auto* write = child<QPushButton>(*dialog, "exportWrite");
+        auto* foreign = child<QCheckBox>(*dialog, "exportForeign");
+        QVERIFY(!write->isEnabled() && foreign->isVisible());
+        foreign->setChecked(true);
+        QVERIFY(write->isEnabled());
+        foreign->setChecked(false);
+        writeImage(toPath(there.fileName()), test::constant({8, 8}, 3, 0.5F), {});
+        child<QLineEdit>(*dialog, "exportName")->textChanged({});
+        QVERIFY(table->item(0, 3)->text().contains(QStringLiteral("replaces the file there")));
+        QVERIFY(write->isEnabled() && !foreign->isVisible());
         dialog->reject();
     }
 

@@ -1,5 +1,6 @@
 #include "ui/export/export_dialog.h"
 
+#include "core/base/error.h"
 #include "core/color/color_pipeline.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
@@ -59,6 +60,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
       m_exactMap(new QCheckBox(tr("Exact &positions (16-bit PNG)"), this)),
       m_sidecar(new QCheckBox(tr("&Recipe beside the picture (JSON)"), this)),
       m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 4, this)),
+      m_foreign(new QCheckBox(tr("Replace &files that Texloom did not write"), this)),
       m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export “%1”").arg(QString::fromStdString(m_result->label())));
@@ -77,6 +79,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     m_sidecar->setObjectName(QStringLiteral("exportSidecar"));
     m_companions->setObjectName(QStringLiteral("exportCompanions"));
     m_table->setObjectName(QStringLiteral("exportTable"));
+    m_foreign->setObjectName(QStringLiteral("exportForeign"));
     m_problem->setObjectName(QStringLiteral("exportProblem"));
     fillFormats();
     fillDepths();
@@ -89,6 +92,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     auto* column = new QVBoxLayout(this);
     column->addLayout(makeForm());
     column->addWidget(m_table, 1);
+    column->addWidget(m_foreign);
     column->addWidget(m_problem);
     column->addWidget(makeButtons());
     connectFields();
@@ -229,7 +233,7 @@ void ExportDialog::connectFields() {
     connect(m_preset, &QComboBox::currentIndexChanged, this, &ExportDialog::presetChosen);
     for (QComboBox* combo : {m_depth, m_space, m_normals})
         connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
-    for (QCheckBox* box : {m_stMap, m_exactMap, m_sidecar, m_companions})
+    for (QCheckBox* box : {m_stMap, m_exactMap, m_sidecar, m_companions, m_foreign})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
 }
 
@@ -279,7 +283,12 @@ QString ExportDialog::refusal() const {
         if (nameFor("x").isEmpty())
             return tr("The files need a name.");
         checkWritable(options().image, m_result->synthesis.image.channels(), options().depth);
-        exportEntries(*m_result, options());
+        for (const ExportEntry& entry : exportEntries(*m_result, options()))
+            if (entry.foreign && !m_foreign->isChecked())
+                return tr("%1 is there, and Texloom did not write it. Choose another name or folder, or "
+                          "allow "
+                          "that it is replaced.")
+                    .arg(toQString(entry.path.filename()));
     } catch (const std::exception& error) {
         return sentence(error);
     }
@@ -296,7 +305,18 @@ void ExportDialog::refresh() {
         m_nameShown->setText(tr("→ %1").arg(toQString(options().image.filename())));
     else
         m_nameShown->clear();
-    fillTable(problem.isEmpty() ? exportEntries(*m_result, options()) : std::vector<ExportEntry>());
+    const std::vector<ExportEntry> files = entries();
+    m_foreign->setVisible(
+        std::any_of(files.begin(), files.end(), [](const ExportEntry& entry) { return entry.foreign; }));
+    fillTable(files);
+}
+
+std::vector<ExportEntry> ExportDialog::entries() const {
+    try {
+        return exportEntries(*m_result, options());
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
@@ -308,7 +328,9 @@ void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
             m_replaced.insert(entry.path);
         auto* file = new QTableWidgetItem(toQString(entry.path.filename()));
         file->setToolTip(toQString(entry.path));
-        auto* disk = new QTableWidgetItem(entry.exists ? tr("replaces the file there") : tr("new"));
+        auto* disk = new QTableWidgetItem(entry.foreign  ? tr("replaces a file that is not Texloom's")
+                                          : entry.exists ? tr("replaces the file there")
+                                                         : tr("new"));
         QFont font = m_table->font();
         font.setBold(entry.exists);
         disk->setFont(font);

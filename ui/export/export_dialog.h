@@ -41,6 +41,8 @@ private:
     void fillFormats();
     void fillDepths();
     void refresh();
+    /// Every file as it would be written now; none while something is wrong.
+    std::vector<ExportEntry> entries() const;
     void fillTable(const std::vector<ExportEntry>& entries);
     QWidget* depthCell(const ExportEntry& entry);
     void chooseFolder();
@@ -62,6 +64,7 @@ private:
     QCheckBox* m_sidecar;
     QCheckBox* m_companions;
     QTableWidget* m_table;
+    QCheckBox* m_foreign; ///< shown where files of others would be replaced
     QLabel* m_problem;
     QPushButton* m_write = nullptr;
     std::set<std::filesystem::path> m_replaced; ///< files that the table says are replaced

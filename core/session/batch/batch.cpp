@@ -30,10 +30,20 @@ struct Axis {
     std::vector<Json> values;
 };
 
+/// A recipe, or why there is none.
+struct Read {
+    Recipe recipe; ///< without its exemplars
+    std::shared_ptr<const std::vector<RecipeExemplar>> exemplars;
+    std::string name; ///< of the first exemplar
+    Message problem;
+};
+
+/// Recipes that runs share, by their files.
+using ReadFiles = std::map<fs::path, Read>;
+
 /// One entry of "runs" as it stands in the file.
 struct Run {
-    Recipe recipe;
-    Message problem;
+    Read read;
     std::vector<Axis> axes;
     bool variedSeeds = false;
     std::string output, report, depth, space;
@@ -59,13 +69,28 @@ std::string choiceOr(const JsonField& field, const std::string& key, const std::
     return text;
 }
 
-void readRecipe(Run& run, const JsonField& field, const fs::path& folder) {
+template <class Make> Read readRecipe(const Make& make) {
+    Read read;
     try {
-        run.recipe = field.json().is_string() ? readRun((folder / field.text()).lexically_normal())
-                                              : Recipe::fromJson(field.json().dump(), folder);
+        read.recipe = make();
     } catch (const Error& error) {
-        run.problem = error.message();
+        read.problem = error.message();
     }
+    if (!read.recipe.exemplars.empty())
+        read.name = read.recipe.exemplars.front().image.path.stem().string();
+    read.exemplars = std::make_shared<const std::vector<RecipeExemplar>>(std::move(read.recipe.exemplars));
+    read.recipe.exemplars.clear();
+    return read;
+}
+
+Read recipeFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
+    if (!field.json().is_string())
+        return readRecipe([&] { return Recipe::fromJson(field.json().dump(), folder); });
+    const fs::path path = (folder / field.text()).lexically_normal();
+    const auto [known, isNew] = files.try_emplace(path);
+    if (isNew)
+        known->second = readRecipe([&] { return readRun(path); });
+    return known->second;
 }
 
 std::vector<Axis> axesFrom(const JsonField& field) {
@@ -86,11 +111,11 @@ std::vector<Axis> axesFrom(const JsonField& field) {
     return axes;
 }
 
-Run runFrom(const JsonField& field, const fs::path& folder) {
+Run runFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
     field.needObject();
     field.only({"recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
     Run run;
-    readRecipe(run, field.at("recipe"), folder);
+    run.read = recipeFrom(field.at("recipe"), folder, files);
     run.output = field.at("output").text();
     if (run.output.empty())
         field.at("output").wrong(TR("the name of a file"));
@@ -147,10 +172,10 @@ void set(Recipe& recipe, const std::string& name, const Json& value) {
     failUsage("The sweep's {} is for {}, which is not one of the methods of this run.", name, method);
 }
 
-NameWords wordsFor(const Recipe& recipe, std::size_t index) {
+NameWords wordsFor(const Recipe& recipe, const std::string& name, std::size_t index) {
     const Size size = recipe.region ? recipe.region->size : recipe.size;
     const std::string width = std::to_string(size.width), height = std::to_string(size.height);
-    return {{"name", recipe.exemplars.empty() ? "" : recipe.exemplars.front().image.path.stem().string()},
+    return {{"name", name},
             {"method", methodIds(recipe.steps, "_")},
             {"seed", std::to_string(recipe.seed)},
             {"w", width},
@@ -162,7 +187,8 @@ NameWords wordsFor(const Recipe& recipe, std::size_t index) {
 /// The item for one combination of a run's values, `chosen` by axis.
 BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std::size_t>& chosen,
                   std::size_t number, const fs::path& folder) {
-    BatchItem item{run.recipe, run.problem, {}, {}, {}, {}, run.depth, run.space, run.sidecar};
+    BatchItem item{run.read.recipe, run.read.exemplars, run.read.problem, {}, {}, {}, {},
+                   run.depth,       run.space,          run.sidecar};
     NameWords swept;
     for (std::size_t i = 0; i < run.axes.size(); ++i) {
         const std::string& name = run.axes[i].name;
@@ -178,7 +204,7 @@ BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std
     }
     if (run.variedSeeds)
         item.recipe.seed += combination;
-    NameWords words = wordsFor(item.recipe, number);
+    NameWords words = wordsFor(item.recipe, run.read.name, number);
     words.merge(swept);
     const auto path = [&](const std::string& pattern) {
         return pattern.empty() ? fs::path() : (folder / expandName(pattern, words)).lexically_normal();
@@ -213,6 +239,12 @@ void checkOutputs(const std::vector<BatchItem>& items) {
 
 } // namespace
 
+Recipe BatchItem::whole() const {
+    Recipe all = recipe;
+    all.exemplars = *exemplars;
+    return all;
+}
+
 std::string BatchItem::label(std::size_t number) const {
     return cell.empty() ? fmt::format("run {}", number) : fmt::format("run {} ({})", number, cell);
 }
@@ -231,8 +263,9 @@ Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
     const JsonField runs = root.at("runs");
     runs.needArray(1, kMostRuns);
     Batch batch;
+    ReadFiles files;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Run run = runFrom(runs.at(i), folder);
+        const Run run = runFrom(runs.at(i), folder, files);
         const Combinations combinations = run.combinations();
         if (combinations.count() > kMostRuns - batch.items.size())
             failUsage("The batch holds more than {} runs; divide it.", grouped(kMostRuns));
@@ -240,6 +273,8 @@ Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
             batch.items.push_back(itemFor(run, k, combinations.at(k), batch.items.size() + 1, folder));
     }
     checkOutputs(batch.items);
+    for (const auto& [path, read] : files)
+        batch.recipes.push_back(path);
     return batch;
 }
 

@@ -4,6 +4,7 @@
 #include "core/io/recipe.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,9 @@ namespace texloom {
 
 /// One run of a batch: a recipe and the files to write.
 struct BatchItem {
-    Recipe recipe;
+    Recipe recipe; ///< without its exemplars: see whole()
+    /// What may be thousands of files is there once for all items of a run.
+    std::shared_ptr<const std::vector<RecipeExemplar>> exemplars;
     Message problem;  ///< why there is no recipe, in one sentence; empty if there is one
     std::string cell; ///< "patch=32, seed=7": the place in its sweep, or empty
     std::filesystem::path output;
@@ -22,6 +25,8 @@ struct BatchItem {
     std::string space;            ///< or empty for what the format's users expect
     bool sidecar = true;
 
+    /// The recipe with its exemplars.
+    Recipe whole() const;
     /// "run 3 (patch=32, seed=7)" for messages. @param number from 1 in the whole batch.
     std::string label(std::size_t number) const;
 };
@@ -37,6 +42,7 @@ struct Batch {
     static constexpr int kFormat = 1;
 
     std::vector<BatchItem> items;
+    std::vector<std::filesystem::path> recipes; ///< files that recipes were read from
 
     /// A recipe that cannot be read becomes its items' problem, so that the number of items depends on this
     /// text alone.

@@ -5,7 +5,7 @@
 #include "core/color/color_pipeline.h"
 #include "core/image/normal_map.h"
 #include "core/io/map_file.h"
-#include "core/job/memory.h"
+#include "core/io/own_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +19,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+/// What messages call a file that a recipe names.
+const char* const kSource = TR("a source of the result");
 
 /// One file to write and how.
 struct Step {
@@ -254,10 +257,7 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
     std::vector<Step> steps;
     steps.push_back(
         {{options.image, TR("result"), false, "", options.depth}, [&] { writeResult(result, options); }});
-    for (const fs::path& map : options.maps) {
-        if (!hasMap(result))
-            failUsage("{} copies no pixels, so it has no position map.",
-                      Message(result.plan.lastMethod().info().title));
+    for (const fs::path& map : options.maps)
         steps.push_back(
             {{map, map.extension() == ".exr" ? TR("position map (STMap)") : TR("position map (16-bit)"),
               false},
@@ -265,7 +265,6 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
                  writePositionMap(map, result.synthesis.map, result.plan.recipe.toJson(folderOf(map)),
                                   options.check);
              }});
-    }
     for (Step& step : companionSteps(result, options))
         steps.push_back(std::move(step));
     if (options.sidecar) {
@@ -273,12 +272,23 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
         steps.push_back({{path, TR("recipe"), false},
                          [&result, &options, path] { writeSidecar(result, options, path); }});
     }
-    const std::vector<fs::path> sources = sourcesOf(result.plan.recipe);
+    return steps;
+}
+
+/// The same once there is a result: with what is on the disk now, and nothing lost by it.
+std::vector<Step> checkedSteps(const Result& result, const ExportOptions& options) {
+    if (!options.maps.empty() && !hasMap(result))
+        failUsage("{} copies no pixels, so it has no position map.",
+                  Message(result.plan.lastMethod().info().title));
+    std::vector<Step> steps = stepsFor(result, options);
+    OutputGuard guard;
+    guard.reads(sourcesOf(result.plan.recipe), kSource);
     for (Step& step : steps) {
         std::error_code error;
         step.entry.exists = fs::exists(step.entry.path, error);
-        checkKept(sources, step.entry.path);
+        guard.writes(step.entry.path, Message(step.entry.content));
     }
+    guard.check(true);
     return steps;
 }
 
@@ -291,13 +301,12 @@ std::vector<fs::path> sourcesOf(const Recipe& recipe) {
     return sources;
 }
 
-void checkKept(const std::vector<fs::path>& sources, const fs::path& written) {
-    std::error_code error;
-    const fs::path target = fs::weakly_canonical(written, error);
-    for (const fs::path& source : sources)
-        if (fs::weakly_canonical(source, error) == target)
-            failUsage("{} is what the result is made from and would be overwritten; name another file.",
-                      written.string());
+void announce(const RunPlan& plan, const ExportOptions& options, OutputGuard& guard) {
+    guard.reads(sourcesOf(plan.recipe), kSource);
+    Result planned;
+    planned.plan = plan;
+    for (const Step& step : stepsFor(planned, options))
+        guard.writes(step.entry.path, Message(step.entry.content));
 }
 
 NameWords nameWords(const Result& result, const std::string& map) {
@@ -316,8 +325,10 @@ NameWords nameWords(const Result& result, const std::string& map) {
 
 std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options) {
     std::vector<ExportEntry> entries;
-    for (Step& step : stepsFor(result, options))
+    for (Step& step : checkedSteps(result, options)) {
+        step.entry.foreign = isForeignFile(step.entry.path);
         entries.push_back(std::move(step.entry));
+    }
     return entries;
 }
 
@@ -345,7 +356,7 @@ void exportPicture(const fs::path& path, const ImageView& picture, const Exempla
 std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions& options) {
     std::vector<ExportEntry> written;
     try {
-        for (Step& step : stepsFor(result, options)) {
+        for (Step& step : checkedSteps(result, options)) {
             if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
                 fail("{} has appeared meanwhile; export again to see what would be replaced.",
                      step.entry.path.string());
@@ -393,27 +404,6 @@ Result exportStrips(const RunPlan& plan, const ExportOptions& options,
     if (options.sidecar)
         writeSidecar(whole, options, beside(options.image, "", ".json"));
     return whole;
-}
-
-std::string reportJson(const Result& result, const fs::path& folder) {
-    Json json;
-    json["recipe"] = Json::parse(result.plan.recipe.toJson(folder));
-    json["threads"] = result.plan.threads;
-    json["seconds"] = result.seconds;
-    if (result.stoppedAt)
-        json["stoppedAt"] = *result.stoppedAt;
-    for (const StageTime& stage : result.stages)
-        json["stages"].push_back({{"name", stage.name.text()}, {"seconds", stage.seconds}});
-    json["peakMemoryBytes"] = peakMemory();
-    json["memoryBeforeBytes"] = result.plan.memoryBefore;
-    json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
-    for (const Message& note : result.synthesis.notes)
-        json["notes"].push_back(note.text());
-    for (const Figure& figure : result.figures)
-        json["figures"][figure.name.text()] = figure.value;
-    for (const Curve& curve : result.synthesis.curves)
-        json["curves"][curve.name.text()] = curve.values;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace texloom

@@ -2,6 +2,7 @@
 
 #include "core/session/export/export_preset.h"
 #include "core/session/export/name_template.h"
+#include "core/session/export/output_guard.h"
 #include "core/session/run/run.h"
 
 #include <filesystem>
@@ -41,13 +42,14 @@ struct ExportEntry {
     bool exists = false;
     std::string word = {};           ///< of companion maps: $map of their name
     std::optional<Depth> depth = {}; ///< of pictures
+    bool foreign = false;            ///< it exists, and Texloom did not write it
 };
 
 /// Every file that a recipe is made from.
 std::vector<std::filesystem::path> sourcesOf(const Recipe& recipe);
 
-/// Refuses to write over one of the files that something is made from. @throws UsageError
-void checkKept(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& written);
+/// Tells a guard, before a plan is run, which files it reads and which an export of its result would write.
+void announce(const RunPlan& plan, const ExportOptions& options, OutputGuard& guard);
 
 /// The words that templates of a result's names know: $name, $method, $seed, $w, $h, $size, $place (of a
 /// region), and $map, which is `map`.

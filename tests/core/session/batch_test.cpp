@@ -49,7 +49,7 @@ TEST(Batch, ReadsARecipeWithItsOutputs) {
     EXPECT_EQ(item.report, "/data/1.json");
     EXPECT_EQ(item.depth, "16");
     EXPECT_FALSE(item.sidecar);
-    EXPECT_EQ(item.recipe.exemplars.front().image.path, "/data/bark.png");
+    EXPECT_EQ(item.whole().exemplars.front().image.path, "/data/bark.png");
 }
 
 TEST(Batch, SweepsThroughEveryCombination) {

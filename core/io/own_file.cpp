@@ -1,0 +1,80 @@
+#include "core/io/own_file.h"
+
+#include "core/base/error.h"
+#include "core/io/image_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The names of fields, all of which only Texloom puts into one object.
+using Marks = std::vector<const char*>;
+
+const std::array<Marks, 5> kMarks = {{
+    {"texloom", "outputs"},        // the recipe beside a picture
+    {"texloomReport"},             // of a run, of a stress test or a batch
+    {"recipe", "peakMemoryBytes"}, // a run's report before it had a mark of its own
+    {"session", "settings", "seedLocked"},
+    {"texloomResult"},
+}};
+
+constexpr std::string_view kPage = "<!-- Written by `texloom-cli ";
+/// The summary of as many runs as a batch may hold is some 30 MB.
+constexpr std::uintmax_t kLargestJson = 256U << 20;
+
+bool hasMarks(const fs::path& path) {
+    const nlohmann::json json = nlohmann::json::parse(readText(path, kLargestJson), nullptr, false);
+    return json.is_object() && std::any_of(kMarks.begin(), kMarks.end(), [&](const Marks& marks) {
+               return std::all_of(marks.begin(), marks.end(),
+                                  [&](const char* mark) { return json.contains(mark); });
+           });
+}
+
+std::string beginningOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string begin(kPage.size(), '\0');
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    return begin;
+}
+
+} // namespace
+
+bool isOwnFile(const fs::path& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+        return false;
+    try {
+        const std::string begin = beginningOf(path);
+        if (begin == kPage)
+            return true;
+        if (begin.starts_with('{'))
+            return hasMarks(path);
+        return !readAttribute(path, "texloom:space").empty() || readAttribute(path, "Software") == "Texloom";
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+bool isForeignFile(const fs::path& path) {
+    std::error_code error;
+    if (!fs::exists(path, error))
+        return false;
+    const bool empty = fs::is_regular_file(path, error) && fs::file_size(path, error) == 0;
+    return !empty && !isOwnFile(path);
+}
+
+} // namespace texloom

@@ -1,0 +1,75 @@
+#include "core/session/export/output_guard.h"
+
+#include "core/base/error.h"
+#include "core/io/own_file.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Where a name leads, whether or not there is a file at the end of its links.
+fs::path resolved(fs::path file) {
+    constexpr int kMostLinks = 40;
+    std::error_code error;
+    for (int links = 0; links < kMostLinks && fs::is_symlink(file, error); ++links) {
+        const fs::path target = fs::read_symlink(file, error);
+        file = target.is_absolute() ? target : file.parent_path() / target;
+    }
+    return fs::weakly_canonical(file, error);
+}
+
+} // namespace
+
+FileIdentity FileIdentity::of(const fs::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) == 0)
+        return {status.st_dev, status.st_ino, {}};
+    std::string path = resolved(file).string();
+    std::transform(path.begin(), path.end(), path.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return {0, 0, path};
+}
+
+void OutputGuard::reads(const fs::path& file, const Message& what) {
+    m_reads.try_emplace(FileIdentity::of(file), Use{file, what});
+}
+
+void OutputGuard::reads(const std::vector<fs::path>& files, const Message& what) {
+    for (const fs::path& file : files)
+        reads(file, what);
+}
+
+void OutputGuard::writes(const fs::path& file, const Message& what) {
+    m_writes.push_back({file, what});
+}
+
+const OutputGuard::Use* OutputGuard::reader(const FileIdentity& file) const {
+    if (const auto found = m_reads.find(file); found != m_reads.end())
+        return &found->second;
+    return m_around ? m_around->reader(file) : nullptr;
+}
+
+void OutputGuard::check(bool overwrite) const {
+    std::map<FileIdentity, const Use*> written;
+    for (const Use& use : m_writes) {
+        const FileIdentity file = FileIdentity::of(use.path);
+        if (const Use* const read = reader(file))
+            failUsage("The {} {} would replace {}, {}, which would be lost; name another file.", use.what,
+                      use.path.string(), read->path.string(), read->what);
+        if (const auto [other, isNew] = written.try_emplace(file, &use); !isNew)
+            failUsage("The {} {} and the {} {} are the same file; name another one.", other->second->what,
+                      other->second->path.string(), use.what, use.path.string());
+        if (!overwrite && file.path.empty() && isForeignFile(use.path))
+            failUsage("The {} would replace {}, which Texloom did not write; name another file, or allow it "
+                      "with --overwrite.",
+                      use.what, use.path.string());
+    }
+}
+
+} // namespace texloom
