@@ -1,4 +1,5 @@
 #include "core/base/version.h"
+#include "core/io/decoder_process.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/language.h"
@@ -11,6 +12,7 @@
 #include <memory>
 
 int main(int argc, char** argv) {
+    texloom::DecoderProcess::start(); // before anything has threads
     const QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("Texloom"));
     QApplication::setApplicationName(QStringLiteral("texloom"));

@@ -6,6 +6,8 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
+#include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace ocio = OCIO_NAMESPACE;
@@ -49,6 +51,44 @@ void convert(Image& image, std::string_view from, std::string_view to) {
     process(image, config()->getProcessor(std::string(from).c_str(), std::string(to).c_str()));
 }
 
+ocio::TransformRcPtr srgbToLinear() {
+    const auto curve = ocio::ColorSpaceTransform::Create();
+    curve->setSrc("srgb");
+    curve->setDst("linear");
+    return curve;
+}
+
+ocio::TransformRcPtr curveOf(const FileColor& color) {
+    if (color.curve == FileColor::Curve::Srgb)
+        return srgbToLinear();
+    if (color.curve == FileColor::Curve::Power) {
+        const auto power = ocio::ExponentTransform::Create();
+        power->setValue({color.power, color.power, color.power, 1});
+        power->setNegativeStyle(ocio::NEGATIVE_MIRROR);
+        return power;
+    }
+    const auto table = ocio::Lut1DTransform::Create(color.table.size(), false);
+    for (std::size_t i = 0; i < color.table.size(); ++i)
+        table->setValue(i, color.table[i], color.table[i], color.table[i]);
+    return table;
+}
+
+/// From a file's numbers to linear Rec.709.
+ocio::GroupTransformRcPtr lightOf(const FileColor& color) {
+    const auto group = ocio::GroupTransform::Create();
+    if (color.curve != FileColor::Curve::Linear)
+        group->appendTransform(curveOf(color));
+    std::array<double, 16> matrix{};
+    for (std::size_t i = 0; i < 3; ++i)
+        std::copy_n(color.toRec709.begin() + static_cast<std::ptrdiff_t>(3 * i), 3,
+                    matrix.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    matrix[15] = 1;
+    const auto primaries = ocio::MatrixTransform::Create();
+    primaries->setMatrix(matrix.data());
+    group->appendTransform(primaries);
+    return group;
+}
+
 } // namespace
 
 const std::vector<ColorSpace>& spaces() {
@@ -62,6 +102,9 @@ const std::vector<ColorSpace>& spaces() {
 }
 
 const ColorSpace& findSpace(std::string_view id) {
+    static const ColorSpace own{kFileSpace, TR("As the file's tags say")};
+    if (id == kFileSpace)
+        return own;
     std::vector<std::string> known;
     for (const ColorSpace& space : spaces()) {
         if (space.id == id)
@@ -77,6 +120,18 @@ void toWorking(Image& image, std::string_view space) {
 
 void fromWorking(Image& image, std::string_view space) {
     convert(image, kWorkingSpace, space);
+}
+
+void toWorking(Image& image, const FileColor& from) {
+    process(image, config()->getProcessor(lightOf(from)));
+    convert(image, "linear", kWorkingSpace);
+}
+
+void fromWorking(Image& image, const FileColor& to) {
+    convert(image, kWorkingSpace, "linear");
+    const auto light = lightOf(to);
+    light->setDirection(ocio::TRANSFORM_DIR_INVERSE);
+    process(image, config()->getProcessor(light));
 }
 
 void toDisplay(Image& image) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/color/file_color.h"
 #include "core/image/image.h"
 
 #include <string>
@@ -24,7 +25,10 @@ namespace color {
 
 const std::vector<ColorSpace>& spaces();
 
-/// @throws UsageError that lists the known spaces.
+/// Stands, in recipes, for the colours that a file's tags describe; not one of spaces().
+inline constexpr const char* kFileSpace = "file";
+
+/// @param id of one of spaces(), or kFileSpace. @throws UsageError that lists the known spaces.
 const ColorSpace& findSpace(std::string_view id);
 
 /// Converts in place from a file's space. Exact (nothing is computed) where both spaces are the same.

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/channel_names.h"
 #include "core/io/image_file.h"
 #include "core/io/temporary_file.h"
 
@@ -9,7 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
+#include <cstdlib>
+#include <ctime>
+#include <optional>
 
 namespace texloom {
 
@@ -83,6 +88,41 @@ void checkFormat(const fs::path& path, const Format& format, int channels, Depth
                   path.extension().string(), depthName(depth));
 }
 
+std::atomic<bool> reproducible = false;
+
+/// The date of files, where it is not the time of day; see reproducible-builds.org/specs/source-date-epoch.
+std::optional<std::time_t> fixedDate() {
+    std::uint64_t seconds = 0;
+    if (const char* const epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch && parseUnsigned(epoch, seconds))
+        return static_cast<std::time_t>(seconds);
+    return reproducible ? std::optional<std::time_t>(0) : std::nullopt;
+}
+
+/// As EXIF and TIFF write it, in UTC.
+std::string dateText(std::time_t date) {
+    std::tm parts{};
+    ::gmtime_r(&date, &parts);
+    return fmt::format("{:04}:{:02}:{:02} {:02}:{:02}:{:02}", parts.tm_year + 1900, parts.tm_mon + 1,
+                       parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+}
+
+std::vector<std::string> channelNames(int channels, const WriteOptions& options) {
+    if (options.channelNames.size() == static_cast<std::size_t>(channels))
+        return options.channelNames;
+    if (options.space == "raw" && channels == 2)
+        return {"R", "G"}; // two values, not one with alpha
+    return defaultChannelNames(channels);
+}
+
+/// Multiplies colours by alpha, as all that read an EXR expect.
+void multiplyByAlpha(std::vector<float>& row, int channels, const std::vector<AlphaGroup>& groups) {
+    for (std::size_t first = 0; first < row.size(); first += static_cast<std::size_t>(channels))
+        for (const AlphaGroup& group : groups)
+            for (const int c : group.colours)
+                row[first + static_cast<std::size_t>(c)] *=
+                    row[first + static_cast<std::size_t>(group.alpha)];
+}
+
 OIIO::ImageSpec specFor(Size size, int channels, const Format& format, const WriteOptions& options) {
     OIIO::ImageSpec spec(size.width, size.height, channels, typeOf(options.depth));
     // In a TIFF it would become an EXIF directory, which this OpenImageIO writes broken through a stream;
@@ -90,8 +130,13 @@ OIIO::ImageSpec specFor(Size size, int channels, const Format& format, const Wri
     if (format.name != "tiff")
         spec.attribute("oiio:ColorSpace", options.space == "srgb" ? "sRGB" : "Linear");
     spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.channelnames = channelNames(channels, options);
+    const std::vector<AlphaGroup> alphas = alphaGroups(spec.channelnames);
+    spec.alpha_channel = alphas.empty() ? -1 : alphas.front().alpha;
     spec.attribute("texloom:space", options.space);
     spec.attribute("Software", "Texloom");
+    if (const std::optional<std::time_t> date = fixedDate())
+        spec.attribute("DateTime", dateText(*date));
     if (format.name == "jpeg") {
         spec.attribute("Compression", "jpeg:95");
         spec.attribute("jpeg:subsampling", "4:4:4");
@@ -154,11 +199,15 @@ void writeImage(const fs::path& path, Size size, int channels, const RowSource& 
     if (!output || !output->set_ioproxy(&stream) ||
         !output->open(path.string(), specFor(size, channels, format, options)))
         failWriting(path, output ? output->geterror() : "there is no writer for this format");
+    const bool multiplied = format.name == "openexr" && options.space != "raw";
+    const std::vector<AlphaGroup> alphas = alphaGroups(channelNames(channels, options));
     std::vector<float> row(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(channels));
     for (int y = 0; y < size.height; ++y) {
         if (options.check)
             options.check();
         rows(y, row.data());
+        if (multiplied)
+            multiplyByAlpha(row, channels, alphas);
         if (!output->write_scanline(y, 0, OIIO::TypeDesc::FLOAT, row.data()))
             failWriting(path, output->geterror());
     }
@@ -176,11 +225,17 @@ void writeImage(const fs::path& path, const ImageView& image, const WriteOptions
     writeImage(path, image.size(), image.channels, interleave, options);
 }
 
+void setReproducible(bool yes) {
+    reproducible = yes;
+}
+
 void checkFolder(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status))
         fail("{} cannot be written: it is a folder.", path.string());
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        fail("{} cannot be written: it is no ordinary file.", path.string());
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (status.type() == fs::file_type::none)
         fail("{} cannot be written: {}.", path.string(), error.message());

@@ -50,6 +50,11 @@ std::vector<Size> parseSizes(const std::string& text) {
     return sizes;
 }
 
+std::string textOf(const ImageFileInfo& info, const char* name) {
+    const auto found = info.texts.find(name);
+    return found == info.texts.end() ? std::string() : found->second;
+}
+
 void stMapRow(const PositionMap& map, int y, float* row) {
     for (int x = 0; x < map.width(); ++x, row += 4) {
         const Source& source = map.at(x, y);
@@ -113,7 +118,17 @@ Source exactSource(const fs::path& path, const ImageView& image, const std::vect
             pixelIndex(path, number(1), sizes[exemplar].height, x, y), exemplar};
 }
 
+/// Whether an EXR's compression changes values.
+bool losesValues(const std::string& compression) {
+    const auto begins = [&](const char* name) { return compression.starts_with(name); };
+    return begins("dwa") || begins("b44") || begins("pxr24");
+}
+
 void checkMapFile(const fs::path& path, MapFormat format, const ImageFileInfo& info) {
+    if (format == MapFormat::StMap && losesValues(info.compression))
+        fail("{} is compressed with loss ({}), which moves the places that a map addresses; save it with "
+             "zip, piz or none.",
+             path.string(), info.compression);
     if (format == MapFormat::StMap && (info.channels < 2 || info.depth != "float"))
         fail("{} is not a position map: an STMap has 2 to 4 channels of 32-bit floats, but this file has {} "
              "of {}.",
@@ -145,10 +160,10 @@ void writePositionMap(const fs::path& path, const PositionMap& map, const std::s
 }
 
 PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemplarSizes) {
-    const LoadedImage file = readImage(path);
+    const LoadedImage file = readImage(path, {kLargestFilePixels, {}, true});
     const MapFormat format = file.info.format == "openexr" ? MapFormat::StMap : mapFormatFor(path);
     checkMapFile(path, format, file.info);
-    std::vector<Size> sizes = parseSizes(readAttribute(path, kSizesAttribute));
+    std::vector<Size> sizes = parseSizes(textOf(file.info, kSizesAttribute));
     if (sizes.empty())
         sizes = exemplarSizes;
     if (sizes.empty())

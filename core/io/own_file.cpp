@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -63,7 +64,9 @@ bool isOwnFile(const fs::path& path) {
             return true;
         if (begin.starts_with('{'))
             return hasMarks(path);
-        return !readAttribute(path, "texloom:space").empty() || readAttribute(path, "Software") == "Texloom";
+        const std::map<std::string, std::string> texts = readImageInfo(path).texts;
+        const auto software = texts.find("Software");
+        return texts.contains("texloom:space") || (software != texts.end() && software->second == "Texloom");
     } catch (const Error&) {
         return false;
     }

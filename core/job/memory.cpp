@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -67,6 +68,14 @@ std::uint64_t leftUpwards(const fs::path& root, const fs::path& group, const Gro
     return left;
 }
 
+std::atomic<std::uint64_t> givenMemory = 0;
+
+/// What the process has not yet taken of the memory that it was given, if it was given any.
+std::optional<std::uint64_t> leftOfLimit() {
+    const std::uint64_t given = givenMemory;
+    return given > 0 ? std::optional(given - std::min(given, residentMemory())) : std::nullopt;
+}
+
 std::string contentOf(const char* path) {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -101,10 +110,28 @@ std::uint64_t peakMemory() {
     return kernelFigure("/proc/self/status", "VmHWM:").value_or(0);
 }
 
+std::uint64_t dataMemory() {
+    return kernelFigure("/proc/self/status", "VmData:").value_or(0);
+}
+
+void limitMemory(std::uint64_t bytes) {
+    givenMemory = bytes;
+}
+
 std::uint64_t availableMemory() {
     constexpr std::uint64_t kAssumed = 4ULL << 30;
     const std::uint64_t machine = kernelFigure("/proc/meminfo", "MemAvailable:").value_or(kAssumed);
-    return std::min(machine, groupMemoryLeft("/sys/fs/cgroup", contentOf("/proc/self/cgroup")));
+    return std::min({machine, groupMemoryLeft("/sys/fs/cgroup", contentOf("/proc/self/cgroup")),
+                     leftOfLimit().value_or(kUnlimitedMemory)});
+}
+
+Message availableMemoryText() {
+    const std::uint64_t available = availableMemory();
+    const std::optional<std::uint64_t> left = leftOfLimit();
+    if (left && *left <= available)
+        return message("the {} that the limit of {} leaves", byteText(available),
+                       byteText(givenMemory.load()));
+    return message("the {} that are free", byteText(available));
 }
 
 } // namespace texloom

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/message.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -11,9 +13,20 @@ namespace texloom {
 std::uint64_t residentMemory();
 std::uint64_t peakMemory();
 
-/// Memory that a run may take now, in bytes: what the machine has free, or what a container or a cluster's
-/// scheduler leaves this process where that is less.
+/// Private memory of this process that the system's limit RLIMIT_DATA counts, in bytes.
+std::uint64_t dataMemory();
+
+/// Gives this process so much memory, in bytes, all that it has already taken included; 0: as much as there
+/// is.
+void limitMemory(std::uint64_t bytes);
+
+/// Memory that may still be taken now, in bytes: what the machine has free, or what a container, a cluster's
+/// scheduler or limitMemory() leaves this process where that is less.
 std::uint64_t availableMemory();
+
+/// "the 1.4 GiB that are free", or "the 63 MiB that the limit of 200 MiB leaves": availableMemory() in a
+/// sentence.
+Message availableMemoryText();
 
 /// Stands for "as much as there is".
 inline constexpr std::uint64_t kUnlimitedMemory = std::numeric_limits<std::uint64_t>::max();

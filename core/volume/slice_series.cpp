@@ -159,7 +159,7 @@ LoadedVolume readSlices(const fs::path& path, JobContext& context, const VolumeR
     int z = 0;
     for (const auto& [number, file] : slices) {
         context.progress(static_cast<double>(z) / size.depth);
-        LoadedImage slice = readImage(file, first.size.area());
+        LoadedImage slice = readImage(file, {.largestPixels = first.size.area()});
         if (!sameKind(slice.info, first))
             fail("{} is {} × {} px with {} channels; the volume's first slice {} is {} × {} px with {}.",
                  file.string(), slice.info.size.width, slice.info.size.height, slice.info.channels,

@@ -143,7 +143,7 @@ TEST_P(FuzzImages, AreReadOrRefused) {
     fuzz(name, originals, iterations(), [&](const std::string& bytes) {
         put(folder / name, bytes);
         expectReadOrRefused([&] { readImageInfo(folder / name); });
-        readImage(folder / name, kLargestPixels);
+        readImage(folder / name, {.largestPixels = kLargestPixels});
     });
 }
 
@@ -154,7 +154,8 @@ TEST(Fuzz, PositionMapsAreReadOrRefused) {
         const std::string original = get(folder / name);
         fuzz(name, {original}, iterations() / 2, [&](const std::string& bytes) {
             put(folder / name, bytes);
-            readImage(folder / name, kLargestPixels); // refuses what would take much memory
+            readImage(folder / name,
+                      {.largestPixels = kLargestPixels}); // refuses what would take much memory
             const PositionMap map = readPositionMap(folder / name, {{40, 31}});
             for (int y = 0; y < map.height(); ++y)
                 for (int x = 0; x < map.width(); ++x)

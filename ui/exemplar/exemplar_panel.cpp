@@ -234,7 +234,10 @@ void ExemplarPanel::showDetails(const ExemplarEntry* entry) {
         return;
     m_name->setFullText(toQString(entry->file().path.filename()), toQString(entry->file().path));
     m_facts->setText(factsOf(entry->file()));
-    m_space->setCurrentIndex(m_space->findData(QString::fromStdString(entry->file().space)));
+    const QString space = QString::fromStdString(entry->file().space);
+    if (m_space->findData(space) < 0)
+        m_space->addItem(translated(color::findSpace(entry->file().space).title), space);
+    m_space->setCurrentIndex(m_space->findData(space));
 }
 
 void ExemplarPanel::showWeight(const ExemplarEntry* entry) {

@@ -363,7 +363,8 @@ void ExemplarStore::setSpace(int id, const QString& space) {
             tr("Colour space"),
             {},
             [space = space.toStdString()](ExemplarState& state) {
-                state.original.image = loadExemplar(state.original.image.path, space);
+                state.original.image =
+                    loadExemplar(state.original.image.path, space, state.original.image.layer);
             },
             true});
 }

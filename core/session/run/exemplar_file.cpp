@@ -1,34 +1,58 @@
 #include "core/session/run/exemplar_file.h"
 
 #include "core/color/color_pipeline.h"
+#include "core/image/hidden_colour.h"
+#include "core/io/channel_names.h"
 
 #include <utility>
 
 namespace texloom {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-ExemplarFile load(const std::filesystem::path& path, const std::string& space) {
-    LoadedImage loaded = readImage(path);
-    ExemplarFile file{path, space.empty() ? loaded.info.space : space, fileHash(path), loaded.info, nullptr};
+/// A file without its pixels, which are given apart, to be worked on.
+std::pair<ExemplarFile, Image> load(const fs::path& path, const std::string& space,
+                                    const std::string& layer) {
+    LoadedImage loaded = readImage(path, {kLargestFilePixels, layer, space == "raw"});
+    const bool asTheFileSays = space.empty() || space == color::kFileSpace;
+    ExemplarFile file{path, asTheFileSays ? loaded.info.space : space, fileHash(path), loaded.info, nullptr};
     file.role = mapNameFrom(file.name()).role;
-    color::toWorking(loaded.image, file.space);
-    file.image = std::make_shared<const Image>(std::move(loaded.image));
-    return file;
+    file.layer = layer;
+    if (file.space != "raw")
+        for (const AlphaGroup& group : alphaGroups(loaded.info.channelNames))
+            fillHidden(loaded.image, group.alpha, group.colours);
+    return {std::move(file), std::move(loaded.image)};
+}
+
+ExemplarFile whole(std::pair<ExemplarFile, Image> loaded) {
+    loaded.first.image = std::make_shared<const Image>(std::move(loaded.second));
+    return std::move(loaded.first);
 }
 
 } // namespace
 
-ExemplarFile loadExemplar(const std::filesystem::path& path, const std::string& space) {
-    return load(path, space);
+ExemplarFile loadExemplar(const fs::path& path, const std::string& space, const std::string& layer) {
+    std::pair<ExemplarFile, Image> loaded = load(path, space, layer);
+    if (loaded.first.space == color::kFileSpace)
+        color::toWorking(loaded.second, *loaded.first.info.color);
+    else
+        color::toWorking(loaded.second, loaded.first.space);
+    return whole(std::move(loaded));
 }
 
-ExemplarFile loadData(const std::filesystem::path& path) {
-    return load(path, "raw");
+ExemplarFile loadData(const fs::path& path, const std::string& layer) {
+    return whole(load(path, "raw", layer));
 }
 
-ExemplarFile loadMask(const std::filesystem::path& path) {
-    ExemplarFile file = loadData(path);
+ExemplarFile loadUnconverted(const fs::path& path) {
+    const MapRole role = mapNameFrom(path.stem().string()).role;
+    return role == MapRole::Other || role == MapRole::Color ? whole(load(path, {}, {})) : loadData(path);
+}
+
+ExemplarFile loadMask(const fs::path& path, const std::string& layer) {
+    ExemplarFile file = loadData(path, layer);
     if (file.image->channels() > 1) {
         ImageView first = *file.image;
         first.channels = 1;

@@ -18,19 +18,26 @@ struct ExemplarFile {
     ImageFileInfo info;
     std::shared_ptr<const Image> image;
     MapRole role = MapRole::Other; ///< what the file's name says that it holds, or the user
+    std::string layer = {};        ///< of the file, as ReadOptions::layer
 
     /// File name without its extension, as labels show it.
     std::string name() const { return path.stem().string(); }
 };
 
-/// Reads a colour image. @param space id of its colour space, or empty to take what the file says.
+/// Reads a colour image. Where its alpha is 0, colours become those of what is visible around: see
+/// fillHidden(). @param space id of its colour space, or empty to take what the file says.
 /// @throws Error, UsageError
-ExemplarFile loadExemplar(const std::filesystem::path& path, const std::string& space = {});
+ExemplarFile loadExemplar(const std::filesystem::path& path, const std::string& space = {},
+                          const std::string& layer = {});
 
 /// Reads an image of data (a normal map, heights): the values stay as they are in the file.
-ExemplarFile loadData(const std::filesystem::path& path);
+ExemplarFile loadData(const std::filesystem::path& path, const std::string& layer = {});
+
+/// Reads an image to be laid out by a map: a colour image as loadExemplar() takes it, but in its file's
+/// space; one whose name says that it is data as loadData() does.
+ExemplarFile loadUnconverted(const std::filesystem::path& path);
 
 /// Reads a mask: the first channel of a file; pixels where it is 0 are left out.
-ExemplarFile loadMask(const std::filesystem::path& path);
+ExemplarFile loadMask(const std::filesystem::path& path, const std::string& layer = {});
 
 } // namespace texloom

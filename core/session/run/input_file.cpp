@@ -21,9 +21,10 @@ InputFile loadedMap(const RecipeFile& file, const std::vector<Size>& exemplars) 
 InputFile loadInput(const Port& port, const RecipeFile& file, const std::vector<Size>& exemplars) {
     switch (port.kind) {
     case AssetKind::Image:
-        return file.space == "raw" ? loadData(file.path) : loadExemplar(file.path, file.space);
+        return file.space == "raw" ? loadData(file.path, file.layer)
+                                   : loadExemplar(file.path, file.space, file.layer);
     case AssetKind::Mask:
-        return loadMask(file.path);
+        return loadMask(file.path, file.layer);
     case AssetKind::Map:
         return loadedMap(file, exemplars);
     case AssetKind::Model:

@@ -232,6 +232,7 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
         result.stoppedAt = work.progress;
         result.synthesis = partialSynthesis(plan, std::move(work), context.curves());
     }
+    result.synthesis.notes.insert(result.synthesis.notes.begin(), plan.notes.begin(), plan.notes.end());
     unstack(result, plan);
     for (const StageTime& stage : context.stageTimes())
         result.seconds += stage.seconds;

@@ -67,7 +67,9 @@ struct RunPlan {
     /// Where the whole does not fit in memory, but the method makes regions: how many rows at a time do. Else
     /// 0.
     int stripRows = 0;
-    bool judged = true; ///< as RunInput::judged
+    bool judged = true;         ///< as RunInput::judged
+    ImageFileInfo exemplarInfo; ///< of the first exemplar's file
+    std::vector<Message> notes; ///< how the files were taken, where someone should know
 
     const Method& lastMethod() const { return *steps.back().method; }
     /// The methods' ids with `separator` between them.

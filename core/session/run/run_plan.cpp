@@ -100,12 +100,11 @@ void checkCompanions(const RunInput& input) {
     }
 }
 
-void checkMemory(const Estimate& estimate, const Request& request, std::uint64_t limit) {
+/// @param room what `limit` is, in words: see availableMemoryText().
+void checkMemory(const Estimate& estimate, const Request& request, std::uint64_t limit, const Message& room) {
     if (estimate.bytes > limit)
-        fail("An output of {} × {} px would need {} of memory, more than the {} that are free; choose a "
-             "smaller size.",
-             request.part().size.width, request.part().size.height, byteText(estimate.bytes),
-             byteText(limit));
+        fail("An output of {} × {} px would need {} of memory, more than {}; choose a smaller size.",
+             request.part().size.width, request.part().size.height, byteText(estimate.bytes), room);
 }
 
 /// What the only step of a plan needs for `rows` rows of the part asked for.
@@ -156,6 +155,26 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
     }
 }
 
+void addNotes(const ExemplarFile& file, std::vector<Message>& notes) {
+    notes.insert(notes.end(), file.info.notes.begin(), file.info.notes.end());
+}
+
+/// What someone should know of how the files were read.
+std::vector<Message> notesOf(const RunInput& input) {
+    std::vector<Message> notes;
+    for (const RunExemplar& exemplar : input.exemplars) {
+        addNotes(exemplar.image, notes);
+        if (exemplar.mask)
+            addNotes(*exemplar.mask, notes);
+        for (const ExemplarFile& companion : exemplar.companions)
+            addNotes(companion, notes);
+    }
+    for (const auto& [port, files] : input.inputs)
+        for (const InputFile& file : files)
+            addNotes(file.file, notes);
+    return notes;
+}
+
 ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
                        const std::function<void(const std::filesystem::path&)>& changed) {
     if (changed && !file.hash.empty() && file.hash != loaded.hash)
@@ -182,8 +201,12 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     const std::uint64_t limit = memoryLimit > 0 ? memoryLimit : availableMemory();
     if (strips && plan.estimate.bytes > limit)
         planStrips(plan, limit);
-    checkMemory(plan.estimate, plan.request, limit);
+    checkMemory(plan.estimate, plan.request, limit,
+                memoryLimit > 0 ? message("the {} that it may take", byteText(limit))
+                                : availableMemoryText());
     plan.recipe = recipeFor(input, plan.steps);
+    plan.exemplarInfo = input.exemplars.front().image.info;
+    plan.notes = notesOf(input);
     for (const RunExemplar& exemplar : input.exemplars)
         plan.companions.push_back(exemplar.companions);
     return plan;
@@ -202,7 +225,7 @@ const Port& portOf(const std::vector<RecipeStep>& steps, std::string_view id) {
 }
 
 void checkMemory(const RunPlan& plan) {
-    checkMemory(plan.estimate, plan.request, availableMemory());
+    checkMemory(plan.estimate, plan.request, availableMemory(), availableMemoryText());
 }
 
 Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
@@ -233,7 +256,7 @@ RecipeInputs recipeInputs(const InputFiles& inputs) {
 }
 
 RecipeFile recipeFile(const ExemplarFile& file) {
-    return {file.path, file.space, file.hash};
+    return {file.path, file.space, file.hash, {}, file.layer};
 }
 
 RecipeExemplar recipeExemplar(const RunExemplar& exemplar) {
@@ -253,11 +276,13 @@ RunExemplar loadFiles(const RecipeExemplar& entry,
                       const std::function<void(const std::filesystem::path&)>& changed) {
     RunExemplar exemplar;
     exemplar.weight = entry.weight;
-    exemplar.image = loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space), changed);
+    exemplar.image =
+        loadNamed(entry.image, loadExemplar(entry.image.path, entry.image.space, entry.image.layer), changed);
     if (entry.mask)
-        exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path), changed);
+        exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path, entry.mask->layer), changed);
     for (const RecipeFile& companion : entry.companions) {
-        exemplar.companions.push_back(loadNamed(companion, loadData(companion.path), changed));
+        exemplar.companions.push_back(
+            loadNamed(companion, loadData(companion.path, companion.layer), changed));
         if (!companion.role.empty())
             exemplar.companions.back().role = mapRoleFrom(companion.role);
     }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace texloom::test {
@@ -82,8 +83,10 @@ Bytes stored(const Bytes& plain) {
     return bytes;
 }
 
+using Chunks = std::vector<std::pair<std::string, Bytes>>;
+
 void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-              std::uint8_t colorType, const Bytes& palette, const Bytes& rows) {
+              std::uint8_t colorType, const Chunks& chunks, const Bytes& rows) {
     Bytes png;
     append(png, "\x89PNG\r\n\x1a\n");
     Bytes header;
@@ -91,12 +94,26 @@ void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint3
     append(header, height);
     header.insert(header.end(), {8, colorType, 0, 0, 0});
     appendChunk(png, "IHDR", header);
-    if (!palette.empty())
-        appendChunk(png, "PLTE", palette);
+    for (const auto& [name, content] : chunks)
+        appendChunk(png, name, content);
     appendChunk(png, "IDAT", stored(rows));
     appendChunk(png, "IEND", {});
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+}
+
+std::vector<float> samplesOf(const ImageView& image) {
+    std::vector<float> samples;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < image.channels; ++c)
+                samples.push_back(image(x, y, c));
+    return samples;
+}
+
+void check(bool done, OIIO::ImageOutput* output) {
+    if (!done)
+        throw std::runtime_error("no foreign file: " + (output ? output->geterror() : OIIO::geterror()));
 }
 
 } // namespace
@@ -115,19 +132,83 @@ void writeForeign(const std::filesystem::path& path, const ImageView& image, con
         spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(bytes.size())),
                        bytes.data());
     }
-    std::vector<float> samples;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < image.channels; ++c)
-                samples.push_back(image(x, y, c));
+    if (!file.channelNames.empty())
+        spec.channelnames = file.channelNames;
+    if (!file.chromaticities.empty())
+        spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                       file.chromaticities.data());
+    const std::vector<float> samples = samplesOf(image);
     const auto output = OIIO::ImageOutput::create(path.string());
-    if (!output || !output->open(path.string(), spec) ||
-        !output->write_image(OIIO::TypeDesc::FLOAT, samples.data()) || !output->close())
-        throw std::runtime_error("no foreign file: " + (output ? output->geterror() : OIIO::geterror()));
+    check(output && output->open(path.string(), spec) &&
+              output->write_image(OIIO::TypeDesc::FLOAT, samples.data()) && output->close(),
+          output.get());
+}
+
+void writeParts(const std::filesystem::path& path, const std::vector<ImageView>& images,
+                const std::vector<std::string>& names) {
+    std::vector<OIIO::ImageSpec> specs;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        specs.emplace_back(images[i].width, images[i].height, images[i].channels, OIIO::TypeDesc::FLOAT);
+        specs.back().attribute("oiio:subimagename", names[i]);
+    }
+    const auto output = OIIO::ImageOutput::create(path.string());
+    check(output && output->open(path.string(), static_cast<int>(specs.size()), specs.data()), output.get());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const std::vector<float> samples = samplesOf(images[i]);
+        check(i == 0 || output->open(path.string(), specs[i], OIIO::ImageOutput::AppendSubimage),
+              output.get());
+        check(output->write_image(OIIO::TypeDesc::FLOAT, samples.data()), output.get());
+    }
+    check(output->close(), output.get());
+}
+
+void writeWideTiff(const std::filesystem::path& path, Size size, const std::vector<std::uint32_t>& numbers) {
+    const OIIO::ImageSpec spec(size.width, size.height, 1, OIIO::TypeDesc::UINT32);
+    const auto output = OIIO::ImageOutput::create(path.string());
+    check(output && output->open(path.string(), spec) &&
+              output->write_image(OIIO::TypeDesc::UINT32, numbers.data()) && output->close(),
+          output.get());
+}
+
+void writeEmptyTiff(const std::filesystem::path& path, std::uint32_t side, bool whole) {
+    Bytes tiff = {'I', 'I', 42, 0, 8, 0, 0, 0, 9, 0};
+    const auto little = [&tiff](std::uint32_t number, int bytes) {
+        for (int i = 0; i < bytes; ++i)
+            tiff.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
+    };
+    constexpr std::uint32_t kBits = 8 + 2 + 9 * 12 + 4, kPixels = kBits + 6;
+    const auto entry = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
+        little(tag, 2);
+        little(type, 2);
+        little(count, 4);
+        little(value, 4);
+    };
+    constexpr std::uint32_t kShort = 3, kLong = 4;
+    entry(256, kLong, 1, side);
+    entry(257, kLong, 1, side);
+    entry(258, kShort, 3, kBits);
+    entry(259, kShort, 1, 1); // not compressed
+    entry(262, kShort, 1, 2); // RGB
+    entry(273, kLong, 1, kPixels);
+    entry(277, kShort, 1, 3);
+    entry(278, kLong, 1, side);
+    entry(279, kLong, 1, side * side * 3);
+    little(0, 4);
+    for (int i = 0; i < 3; ++i)
+        little(8, 2);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(tiff.data()), static_cast<std::streamsize>(tiff.size()));
+    if (whole)
+        std::filesystem::resize_file(path, kPixels + std::uintmax_t{side} * side * 3);
+}
+
+void writeTaggedPng(const std::filesystem::path& path, const std::array<std::uint8_t, 3>& color,
+                    const std::vector<std::pair<std::string, std::vector<std::uint8_t>>>& chunks) {
+    writePng(path, 1, 1, 2, chunks, {0, color[0], color[1], color[2]});
 }
 
 void writePalettePng(const std::filesystem::path& path) {
-    writePng(path, 3, 2, 3, {255, 0, 0, 0, 255, 0, 0, 0, 255}, {0, 0, 1, 2, 0, 2, 1, 0});
+    writePng(path, 3, 2, 3, {{"PLTE", {255, 0, 0, 0, 255, 0, 0, 0, 255}}}, {0, 0, 1, 2, 0, 2, 1, 0});
 }
 
 void writeHugePngHeader(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height) {

@@ -1,0 +1,205 @@
+#include "core/io/image_decode.h"
+
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/color_tags.h"
+#include "core/io/file_part.h"
+#include "core/io/header_check.h"
+#include "core/io/image_describe.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+namespace texloom {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostChannels = 64;
+
+struct Signature {
+    std::string_view bytes;
+    const char* format;
+};
+
+/// Only these decoders are ever given a file, whatever its name: fewer doors for hostile data.
+constexpr std::array<Signature, 8> kSignatures = {{
+    {"\x89PNG\r\n\x1a\n", "png"},
+    {"\xff\xd8\xff", "jpeg"},
+    {std::string_view("II*\0", 4), "tiff"},
+    {std::string_view("MM\0*", 4), "tiff"},
+    {"\x76\x2f\x31\x01", "openexr"},
+    {"#?RADIANCE", "hdr"},
+    {"#?RGBE", "hdr"},
+    {std::string_view("II+\0", 4), "tiff"},
+}};
+
+std::string formatOf(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found)
+        fail("There is no file {}.", path.string());
+    if (error)
+        fail("{} cannot be read: {}.", path.string(), error.message());
+    if (fs::is_directory(status))
+        fail("{} is a folder, not an image.", path.string());
+    if (!fs::is_regular_file(status))
+        fail("{} is not an ordinary file, so it is not an image.", path.string());
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        fail("{} cannot be read: {}.", path.string(), std::strerror(errno));
+    std::array<char, 16> start{};
+    file.read(start.data(), start.size());
+    const std::string_view head(start.data(), static_cast<std::size_t>(file.gcount()));
+    if (head.empty())
+        fail("{} is empty (0 bytes).", path.string());
+    for (const Signature& signature : kSignatures)
+        if (head.substr(0, signature.bytes.size()) == signature.bytes)
+            return signature.format;
+    fail("{} is not an image that Texloom reads (PNG, JPEG, TIFF, EXR or HDR).", path.string());
+}
+
+/// The first line of what the library says, without a closing stop.
+std::string reason(std::string message) {
+    message = message.substr(0, message.find('\n'));
+    while (!message.empty() && (message.back() == '.' || message.back() == ' '))
+        message.pop_back();
+    return message.empty() ? "the file is damaged" : message;
+}
+
+std::unique_ptr<OIIO::ImageInput> openInput(const fs::path& path, const std::string& format) {
+    checkHeader(path, format);
+    auto input = OIIO::ImageInput::create(format);
+    if (!input)
+        fail("{} cannot be read: this build has no reader for {}.", path.string(), format);
+    OIIO::ImageSpec spec, config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    if (!input->open(path.string(), spec, config))
+        fail("{} cannot be read: {}.", path.string(), reason(input->geterror()));
+    return input;
+}
+
+void checkSpec(const fs::path& path, const OIIO::ImageSpec& spec, std::int64_t largestPixels) {
+    const std::int64_t pixels = Size{spec.width, spec.height}.area();
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        fail("{} has no pixels.", path.string());
+    if (pixels > largestPixels)
+        fail("{} is {} × {} px; images up to {} pixels can be opened.", path.string(), spec.width,
+             spec.height, grouped(static_cast<std::uint64_t>(largestPixels)));
+    if (spec.nchannels > kMostChannels)
+        fail("{} has {} channels; images with up to {} can be opened.", path.string(), spec.nchannels,
+             kMostChannels);
+    if (spec.deep || spec.depth > 1)
+        fail("{} is a {} image; only flat ones can be opened.", path.string(),
+             Message(spec.deep ? TR("deep") : TR("volume")));
+}
+
+/// Number of steps from 0 to 1 in integer samples; 0 for others.
+int stepsOf(const OIIO::TypeDesc& type) {
+    return type.basetype == OIIO::TypeDesc::UINT8 ? 255 : type.basetype == OIIO::TypeDesc::UINT16 ? 65535 : 0;
+}
+
+void checkRoom(const DecodeRequest& request, const DecodedHeader& header) {
+    // Once as they come from the decoder, once as an image.
+    const std::uint64_t needed = 2 * header.samples * sizeof(float);
+    if (request.memory > 0 && needed > request.memory)
+        fail("{} is {} × {} px with {} channels and takes {} of memory to read, more than {}; scale it down "
+             "or cut it to size first.",
+             request.path.string(), header.stored.width, header.stored.height, header.info.channels,
+             byteText(needed), request.memoryText);
+}
+
+/// Stray bytes between a JPEG's parts harm nothing; every viewer skips them.
+bool harmless(const std::string& remark, const std::string& format) {
+    return format == "jpeg" && remark.find("extraneous bytes before marker") != std::string::npos;
+}
+
+/// Whole numbers of 32 bits say nothing of what is white: the largest one in the file is taken for it.
+template <class Number> void scaleToSpan(float* samples, std::size_t count, DecodedHeader& header) {
+    const auto at = [samples](std::size_t i) {
+        Number number;
+        std::memcpy(&number, samples + i, sizeof(number));
+        return static_cast<double>(number);
+    };
+    double least = 0, most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        least = std::min(least, at(i));
+        most = std::max(most, at(i));
+    }
+    const double span = most > least ? most - least : 1;
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = static_cast<float>((at(i) - least) / span);
+    header.info.notes.push_back(
+        message("{} holds whole numbers of 32 bits from {:.0f} to {:.0f}, which are taken as 0 to 1.",
+                header.info.name, least, most));
+}
+
+/// All samples of a part's channels, interleaved.
+void readSamples(const DecodeRequest& request, OIIO::ImageInput& input, const FilePart& part,
+                 DecodedHeader& header, float* samples) {
+    const OIIO::TypeDesc stored = input.spec().format;
+    const bool wide = stored.basetype == OIIO::TypeDesc::UINT32 || stored.basetype == OIIO::TypeDesc::INT32;
+    if (!input.read_image(part.index, 0, part.firstChannel, part.firstChannel + part.channels,
+                          wide ? stored : OIIO::TypeDesc::FLOAT, samples))
+        fail("{} cannot be read: {}.", request.path.string(), reason(input.geterror()));
+    // A decoder may fill what is missing and only remark on it.
+    if (const std::string remark = input.geterror(); !remark.empty()) {
+        if (!harmless(remark, header.info.format))
+            fail("{} cannot be read: {}.", request.path.string(), reason(remark));
+        header.info.notes.push_back(message("{} holds stray bytes, which were skipped.", header.info.name));
+    }
+    if (stored.basetype == OIIO::TypeDesc::UINT32)
+        scaleToSpan<std::uint32_t>(samples, header.samples, header);
+    else if (wide)
+        scaleToSpan<std::int32_t>(samples, header.samples, header);
+}
+
+/// An EXR may hold pixels around or within the picture that it is meant to show.
+void noteWindow(ImageFileInfo& info, const OIIO::ImageSpec& spec) {
+    const bool same = spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
+                      spec.height == spec.full_height;
+    if (info.format == "openexr" && !same)
+        info.notes.push_back(message("{} holds {} × {} px from ({}, {}) on, but is meant to show {} × {} "
+                                     "px from ({}, {}) on; all that it "
+                                     "holds is used.",
+                                     info.name, spec.width, spec.height, spec.x, spec.y, spec.full_width,
+                                     spec.full_height, spec.full_x, spec.full_y));
+}
+
+} // namespace
+
+DecodedHeader decode(const DecodeRequest& request, const SamplePlace& place) {
+    const std::string format = formatOf(request.path);
+    const auto input = openInput(request.path, format);
+    const std::vector<FilePart> parts = partsOf(*input);
+    if (parts.empty())
+        fail("{} cannot be read: {}.", request.path.string(), reason(input->geterror()));
+    const FilePart part = chosenPart(request.path, parts, request.layer);
+    input->seek_subimage(part.index, 0);
+    const OIIO::ImageSpec spec = input->spec();
+    DecodedHeader header;
+    header.info = describe(spec, format);
+    header.info.name = request.path.filename().string();
+    takeColorTags(header.info, spec, request.path);
+    noteWindow(header.info, spec);
+    takePart(header.info, part, parts, request.layer);
+    header.stored = {spec.width, spec.height};
+    header.orientation = spec.get_int_attribute("Orientation", 1);
+    if (!request.pixels)
+        return header;
+    checkSpec(request.path, spec, request.largestPixels);
+    header.steps = stepsOf(spec.format);
+    header.samples = spec.image_pixels() * static_cast<std::size_t>(part.channels);
+    checkRoom(request, header);
+    readSamples(request, *input, part, header, place(header.samples));
+    return header;
+}
+
+} // namespace texloom
