@@ -102,6 +102,7 @@ void addAnalyzeQuality(CLI::App& analyze) {
     command->add_option("result", options.result, "The texture")->required();
     command->add_option("exemplar", options.exemplars, "Images that it was made from")->required();
     command->add_option("--map", options.map, "Its position map, for the figures of what was copied");
+    addMemory(*command);
     command->add_flag("--json", options.json, "As JSON");
     command->callback([] { analyzeQuality(options); });
 }

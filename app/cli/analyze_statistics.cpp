@@ -84,6 +84,7 @@ void addAnalyzeStatistics(CLI::App& analyze) {
         ->check(CLI::Range(2, 100000));
     command->add_option("--patches", options.patches, "Patches to look at")->check(CLI::Range(1, 10000));
     command->add_option("--seed", options.seed, "Another seed looks at other patches");
+    addMemory(*command);
     command->add_flag("--json", options.json, "As JSON");
     command->callback([] { run(options); });
 }

@@ -25,7 +25,6 @@ struct BatchOptions {
     std::string shard = "1/1";
     fs::path summary;
     int threads = 0;
-    int memory = 0;
     bool list = false;
     bool skipExisting = false;
     bool overwrite = false;
@@ -58,7 +57,6 @@ OutputOptions outputOf(const BatchItem& item, const BatchOptions& options, const
     out.report = item.report;
     out.noSidecar = !item.sidecar;
     out.threads = options.threads;
-    out.memory = options.memory;
     out.overwrite = options.overwrite;
     out.around = &around;
     out.quiet = options.quiet;
@@ -186,10 +184,8 @@ void addBatch(CLI::App& app) {
     command->add_option("--summary", options.summary, "JSON file that says how each run ended");
     command->add_option("--threads", options.threads, "Number of threads; one per core if not given")
         ->check(CLI::Range(1, 1024));
-    command
-        ->add_option("--memory", options.memory,
-                     "Most memory in MiB that a run may take; what is free if not given")
-        ->check(CLI::Range(1, 1 << 24));
+    addMemory(*command);
+    addReproducible(*command, true);
     command->add_flag("--list", options.list, "Only list the runs");
     command->add_flag("--skip-existing", options.skipExisting, "Leave out runs whose output is there");
     addOverwrite(*command, options.overwrite);

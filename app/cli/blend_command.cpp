@@ -93,6 +93,8 @@ void addBlend(CLI::App& app) {
     addChoice<BlendColor>(*command, "--color", options.blend.midway.color,
                           {{"rgb", BlendColor::Rgb}, {"dct", BlendColor::Dct}, {"pca", BlendColor::Pca}},
                           "Colour axes of midway: rgb, dct or pca");
+    addMemory(*command);
+    addReproducible(*command, false);
     addOverwrite(*command, options.overwrite);
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");
     command->callback([] { run(options); });

@@ -262,14 +262,12 @@ Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs
     failUsage("--depth {}: it is one of 8, 16, half and float.", text);
 }
 
-/// In bytes; 0 for what is free.
-std::uint64_t memoryLimit(const OutputOptions& out) {
-    return static_cast<std::uint64_t>(out.memory) << 20;
-}
-
 /// Refuses before the work what would fail after it, or write over what it was made from.
 void checkOutputs(const RunPlan& plan, const ExportOptions& options, const OutputOptions& out) {
     checkWritable(options.image, plan.request.resultChannels(), options.depth);
+    if (options.space == color::kFileSpace)
+        failUsage("--out-space {}: an output is in one of the spaces that have a name, or raw.",
+                  options.space);
     if (!options.space.empty())
         color::findSpace(options.space);
     for (const fs::path& map : options.maps) {
@@ -347,7 +345,7 @@ RunInput inputFor(const SynthOptions& options) {
     if (!options.size.empty())
         input.size = parseSize(options.size);
     for (const fs::path& path : options.exemplars)
-        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
+        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace, options.layer), {}, {}});
     attach(input, options);
     addInputs(input, options);
     if (options.size.empty()) {
@@ -417,7 +415,7 @@ RunInput loadAndWarn(const Recipe& recipe) {
 void runInput(RunInput input, const OutputOptions& out) {
     input.threads = out.threads;
     input.judged = !out.report.empty();
-    execute(planRun(input, memoryLimit(out), true), input.exemplars.front().image, out);
+    execute(planRun(input, 0, true), input.exemplars.front().image, out);
 }
 
 void synth(const SynthOptions& options) {
@@ -433,7 +431,7 @@ void runRecipe(const RunOptions& options) {
     if (out.output.empty()) {
         input.threads = out.threads;
         Result unnamed;
-        unnamed.plan = planRun(input, memoryLimit(out), true);
+        unnamed.plan = planRun(input, 0, true);
         out.output = unnamed.fileName() + ".png";
         if (fs::exists(out.output))
             fail("{} is there already; name the output with -o.", out.output.string());
@@ -446,7 +444,7 @@ void applyMap(const ApplyOptions& options) {
     std::vector<ImageView> images;
     std::vector<Size> sizes;
     for (const fs::path& path : options.exemplars) {
-        files.push_back(loadData(path));
+        files.push_back(loadUnconverted(path));
         images.push_back(*files.back().image);
         sizes.push_back(files.back().image->size());
     }
@@ -458,7 +456,8 @@ void applyMap(const ApplyOptions& options) {
     checkInterrupt();
     WriteOptions write;
     write.depth = depthLike(files.front(), options.output);
-    write.space = files.front().info.space;
+    write.space = files.front().space;
+    write.channelNames = files.front().info.channelNames;
     write.check = checkInterrupt;
     writeImage(options.output, map.apply(images), write);
     if (!options.quiet)

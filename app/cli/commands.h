@@ -18,7 +18,6 @@ struct OutputOptions {
     std::string space; ///< of the output, or empty for what the format's users expect
     std::filesystem::path report;
     int threads = 0;
-    int memory = 0;                      ///< most MiB that the run may take; 0 for what is free
     bool overwrite = false;              ///< whether files that Texloom did not write may be replaced
     const OutputGuard* around = nullptr; ///< of what the call reads beside the recipe's files
     bool noSidecar = false;
@@ -31,7 +30,8 @@ struct SynthOptions {
     std::vector<std::string> then; ///< methods that follow
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;
-    std::string size; ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
+    std::string layer; ///< of the exemplars' files, or empty for all that they hold
+    std::string size;  ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
     std::string seed = "0";
     std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
     std::string wrap;

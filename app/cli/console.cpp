@@ -1,6 +1,8 @@
 #include "app/cli/console.h"
 
 #include "core/base/text.h"
+#include "core/io/image_file.h"
+#include "core/job/memory.h"
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -43,6 +45,25 @@ std::string barText(JobMonitor& monitor) {
 void addOverwrite(CLI::App& command, bool& overwrite) {
     command.add_flag("--overwrite", overwrite,
                      "Replace files that are there, even where Texloom did not write them");
+}
+
+void addMemory(CLI::App& command) {
+    command
+        .add_option_function<std::uint64_t>(
+            "--memory", [](const std::uint64_t& mebibytes) { limitMemory(mebibytes << 20); },
+            "Most memory in MiB that the program may take, all that it takes by itself included; what is "
+            "free if not given. Methods that make regions write larger outputs strip by strip")
+        ->check(CLI::Range(1, 1 << 24));
+}
+
+void addReproducible(CLI::App& command, bool otherwise) {
+    command.add_flag_function(
+        "--reproducible,!--dated", [](std::int64_t count) { setReproducible(count > 0); },
+        fmt::format("Write no time of day into EXR and TIFF, so that equal runs make equal files; with "
+                    "--dated the time. If neither is given: {}",
+                    otherwise ? "no time" : "the time"));
+    if (otherwise)
+        command.preparse_callback([](std::size_t) { setReproducible(true); });
 }
 
 void silenceLibraries() {

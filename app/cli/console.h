@@ -17,6 +17,12 @@ namespace texloom::cli {
 /// Lets a command replace files that Texloom did not write.
 void addOverwrite(CLI::App& command, bool& overwrite);
 
+/// Limits the memory that the whole process may take: see limitMemory().
+void addMemory(CLI::App& command);
+
+/// Lets pictures hold no time of day: see setReproducible().
+void addReproducible(CLI::App& command, bool otherwise);
+
 /// Sends what libraries write to stderr nowhere: libpng, for one, prints a line of its own before the error
 /// is ours to word.
 void silenceLibraries();

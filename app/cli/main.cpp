@@ -7,6 +7,7 @@
 #include "app/cli/method_pages.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/io/decoder_process.h"
 
 #include <CLI/CLI.hpp>
 
@@ -29,11 +30,8 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
         .add_option("--threads", out.threads,
                     "Number of threads; one per core if not given. The result is the same")
         ->check(CLI::Range(1, 1024));
-    command
-        .add_option("--memory", out.memory,
-                    "Most memory in MiB that the run may take; what is free if not given. Methods that make "
-                    "regions write larger outputs strip by strip")
-        ->check(CLI::Range(1, 1 << 24));
+    cli::addMemory(command);
+    cli::addReproducible(command, false);
     command.add_option("--report", out.report,
                        "JSON file for recipe, timings, peak memory, figures and curves");
     command.add_flag("--resume", out.resume,
@@ -108,6 +106,9 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--space", options.exemplarSpace,
                        "Colour space of the exemplars; what the file says if not given");
+    command.add_option("--layer", options.layer,
+                       "Layer or part of the exemplars' files, such as an EXR's; all channels of the first "
+                       "part if not given");
 }
 
 void addSynth(CLI::App& app) {
@@ -132,6 +133,8 @@ void addStress(CLI::App& app) {
         ->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
         ->check(CLI::Range(1, 1024));
     command->add_option("--report", options.synth.out.report, "JSON file for the figures of all rounds");
+    cli::addMemory(*command);
+    cli::addReproducible(*command, false);
     cli::addOverwrite(*command, options.synth.out.overwrite);
     command->add_flag("--quiet", options.synth.out.quiet, "Print nothing but errors");
     command->callback([] { cli::stress(options); });
@@ -153,6 +156,8 @@ void addApply(CLI::App& app) {
     command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of its size")
         ->required();
     command->add_option("-o,--output", options.output, "File to write")->required();
+    cli::addMemory(*command);
+    cli::addReproducible(*command, false);
     cli::addOverwrite(*command, options.overwrite);
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");
     command->callback([] { cli::applyMap(options); });
@@ -170,6 +175,8 @@ void addAnalyze(CLI::App& app) {
     lattice->add_option(
         "--picture", options.picture,
         "File for the autocorrelation, zero displacement in the middle; .exr keeps values below 0");
+    cli::addMemory(*lattice);
+    cli::addReproducible(*lattice, false);
     cli::addOverwrite(*lattice, options.overwrite);
     lattice->add_flag("--json", options.json, "As JSON");
     lattice->callback([] { cli::printLattice(options); });
@@ -214,6 +221,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    DecoderProcess::start(cli::checkInterrupt); // before anything has threads
     try {
         return run(argc, argv);
     } catch (const Cancelled&) {

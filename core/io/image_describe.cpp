@@ -25,7 +25,7 @@ std::string depthText(const OIIO::TypeDesc& type) {
 
 std::string spaceOf(const OIIO::ImageSpec& spec) {
     std::string own = spec.get_string_attribute("texloom:space");
-    if (!own.empty())
+    if (!own.empty() && own != "file") // which says nothing without the tags that it stands for
         return own;
     const std::string space = spec.get_string_attribute("oiio:ColorSpace");
     const bool linear =

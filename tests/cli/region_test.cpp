@@ -62,17 +62,18 @@ TEST_F(Regions, AreRefusedInASentence) {
 
 TEST_F(Regions, WriteWhatDoesNotFitInMemoryStripByStrip) {
     ASSERT_EQ(synth({}, "whole.png", "1000x3000").status, 0);
-    const Ended ended = synth({"--memory", "40", "--report", "report.json"}, "strips.png", "1000x3000");
+    const Ended ended = synth({"--memory", "190", "--report", "report.json"}, "strips.png", "1000x3000");
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_TRUE(samePixels(image("strips.png"), image("whole.png")));
     const Json report = Json::parse(readText(m_folder / "report.json"));
-    EXPECT_LE(report.at("estimate").at("bytes"), 40 << 20);
-    ASSERT_EQ(runCli({"run", "strips.json", "-o", "again.png", "--memory", "40"}, m_folder.path()).status, 0);
+    EXPECT_LE(report.at("estimate").at("bytes"), 190 << 20);
+    ASSERT_EQ(runCli({"run", "strips.json", "-o", "again.png", "--memory", "190"}, m_folder.path()).status,
+              0);
     EXPECT_TRUE(samePixels(image("again.png"), image("whole.png")));
 
     for (const std::vector<std::string>& more :
          {std::vector<std::string>{"--map", "map.exr"}, {"--companion", "tiles_normal.png"}}) {
-        std::vector<std::string> options = {"--memory", "40"};
+        std::vector<std::string> options = {"--memory", "190"};
         options.insert(options.end(), more.begin(), more.end());
         const Ended refused = synth(options, "no.png", "1000x3000");
         EXPECT_EQ(refused.status, 2);

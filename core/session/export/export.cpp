@@ -45,7 +45,7 @@ std::string spaceFor(const Result& result, const ExportOptions& options) {
     const bool floating = options.depth == Depth::Half || options.depth == Depth::Float;
     const std::string& source = result.plan.recipe.exemplars.front().image.space;
     if (floating)
-        return source == "srgb" ? "linear" : source;
+        return source == "srgb" || source == color::kFileSpace ? "linear" : source;
     return source == "raw" ? source : "srgb";
 }
 
@@ -58,18 +58,31 @@ WriteOptions writeOptions(const Result& result, const ExportOptions& options) {
     write.check = options.check;
     write.depth = options.depth;
     write.space = spaceFor(result, options);
+    write.channelNames = result.plan.exemplarInfo.channelNames;
     write.recipe = result.plan.recipe.toJson(folderOf(options.image));
     return write;
 }
 
+/// To a file's space; "raw" is the numbers as the exemplar's own file has them.
+void fromWorking(Image& image, const Result& result, const std::string& space) {
+    const std::string& own = result.plan.recipe.exemplars.front().image.space;
+    if (space != "raw")
+        color::fromWorking(image, space);
+    else if (own != color::kFileSpace)
+        color::fromWorking(image, own);
+    else if (result.plan.exemplarInfo.color)
+        color::fromWorking(image, *result.plan.exemplarInfo.color);
+}
+
 void writeResult(const Result& result, const ExportOptions& options) {
     const WriteOptions write = writeOptions(result, options);
-    if (write.space == "srgb" || write.space == "raw") {
+    const std::string& own = result.plan.recipe.exemplars.front().image.space;
+    if (write.space == "srgb" || (write.space == "raw" && (own == "srgb" || own == "raw"))) {
         writeImage(options.image, result.synthesis.image, write);
         return;
     }
     Image converted = result.synthesis.image;
-    color::fromWorking(converted, write.space);
+    fromWorking(converted, result, write.space);
     writeImage(options.image, converted, write);
 }
 
@@ -134,8 +147,9 @@ Depth companionDepth(const ExportOptions& options, const std::string& word, std:
 
 void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
                     const ExportEntry& entry) {
-    writeImage(entry.path, companionImage(result, options, index),
-               dataOptions(result, options, *entry.depth, entry.path));
+    WriteOptions write = dataOptions(result, options, *entry.depth, entry.path);
+    write.channelNames = result.plan.companions.front()[index].info.channelNames;
+    writeImage(entry.path, companionImage(result, options, index), write);
 }
 
 /// The companion that holds this; a normal map of either direction counts. None if there is none.
@@ -346,6 +360,7 @@ void exportPicture(const fs::path& path, const ImageView& picture, const Exempla
     const bool floating = write.depth == Depth::Half || write.depth == Depth::Float;
     write.space = source.space == "raw" ? "raw" : floating ? "linear" : "srgb";
     write.check = check;
+    write.channelNames = source.info.channelNames;
     if (write.space != "linear")
         return writeImage(path, picture, write);
     Image converted(picture);
@@ -393,7 +408,7 @@ Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                 whole.figures = strip.synthesis.figures;
                 whole.synthesis.notes = strip.synthesis.notes;
             }
-            color::fromWorking(strip.synthesis.image, spaceFor(whole, options));
+            fromWorking(strip.synthesis.image, whole, spaceFor(whole, options));
         }
         const Image& image = strip.synthesis.image;
         for (int x = 0; x < image.width(); ++x)

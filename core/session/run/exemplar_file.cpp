@@ -48,7 +48,14 @@ ExemplarFile loadData(const fs::path& path, const std::string& layer) {
 
 ExemplarFile loadUnconverted(const fs::path& path) {
     const MapRole role = mapNameFrom(path.stem().string()).role;
-    return role == MapRole::Other || role == MapRole::Color ? whole(load(path, {}, {})) : loadData(path);
+    if (role != MapRole::Other && role != MapRole::Color)
+        return loadData(path);
+    std::pair<ExemplarFile, Image> loaded = load(path, {}, {});
+    if (loaded.first.space == color::kFileSpace) { // whose tags are not written
+        color::toWorking(loaded.second, *loaded.first.info.color);
+        loaded.first.space = "srgb"; // the working space
+    }
+    return whole(std::move(loaded));
 }
 
 ExemplarFile loadMask(const fs::path& path, const std::string& layer) {

@@ -34,7 +34,7 @@ ExemplarFile loadExemplar(const std::filesystem::path& path, const std::string& 
 ExemplarFile loadData(const std::filesystem::path& path, const std::string& layer = {});
 
 /// Reads an image to be laid out by a map: a colour image as loadExemplar() takes it, but in its file's
-/// space; one whose name says that it is data as loadData() does.
+/// space where that has a name; one whose name says that it is data as loadData() does.
 ExemplarFile loadUnconverted(const std::filesystem::path& path);
 
 /// Reads a mask: the first channel of a file; pixels where it is 0 are left out.

@@ -1,0 +1,101 @@
+#include "core/io/image_file.h"
+#include "tests/cli/program.h"
+#include "tests/core/io/foreign_files.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+namespace texloom::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+class Hostile : public ::testing::Test {
+protected:
+    Ended synth(const std::string& exemplar, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"synth", "random-phase", exemplar, "-o", "out.png", "--quiet"});
+        return runCli(more, m_folder.path());
+    }
+    void refused(const Ended& ended, const std::string& part) {
+        EXPECT_EQ(ended.status, 1) << ended.err;
+        EXPECT_EQ(ended.complaints(), 1) << ended.err;
+        EXPECT_THAT(ended.err, HasSubstr(part));
+        EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+    }
+
+    TemporaryFolder m_folder;
+};
+
+} // namespace
+
+TEST_F(Hostile, AFileThatClaimsMoreThanMayBeTakenIsRefused) {
+    writeEmptyTiff(m_folder / "claims.tif", 16000, false);
+    refused(synth("claims.tif", {"--memory", "200"}), "more than the");
+    refused(runCli({"analyze", "lattice", "claims.tif", "--memory", "200"}, m_folder.path()),
+            "16000 × 16000");
+}
+
+TEST_F(Hostile, AnAnalysisTakesNoMoreThanItMay) {
+    writeImage(m_folder / "a.png", blobs({1200, 1200}, 3), {});
+    refused(runCli({"analyze", "lattice", "a.png", "--memory", "220"}, m_folder.path()), "lattice");
+    EXPECT_EQ(runCli({"analyze", "lattice", "a.png", "--memory", "2000"}, m_folder.path()).status, 0);
+}
+
+TEST_F(Hostile, AnInterruptEndsDecoding) {
+    writeEmptyTiff(m_folder / "large.tif", 12000, true);
+    Program program({"analyze", "lattice", "large.tif"}, m_folder.path());
+    std::this_thread::sleep_for(600ms);
+    ASSERT_TRUE(program.running());
+    const auto sent = std::chrono::steady_clock::now();
+    program.signal(SIGINT);
+    const Ended ended = program.wait();
+    EXPECT_LT(std::chrono::steady_clock::now() - sent, 1s);
+    EXPECT_EQ(ended.status, 130);
+    EXPECT_EQ(ended.complaints(), 1) << ended.err;
+}
+
+TEST_F(Hostile, ADecoderThatAbortsEndsInASentence) {
+    const char* const shared = std::getenv("TEXLOOM_SHARED");
+    if (!shared)
+        GTEST_SKIP() << "skipped: TEXLOOM_SHARED names no folder with the known inputs";
+    fs::copy_file(fs::path(shared) / "failing" / "tiff_tiled_cmyk_jpeg.tif", m_folder / "a.tif");
+    refused(synth("a.tif"), "a.tif cannot be read");
+}
+
+TEST_F(Hostile, NamesOfAnyBytesComeBack) {
+    const std::string name = "latin\xe9.png";
+    writeImage(m_folder / "a.png", blobs({32, 32}, 3), {});
+    fs::rename(m_folder / "a.png", m_folder / name);
+    ASSERT_EQ(synth(name).status, 0);
+    const Ended again = runCli({"run", "out.json", "-o", "again.png", "--quiet"}, m_folder.path());
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(samePixels(readImage(m_folder / "out.png").image, readImage(m_folder / "again.png").image));
+}
+
+TEST_F(Hostile, EqualRunsMakeEqualFilesWhenAsked) {
+    writeImage(m_folder / "a.png", blobs({32, 32}, 3), {});
+    for (const char* extension : {".exr", ".tif"}) {
+        std::vector<std::string> files;
+        for (const char* name : {"one", "two"}) {
+            const std::string output = std::string(name) + extension;
+            EXPECT_EQ(runCli({"synth", "random-phase", "a.png", "-o", output, "--quiet", "--reproducible",
+                              "--no-sidecar"},
+                             m_folder.path())
+                          .status,
+                      0);
+            files.push_back(readText(m_folder / output));
+            std::this_thread::sleep_for(1100ms); // the time of day in files counts seconds
+        }
+        EXPECT_EQ(files[0], files[1]) << extension;
+    }
+}
+
+} // namespace texloom::test
