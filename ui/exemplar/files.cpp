@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/session/session.h"
+#include "ui/common/own_folders.h"
 #include "ui/common/text.h"
 
 #include <QCoreApplication>
@@ -11,7 +12,6 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QUrl>
 
 #include <algorithm>
@@ -101,9 +101,12 @@ QStringList localFiles(const QMimeData& data) {
     return paths;
 }
 
+QString pastedFolder() {
+    return dataFolder(QStringLiteral("pasted"));
+}
+
 QString savePastedPicture(const QImage& picture) {
-    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
-                      QStringLiteral("/pasted"));
+    const QDir folder(pastedFolder());
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
     QString path = folder.filePath(QStringLiteral("pasted-%1.png").arg(stamp));
     if (!folder.mkpath(QStringLiteral(".")) || !picture.save(path, "PNG"))
@@ -113,7 +116,7 @@ QString savePastedPicture(const QImage& picture) {
 }
 
 QString ownFolder() {
-    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/masks");
+    return dataFolder(QStringLiteral("masks"));
 }
 
 ExemplarFile saveMask(const Image& mask, const std::string& exemplar) {

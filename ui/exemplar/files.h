@@ -30,7 +30,10 @@ bool offersPicture(const QMimeData& data);
 /// Paths of the local files in it.
 QStringList localFiles(const QMimeData& data);
 
-/// Writes a pasted picture to a file of its own in the cache folder. Called on a worker. @throws Error
+/// Where pasted pictures are kept.
+QString pastedFolder();
+
+/// Writes a pasted picture to a file of its own in pastedFolder(). Called on a worker. @throws Error
 QString savePastedPicture(const QImage& picture);
 
 /// The folder for what is made here and has no place of its own: painted masks.

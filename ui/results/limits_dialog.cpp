@@ -3,10 +3,15 @@
 #include "ui/common/elided_label.h"
 #include "ui/runs/result_history.h"
 
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
 #include <QSettings>
+#include <QUrl>
 
 namespace texloom::ui {
 
@@ -31,8 +36,7 @@ void restoreLimits(ResultHistory& history) {
 }
 
 void chooseLimits(ResultHistory& history, QWidget* parent) {
-    const ResultStore& store = history.store();
-    auto* dialog = new LimitsDialog(store.memoryBudget(), store.diskBudget(), resultFolder(), parent);
+    auto* dialog = new LimitsDialog(history.store(), resultFolder(), parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &QDialog::accepted, &history, [&history, dialog] {
         QSettings settings;
@@ -44,12 +48,12 @@ void chooseLimits(ResultHistory& history, QWidget* parent) {
     dialog->open();
 }
 
-LimitsDialog::LimitsDialog(std::uint64_t memory, std::uint64_t disk, const QString& folder, QWidget* parent)
+LimitsDialog::LimitsDialog(const ResultStore& store, const QString& folder, QWidget* parent)
     : QDialog(parent),
-      m_memory(makeSize(QStringLiteral("memoryLimit"), static_cast<double>(memory),
+      m_memory(makeSize(QStringLiteral("memoryLimit"), static_cast<double>(store.memoryBudget()),
                         tr("The latest results stay in memory up to this; others are read from the disk when "
                            "they are shown."))),
-      m_disk(makeSize(QStringLiteral("diskLimit"), static_cast<double>(disk),
+      m_disk(makeSize(QStringLiteral("diskLimit"), static_cast<double>(store.diskBudget()),
                       tr("Beyond this the oldest results are removed; those pinned stay."))) {
     setObjectName(QStringLiteral("limitsDialog"));
     setWindowTitle(tr("Limits for results"));
@@ -61,7 +65,17 @@ LimitsDialog::LimitsDialog(std::uint64_t memory, std::uint64_t disk, const QStri
     auto* form = new QFormLayout(this);
     form->addRow(tr("In &memory"), m_memory);
     form->addRow(tr("On the &disk"), m_disk);
+    form->addRow(tr("Now"),
+                 new QLabel(tr("%1 in memory, %2 on the disk")
+                                .arg(QLocale().formattedDataSize(static_cast<qint64>(store.memoryUsed())),
+                                     QLocale().formattedDataSize(static_cast<qint64>(store.diskUsed()))),
+                            this));
     form->addRow(tr("Kept in"), place);
+    auto* reveal = new QPushButton(tr("&Show the folder"), this);
+    reveal->setObjectName(QStringLiteral("revealResults"));
+    connect(reveal, &QPushButton::clicked, this,
+            [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    form->addRow(QString(), reveal);
     form->addRow(buttons);
 }
 

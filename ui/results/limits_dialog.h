@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/session/results/result_store.h"
+
 #include <QDialog>
 
 #include <cstdint>
@@ -15,12 +17,12 @@ void restoreLimits(ResultHistory& history);
 /// Asks for the limits of a history, and keeps them for the next time.
 void chooseLimits(ResultHistory& history, QWidget* parent);
 
-/// How much memory and how much of the disk results may take.
+/// How much memory and how much of the disk results may take, how much they do, and where they are.
 class LimitsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    LimitsDialog(std::uint64_t memory, std::uint64_t disk, const QString& folder, QWidget* parent = nullptr);
+    LimitsDialog(const ResultStore& store, const QString& folder, QWidget* parent = nullptr);
 
     std::uint64_t memory() const;
     std::uint64_t disk() const;

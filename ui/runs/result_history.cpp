@@ -2,11 +2,11 @@
 
 #include "core/base/text.h"
 #include "ui/common/background.h"
+#include "ui/common/own_folders.h"
 #include "ui/common/text.h"
 #include "ui/runs/result_text.h"
 
 #include <QSettings>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +17,7 @@ namespace {
 
 /// Thumbnails' longer side in pixels, enough for screens with many.
 constexpr int kThumbnailSide = 256;
+const QString kResults = QStringLiteral("results");
 
 QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
     return toQString(folder.of(entry) / "thumbnail.png");
@@ -25,8 +26,7 @@ QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
 } // namespace
 
 QString resultFolder() {
-    const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-    return QSettings().value(QStringLiteral("results/folder"), cache + QStringLiteral("/results")).toString();
+    return QSettings().value(QStringLiteral("results/folder"), dataFolder(kResults)).toString();
 }
 
 ResultHistory::ResultHistory(const QString& folder, QObject* parent)
@@ -43,7 +43,12 @@ ResultHistory::~ResultHistory() {
 
 void ResultHistory::scan() {
     inBackground(
-        m_disk, this, [folder = m_folder] { return folder.scan(); },
+        m_disk, this,
+        [folder = m_folder] {
+            if (folder.path() == toPath(dataFolder(kResults)))
+                folder.takeOver(toPath(earlierFolder(kResults)));
+            return folder.scan();
+        },
         [this](const ResultFolder::Scan& found) {
             beginResetModel();
             m_store.addEarlier(found.entries);

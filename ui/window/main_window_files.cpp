@@ -25,7 +25,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
-#include <QStandardPaths>
 #include <QStatusBar>
 
 #include <algorithm>
@@ -165,7 +164,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::exemplarOpened(int id) {
     const ExemplarEntry* const entry = m_store->find(id);
     const QString path = toQString(entry->file().path);
-    const bool pasted = path.startsWith(QStandardPaths::writableLocation(QStandardPaths::CacheLocation));
+    const bool pasted = path.startsWith(pastedFolder());
     if (!pasted)
         addRecentFile(path);
     if (!entry->file().info.recipe.empty())

@@ -25,6 +25,9 @@ namespace {
 
 constexpr int kFormat = 1;
 constexpr const char* kEntry = "entry.json";
+/// An entry for a folder that is about to move; takes the entry's place once it has.
+constexpr const char* kMovedEntry = "entry.moved.json";
+constexpr const char* kPart = ".part"; ///< of folders that are not yet whole
 constexpr const char* kImage = "image.tif";
 constexpr const char* kMap = "map.png";
 constexpr std::array kMapKinds = {"none", "exact", "dominant", "estimated"};
@@ -168,6 +171,21 @@ ResultEntry readEntry(const fs::path& folder) {
     }
 }
 
+/// To another disk, too, if need be.
+void moveFolder(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (!error)
+        return;
+    const fs::path part = fs::path(to).concat(kPart);
+    fs::remove_all(part, error);
+    fs::copy(from, part, fs::copy_options::recursive, error);
+    if (!error)
+        fs::rename(part, to, error);
+    std::error_code ignored;
+    fs::remove_all(error ? part : from, ignored);
+}
+
 bool brokeOffLongAgo(const fs::path& folder) {
     std::error_code error;
     const auto changed = fs::last_write_time(folder, error);
@@ -273,12 +291,34 @@ std::uint64_t memoryOf(const Result& result) {
     return bytes;
 }
 
+void ResultFolder::takeOver(const fs::path& earlier) const {
+    std::error_code error;
+    for (const fs::directory_entry& folder : fs::directory_iterator(earlier, error)) {
+        const fs::path place = m_path / folder.path().filename();
+        if (!folder.is_directory(error) || !fs::exists(folder.path() / kEntry, error) ||
+            fs::exists(place, error))
+            continue;
+        try {
+            // Recipes name their files relative to where they are.
+            writeText(folder.path() / kMovedEntry, entryText(readEntry(folder.path()), place));
+        } catch (const Error&) {
+            continue; // what cannot be read stays for whoever can
+        }
+        std::error_code failed; // apart, for the loop ends with `error`
+        fs::create_directories(m_path, failed);
+        moveFolder(folder.path(), place);
+        fs::rename(place / kMovedEntry, place / kEntry, failed);
+    }
+}
+
 ResultFolder::Scan ResultFolder::scan() const {
     Scan found;
     std::error_code error;
     for (const fs::directory_entry& folder : fs::directory_iterator(m_path, error)) {
-        if (!folder.is_directory(error))
+        if (!folder.is_directory(error) || folder.path().extension() == kPart)
             continue;
+        if (fs::exists(folder.path() / kMovedEntry, error)) // a move that a crash broke off
+            fs::rename(folder.path() / kMovedEntry, folder.path() / kEntry, error);
         if (!fs::exists(folder.path() / kEntry, error)) {
             if (brokeOffLongAgo(folder.path()))
                 fs::remove_all(folder.path(), error);

@@ -61,6 +61,10 @@ public:
     const std::filesystem::path& path() const { return m_path; }
     std::filesystem::path of(const ResultEntry& entry) const { return m_path / entry.key; }
 
+    /// Moves all results of an earlier folder here, those already here excepted; their recipes go on naming
+    /// the same files.
+    void takeOver(const std::filesystem::path& earlier) const;
+
     struct Scan {
         std::vector<ResultEntry> entries; ///< whole ones, oldest first
         std::vector<Message> problems;    ///< a sentence for each that was left out
