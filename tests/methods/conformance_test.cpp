@@ -36,19 +36,6 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed 
     return request;
 }
 
-/// Something made up for every port that the method cannot do without.
-void fillPorts(const MethodInfo& info, Request& request) {
-    for (const Port& port : info.takes) {
-        if (port.least == 0 || port.id == kExemplarPort)
-            continue;
-        for (Exemplar& exemplar : request.exemplars)
-            if (port.extent == Extent::Exemplar && exemplar.inputs.at(port.id).empty())
-                exemplar.inputs.set(port.id, shared(blobs(exemplar.image->size(), request.channels(), 3)));
-        if (port.extent != Extent::Exemplar && request.inputs.at(port.id).empty())
-            request.inputs.set(port.id, shared(blobs(request.size, request.channels(), 3)));
-    }
-}
-
 /// The defaults, but with no more than three iterations: they are alike in all that is asked here.
 Values briefSettings(const Method& method, const Request& request) {
     Values settings = method.resolved({}, request.exemplars.front().image->size());

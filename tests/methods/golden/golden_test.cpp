@@ -82,7 +82,8 @@ Values briefSettings(const Method& method) {
 }
 
 /// The hash of what the method makes, or "-" where it refuses.
-std::string made(const Method& method, const Request& request) {
+std::string made(const Method& method, Request request) {
+    fillPorts(method.info(), request);
     const Values settings = briefSettings(method);
     try {
         method.check(request, settings);
