@@ -44,6 +44,8 @@ public:
     Param scaled(double share) &&;
     /// The parameter matters only while `name` has `value`.
     Param when(std::string name, Value value) &&;
+    /// What it stands for in every method that has such a parameter, whatever its name; see role() const.
+    Param role(std::string_view id) &&;
     /// The entries, in the order of the settings member's enumerators.
     Param choices(std::vector<Choice> entries) &&;
 
@@ -54,6 +56,9 @@ public:
     const std::string& help() const { return m_help; }
     const std::string& symbol() const { return m_symbol; }
     const std::string& group() const { return m_group; }
+    /// One of the ids that those who share a meaning agree on, such as lattice_role::kFirstRight; empty for a
+    /// parameter that means something to its own method alone.
+    const std::string& role() const { return m_role; }
     const std::vector<Choice>& choices() const { return m_choices; }
     const std::optional<Condition>& condition() const { return m_condition; }
     bool hasRange() const { return m_smallest.has_value(); }
@@ -88,7 +93,7 @@ private:
     using Assign = std::function<void(const Param&, void*, const Value&)>;
 
     Type m_type = Type::Real;
-    std::string m_name, m_title, m_unit, m_help, m_symbol, m_group = "Method";
+    std::string m_name, m_title, m_unit, m_help, m_symbol, m_role, m_group = "Method";
     Value m_default;
     std::size_t m_defaultChoice = 0;
     std::optional<double> m_smallest, m_largest, m_scale;
