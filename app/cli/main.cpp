@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/method_pages.h"
+#include "app/cli/option_forms.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 
@@ -62,9 +63,9 @@ void addMethods(CLI::App& app) {
 void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
     command.add_option("exemplar", options.exemplars, "Images to learn from")->required();
-    command.add_option("--size", options.size,
-                       "Size of the output, as 512x256 or 512; twice the exemplar if not given");
-    command.add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
+    cli::addSize(command, options.size,
+                 "Size of the output, as 512x256 or 512; twice the exemplar if not given");
+    cli::addSeed(command, options.seed, "Whole number from 0; another seed gives another texture");
     command
         .add_option("--then", options.then,
                     "Method that follows, starting from the image made so far; may be repeated")
@@ -76,9 +77,9 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                     "be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command.add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
-    command.add_option("--region", options.region,
-                       "Part of the output to make, as x,y,width,height; it equals that part of the whole");
+    cli::addWrap(command, options.wrap, "Axes on which the output tiles: x, y or xy");
+    cli::addRegion(command, options.region,
+                   "Part of the output to make, as x,y,width,height; it equals that part of the whole");
     command
         .add_option("--companion", options.companions,
                     "Map of the exemplar's size to lay out alike; may be repeated")
