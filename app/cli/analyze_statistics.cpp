@@ -75,7 +75,7 @@ void run(const StatisticsOptions& options) {
 void addAnalyzeStatistics(CLI::App& analyze) {
     static StatisticsOptions options;
     CLI::App* command =
-        analyze.add_subcommand("statistics", "How much patches vary that are alike, by size and number");
+        analyze.add_subcommand("statistics", "How much similar patches vary, by their size and number");
     command->add_option("image", options.image, "Image to look at")->required();
     command->add_option("--patch", options.sizes, "Patch sizes in pixels, as 10,20,40")
         ->delimiter(',')

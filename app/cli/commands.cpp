@@ -355,7 +355,7 @@ RunInput loadAndWarn(const Recipe& recipe) {
     if (!recipe.version.empty() && recipe.version != kVersion && recipe.version != told) {
         fmt::print(
             messages(),
-            "texloom-cli: The recipe was made by Texloom {}; this is {}, so that the result may differ.\n",
+            "texloom-cli: The recipe was made by Texloom {}; this is {}, so the result may differ.\n",
             recipe.version, kVersion);
         told = recipe.version;
     }

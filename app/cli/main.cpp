@@ -50,7 +50,7 @@ void addMethods(CLI::App& app) {
     CLI::App* command = app.add_subcommand("methods", "List every method with its parameters");
     command->add_option("method", id, "Only this one");
     command->add_flag("--json", json, "As JSON");
-    command->add_option("--markdown", pages, "Folder to write a page to for every method, instead")
+    command->add_option("--markdown", pages, "Write a page for every method to this folder instead")
         ->excludes("--json");
     command->callback([] {
         if (pages.empty())
@@ -82,7 +82,7 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                    "Part of the output to make, as x,y,width,height; it equals that part of the whole");
     command
         .add_option("--companion", options.companions,
-                    "Map of the exemplar's size to lay out alike; may be repeated")
+                    "Map of the exemplar's size that gets the same layout; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--init", options.initial,
@@ -100,8 +100,8 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command
         .add_option(
             "--weight", options.weights,
-            "How much an exemplar counts beside the others, 0.01 to 100, in their order; 2: as though "
-            "it were given twice")
+            "How much each exemplar counts beside the others, 0.01 to 100, in their order; 2 counts as "
+            "though it were given twice")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--space", options.exemplarSpace,
@@ -119,12 +119,12 @@ void addSynth(CLI::App& app) {
 void addStress(CLI::App& app) {
     static cli::StressOptions options;
     CLI::App* command =
-        app.add_subcommand("stress", "Make a texture from the last one, again and again, and measure each");
+        app.add_subcommand("stress", "Make a texture from the previous one, again and again, and measure each");
     addSynthOptions(*command, options.synth);
-    command->add_option("--rounds", options.rounds, "How often; 5 if not given")->check(CLI::Range(1, 1000));
+    command->add_option("--rounds", options.rounds, "Number of rounds; 5 if not given")->check(CLI::Range(1, 1000));
     command
         ->add_option("-o,--output", options.synth.out.output,
-                     "Beginning of the files to write: PREFIX_1.png and so on")
+                     "Prefix of the files to write: PREFIX_1.png and so on")
         ->required();
     command
         ->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
@@ -136,7 +136,7 @@ void addStress(CLI::App& app) {
 
 void addRun(CLI::App& app) {
     static cli::RunOptions options;
-    CLI::App* command = app.add_subcommand("run", "Do again what a recipe says");
+    CLI::App* command = app.add_subcommand("run", "Repeat the run that a recipe describes");
     command->add_option("recipe", options.recipe, "A .json recipe, an image that Texloom wrote, or a session")
         ->required();
     addOutputOptions(*command, options.out, false);
@@ -145,9 +145,9 @@ void addRun(CLI::App& app) {
 
 void addApply(CLI::App& app) {
     static cli::ApplyOptions options;
-    CLI::App* command = app.add_subcommand("apply", "Lay out another image as a position map says");
+    CLI::App* command = app.add_subcommand("apply", "Apply a position map to another image");
     command->add_option("map", options.map, "Position map: .exr (STMap) or .png (16-bit)")->required();
-    command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of its size")
+    command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of the same size")
         ->required();
     command->add_option("-o,--output", options.output, "File to write")->required();
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");

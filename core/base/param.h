@@ -20,7 +20,7 @@ struct Choice {
 };
 
 /// Declares one parameter of a method: everything that the inspector, the command line, recipes and the
-/// documentation need to know of it. Made by field(); the default is the one of the settings struct's member.
+/// documentation need to know of it. Made by field(); the default is that of the member of the settings struct.
 class Param {
 public:
     enum class Type { Toggle, Integer, Real, Choice };
@@ -70,8 +70,8 @@ public:
     /// The default for an exemplar whose shorter side is `shorterSide` px; 0 stands for an unknown exemplar
     /// and gives the member's own default.
     Value defaultFor(int shorterSide) const;
-    /// The value after checks, in the parameter's own type: a whole real is taken as an integer, and true and
-    /// false as the choices yes and no where there are such, as in recipes from when it was a toggle.
+    /// The value, checked and in the parameter's own type: a real without a fraction passes for an integer,
+    /// and true and false for the choices yes and no, as in recipes from when the parameter was a toggle.
     /// @throws UsageError with name, value and limits.
     Value checked(const Value& value) const;
     /// Reads the value from text as written on a command line. @throws UsageError as checked().

@@ -367,7 +367,7 @@ void LatticeTool::sayVerdict() {
         text =
             tr("Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep "
                "their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first "
-               "(Ctrl+D) where it is seen aslant, or drag the vectors.")
+               "(Ctrl+D) where it is seen at an angle, or drag the vectors.")
                 .arg(m_name, percentText(m_analysis->confidence))
                 .arg(m_analysis->candidates.front().lattice.area(), 0, 'f', 0);
     else if (m_analysis->found() && m_analysis->candidates.front().lattice.rowsOnly())
@@ -382,12 +382,12 @@ void LatticeTool::sayVerdict() {
         text =
             tr("Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. "
                "If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is "
-               "seen aslant; if not, methods without a lattice suit it, such as image quilting.")
+               "seen at an angle; if not, methods without a lattice suit it, such as image quilting.")
                 .arg(m_name);
     else
         text =
             tr("No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you "
-               "see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, "
+               "see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, "
                "methods without a lattice suit it, such as image quilting.")
                 .arg(m_name, percentText(m_analysis->confidence));
     m_verdict->setVisible(!text.isEmpty());

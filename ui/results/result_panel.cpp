@@ -61,7 +61,7 @@ ResultActions::ResultActions(QWidget* window)
       difference(make(window, "resultDifference", tr("&Differences…"),
                       tr("List the settings in which two chosen results differ; choose two first"))),
       pin(make(window, "pinResult", tr("&Pin"),
-               tr("Keep the chosen results: those pinned are never removed by themselves"), Qt::Key_P,
+               tr("Keep the chosen results: pinned ones are never removed automatically"), Qt::Key_P,
                "pin")),
       rename(make(window, "renameResult", tr("Re&name"), tr("Give the chosen result a name of your own"),
                   Qt::Key_F2)),
