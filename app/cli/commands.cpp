@@ -353,10 +353,9 @@ void listMethods(const std::string& id, bool json) {
 RunInput loadAndWarn(const Recipe& recipe) {
     static std::string told; // once for a batch of them
     if (!recipe.version.empty() && recipe.version != kVersion && recipe.version != told) {
-        fmt::print(
-            messages(),
-            "texloom-cli: The recipe was made by Texloom {}; this is {}, so the result may differ.\n",
-            recipe.version, kVersion);
+        fmt::print(messages(),
+                   "texloom-cli: The recipe was made by Texloom {}; this is {}, so the result may differ.\n",
+                   recipe.version, kVersion);
         told = recipe.version;
     }
     return loadRecipe(recipe, [](const fs::path& file) {

@@ -10,8 +10,8 @@
 
 namespace texloom::cli {
 
-/// Discards what libraries write to stderr: libpng, for one, prints a line of its own before the error reaches
-/// those who word it.
+/// Discards what libraries write to stderr: libpng, for one, prints a line of its own before the error
+/// reaches those who word it.
 void silenceLibraries();
 
 /// Where our own messages go: the program's stderr.

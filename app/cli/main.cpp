@@ -118,10 +118,11 @@ void addSynth(CLI::App& app) {
 
 void addStress(CLI::App& app) {
     static cli::StressOptions options;
-    CLI::App* command =
-        app.add_subcommand("stress", "Make a texture from the previous one, again and again, and measure each");
+    CLI::App* command = app.add_subcommand(
+        "stress", "Make a texture from the previous one, again and again, and measure each");
     addSynthOptions(*command, options.synth);
-    command->add_option("--rounds", options.rounds, "Number of rounds; 5 if not given")->check(CLI::Range(1, 1000));
+    command->add_option("--rounds", options.rounds, "Number of rounds; 5 if not given")
+        ->check(CLI::Range(1, 1000));
     command
         ->add_option("-o,--output", options.synth.out.output,
                      "Prefix of the files to write: PREFIX_1.png and so on")
@@ -147,7 +148,9 @@ void addApply(CLI::App& app) {
     static cli::ApplyOptions options;
     CLI::App* command = app.add_subcommand("apply", "Apply a position map to another image");
     command->add_option("map", options.map, "Position map: .exr (STMap) or .png (16-bit)")->required();
-    command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of the same size")
+    command
+        ->add_option("exemplar", options.exemplars,
+                     "One image for each exemplar of the map, of the same size")
         ->required();
     command->add_option("-o,--output", options.output, "File to write")->required();
     command->add_flag("--quiet", options.quiet, "Print nothing but errors");

@@ -72,7 +72,9 @@ public:
         if (std::count(view.begin(), view.end(), '{') != static_cast<std::ptrdiff_t>(sizeof...(Args)))
             throw "a message has as many places as values";
     }
-    const char* text() const { return m_text; }
+    const char* text() const {
+        return m_text;
+    }
 
 private:
     const char* m_text;

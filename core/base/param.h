@@ -20,7 +20,8 @@ struct Choice {
 };
 
 /// Declares one parameter of a method: everything that the inspector, the command line, recipes and the
-/// documentation need to know of it. Made by field(); the default is that of the member of the settings struct.
+/// documentation need to know of it. Made by field(); the default is that of the member of the settings
+/// struct.
 class Param {
 public:
     enum class Type { Toggle, Integer, Real, Choice };

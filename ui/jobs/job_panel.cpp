@@ -120,7 +120,8 @@ JobPanel::JobPanel(JobQueue* queue, QWidget* parent)
     m_list->setColumnWidth(StateColumn, fontMetrics().averageCharWidth() * kStateWidths);
     m_list->addActions({m_up, m_down, m_cancel});
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_empty->setText(tr("No run is waiting. “Add to queue” puts one here, to be made after those before it."));
+    m_empty->setText(
+        tr("No run is waiting. “Add to queue” puts one here, to be made after those before it."));
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
 

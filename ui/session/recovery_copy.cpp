@@ -80,10 +80,9 @@ void RecoveryCopy::write() {
         [this](const QString& why) {
             m_writing = false;
             if (!std::exchange(m_failed, true))
-                Q_EMIT failed(
-                    tr("The session could not be kept for recovery, so a crash would lose it; make "
-                       "room or save it elsewhere. %1")
-                        .arg(why));
+                Q_EMIT failed(tr("The session could not be kept for recovery, so a crash would lose it; make "
+                                 "room or save it elsewhere. %1")
+                                  .arg(why));
             m_timer.start();
         });
 }
