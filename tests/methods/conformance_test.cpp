@@ -82,7 +82,7 @@ InputFiles filesOf(const Assets& assets) {
 /// What the window and the command line would have for this request.
 RunInput inputFor(const Method& method, const Request& request, const Values& settings) {
     RunInput input;
-    input.steps = {{method.id(), settings}};
+    input.steps.front() = {method.id(), settings};
     for (const Exemplar& exemplar : request.exemplars) {
         RunExemplar& given = input.exemplars.emplace_back();
         given.image = madeUp(exemplar.image);
