@@ -112,49 +112,6 @@ void printPreset(const Preset& preset) {
                methodIds(preset.steps, ", then "));
 }
 
-Size parseSize(const std::string& text) {
-    const std::size_t by = text.find('x');
-    long long width = 0, height = 0;
-    const bool read = by == std::string::npos ? parseInteger(text, width) && parseInteger(text, height)
-                                              : parseInteger(text.substr(0, by), width) &&
-                                                    parseInteger(text.substr(by + 1), height);
-    if (!read || width < 1 || height < 1 || width > kLargestSide || height > kLargestSide)
-        failUsage("--size {}: write it as 512x512 or 512, each side from 1 to {} px.", text,
-                  grouped(kLargestSide));
-    return {static_cast<int>(width), static_cast<int>(height)};
-}
-
-std::optional<Region> parseRegion(const std::string& text) {
-    if (text.empty())
-        return std::nullopt;
-    std::vector<long long> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        long long number = -1;
-        if (!parseInteger(text.substr(begin, end - begin), number) || number < 0 || number > kLargestSide)
-            number = -1;
-        numbers.push_back(number);
-        begin = end + 1;
-    }
-    if (numbers.size() != 4 || std::find(numbers.begin(), numbers.end(), -1) != numbers.end())
-        failUsage("--region {}: write it as x,y,width,height in pixels of the output.", text);
-    const auto at = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
-    return Region{at(0), at(1), {at(2), at(3)}};
-}
-
-std::uint64_t parseSeed(const std::string& text) {
-    std::uint64_t seed = 0;
-    if (!parseUnsigned(text, seed))
-        failUsage("--seed {}: it is a whole number from 0 to 18446744073709551615.", text);
-    return seed;
-}
-
-Wrap parseWrap(const std::string& axes) {
-    if (!axes.empty() && axes != "x" && axes != "y" && axes != "xy")
-        failUsage("--wrap {}: it is one of x, y and xy.", axes);
-    return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
-}
-
 /// The step that a setting is for: the one that it names as METHOD.name, or the first.
 RecipeStep& stepFor(std::string& name, std::vector<RecipeStep>& steps) {
     const std::size_t stop = name.find('.');
@@ -347,20 +304,16 @@ std::string defaultText(const Param& param) {
 RunInput inputFor(const SynthOptions& options) {
     RunInput input;
     input.steps = stepsOf(options);
-    input.wrap = parseWrap(options.wrap);
-    input.seed = parseSeed(options.seed);
-    input.region = parseRegion(options.region);
-    if (!options.size.empty())
-        input.size = parseSize(options.size);
+    input.wrap = options.wrap;
+    input.seed = options.seed;
+    input.region = options.region;
     for (const fs::path& path : options.exemplars)
         input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
     attach(input, options);
     addInputs(input, options);
-    if (options.size.empty()) {
-        const Size exemplar = input.exemplars.front().image.image->size();
-        const std::optional<Size> given = sizeOfInputs(input);
-        input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});
-    }
+    const Size exemplar = input.exemplars.front().image.image->size();
+    const std::optional<Size> given = options.size ? options.size : sizeOfInputs(input);
+    input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});
     return input;
 }
 
@@ -400,10 +353,9 @@ void listMethods(const std::string& id, bool json) {
 RunInput loadAndWarn(const Recipe& recipe) {
     static std::string told; // once for a batch of them
     if (!recipe.version.empty() && recipe.version != kVersion && recipe.version != told) {
-        fmt::print(
-            messages(),
-            "texloom-cli: The recipe was made by Texloom {}; this is {}, so that the result may differ.\n",
-            recipe.version, kVersion);
+        fmt::print(messages(),
+                   "texloom-cli: The recipe was made by Texloom {}; this is {}, so the result may differ.\n",
+                   recipe.version, kVersion);
         told = recipe.version;
     }
     return loadRecipe(recipe, [](const fs::path& file) {

@@ -2,6 +2,7 @@
 
 #include "core/session/run/run.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,11 +29,11 @@ struct SynthOptions {
     std::vector<std::string> then; ///< methods that follow
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;
-    std::string size; ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
-    std::string seed = "0";
+    std::optional<Size> size; ///< twice the exemplar, or the initial image's size, if not given
+    std::uint64_t seed = 0;
     std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
-    std::string wrap;
-    std::string region; ///< "x,y,width,height", or empty for all
+    Wrap wrap;
+    std::optional<Region> region; ///< all of the output if not given
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
     std::vector<double> weights;                  ///< of the exemplars, in order; empty: all alike
@@ -60,14 +61,15 @@ struct LatticeOptions {
     bool json = false;
 };
 
-/// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
-void runInput(RunInput input, const OutputOptions& out);
-/// loadRecipe() that tells of files that have changed, and of another build that made the recipe.
-RunInput loadAndWarn(const Recipe& recipe);
 struct StressOptions {
     SynthOptions synth;
     int rounds = 5;
 };
+
+/// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
+void runInput(RunInput input, const OutputOptions& out);
+/// loadRecipe() that tells of files that have changed, and of another build that made the recipe.
+RunInput loadAndWarn(const Recipe& recipe);
 
 /// What the options of `synth` ask for, with its images loaded. @throws Error, UsageError
 RunInput inputFor(const SynthOptions& options);

@@ -10,8 +10,8 @@
 
 namespace texloom::cli {
 
-/// Sends what libraries write to stderr nowhere: libpng, for one, prints a line of its own before the error
-/// is ours to word.
+/// Discards what libraries write to stderr: libpng, for one, prints a line of its own before the error
+/// reaches those who word it.
 void silenceLibraries();
 
 /// Where our own messages go: the program's stderr.

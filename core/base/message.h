@@ -21,7 +21,7 @@ namespace texloom {
 /// marked with TR() is a message without values.
 class Message {
 public:
-    /// A pattern in another language; the pattern itself where it has none.
+    /// The translation of a pattern; the pattern itself where there is none.
     using Translate = std::function<std::string(const std::string& pattern)>;
 
     Message() = default;

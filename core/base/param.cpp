@@ -45,6 +45,11 @@ Param Param::when(std::string name, Value value) && {
     return std::move(*this);
 }
 
+Param Param::role(std::string_view id) && {
+    m_role = id;
+    return std::move(*this);
+}
+
 Param Param::choices(std::vector<Choice> entries) && {
     m_choices = std::move(entries);
     m_default = m_choices.at(m_defaultChoice).id;

@@ -20,7 +20,8 @@ struct Choice {
 };
 
 /// Declares one parameter of a method: everything that the inspector, the command line, recipes and the
-/// documentation need to know of it. Made by field(); the default is the one of the settings struct's member.
+/// documentation need to know of it. Made by field(); the default is that of the member of the settings
+/// struct.
 class Param {
 public:
     enum class Type { Toggle, Integer, Real, Choice };
@@ -44,6 +45,8 @@ public:
     Param scaled(double share) &&;
     /// The parameter matters only while `name` has `value`.
     Param when(std::string name, Value value) &&;
+    /// What it stands for in every method that has such a parameter, whatever its name; see role() const.
+    Param role(std::string_view id) &&;
     /// The entries, in the order of the settings member's enumerators.
     Param choices(std::vector<Choice> entries) &&;
 
@@ -54,6 +57,9 @@ public:
     const std::string& help() const { return m_help; }
     const std::string& symbol() const { return m_symbol; }
     const std::string& group() const { return m_group; }
+    /// One of the ids that those who share a meaning agree on, such as lattice_role::kFirstRight; empty for a
+    /// parameter that means something to its own method alone.
+    const std::string& role() const { return m_role; }
     const std::vector<Choice>& choices() const { return m_choices; }
     const std::optional<Condition>& condition() const { return m_condition; }
     bool hasRange() const { return m_smallest.has_value(); }
@@ -65,8 +71,8 @@ public:
     /// The default for an exemplar whose shorter side is `shorterSide` px; 0 stands for an unknown exemplar
     /// and gives the member's own default.
     Value defaultFor(int shorterSide) const;
-    /// The value after checks, in the parameter's own type: a whole real is taken as an integer, and true and
-    /// false as the choices yes and no where there are such, as in recipes from when it was a toggle.
+    /// The value, checked and in the parameter's own type: a real without a fraction passes for an integer,
+    /// and true and false for the choices yes and no, as in recipes from when the parameter was a toggle.
     /// @throws UsageError with name, value and limits.
     Value checked(const Value& value) const;
     /// Reads the value from text as written on a command line. @throws UsageError as checked().
@@ -88,7 +94,7 @@ private:
     using Assign = std::function<void(const Param&, void*, const Value&)>;
 
     Type m_type = Type::Real;
-    std::string m_name, m_title, m_unit, m_help, m_symbol, m_group = "Method";
+    std::string m_name, m_title, m_unit, m_help, m_symbol, m_role, m_group = "Method";
     Value m_default;
     std::size_t m_defaultChoice = 0;
     std::optional<double> m_smallest, m_largest, m_scale;

@@ -2,21 +2,13 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/methods/registry.h"
+#include "core/methods/unknown_word.h"
 
-#include <algorithm>
 #include <array>
 
 namespace texloom {
 
 namespace {
-
-/// Refuses an unknown word, and asks whether the known one that is most like it was meant, if any is like it.
-[[noreturn]] void refuseUnknown(const Message& sentence, std::string_view word,
-                                const std::vector<std::string>& known) {
-    const std::string near = nearest(word, known);
-    throw UsageError(near.empty() ? sentence : message("{} Did you mean {}?", sentence, near));
-}
 
 Message idsOf(const std::vector<Port>& ports) {
     std::vector<std::string> ids;
@@ -207,29 +199,6 @@ Method named(std::string id, Method method) {
     if (method.m_info.input(kExemplarPort) && !method.m_info.input(kCompanionPort))
         method.m_info.takes.push_back(ports::companions());
     return method;
-}
-
-std::vector<const Method*> methodsByCategory() {
-    std::vector<const Method*> sorted;
-    for (const Method& method : methods())
-        sorted.push_back(&method);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Method* a, const Method* b) {
-        return a->info().category < b->info().category;
-    });
-    return sorted;
-}
-
-const Method& findMethod(std::string_view id) {
-    std::vector<std::string> known;
-    for (const Method& method : methods()) {
-        if (method.id() == id)
-            return method;
-        known.push_back(method.id());
-    }
-    for (const AbsentMethod& absent : absentMethods())
-        if (absent.id == id)
-            failUsage("{} is not part of this build. {}", id, Message(absent.reason));
-    refuseUnknown(message("There is no method {}; the methods are {}.", id, listOf(known)), id, known);
 }
 
 } // namespace texloom

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "core/volume/volume_file.h"
+#include "core/volume/volume_options.h"
+
+#include <filesystem>
 
 namespace texloom {
 

@@ -1,8 +1,9 @@
-// The promises that every registered method keeps. A new method is tested here by being registered.
+// The promises that every registered method keeps, as they are kept by what the window and the command line
+// run. A new method is tested here by being registered.
 
 #include "core/base/error.h"
 #include "core/job/job.h"
-#include "core/methods/method.h"
+#include "core/session/run/run.h"
 #include "tests/methods/every_method.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
@@ -14,7 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <thread>
 
 namespace texloom::test {
@@ -45,24 +46,71 @@ Values briefSettings(const Method& method, const Request& request) {
     return settings;
 }
 
+ExemplarFile madeUp(const std::shared_ptr<const Image>& image) {
+    ExemplarFile file;
+    file.path = "made up";
+    file.image = image;
+    return file;
+}
+
+InputFiles filesOf(const Assets& assets) {
+    InputFiles files;
+    for (const auto& [port, given] : assets.byPort())
+        for (const Asset& asset : given) {
+            InputFile file;
+            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
+                file.file = madeUp(*image);
+            file.asset = asset;
+            files[port].push_back(std::move(file));
+        }
+    return files;
+}
+
+/// What the window and the command line would have for this request.
+RunInput inputFor(const Method& method, const Request& request, const Values& settings) {
+    RunInput input;
+    input.steps.front() = {method.id(), settings};
+    for (const Exemplar& exemplar : request.exemplars) {
+        RunExemplar& given = input.exemplars.emplace_back();
+        given.image = madeUp(exemplar.image);
+        given.inputs = filesOf(exemplar.inputs);
+        if (const auto mask = given.inputs.find(std::string(kMaskPort)); mask != given.inputs.end()) {
+            given.mask = mask->second.front().file;
+            given.inputs.erase(mask);
+        }
+        given.weight = exemplar.weight;
+    }
+    input.inputs = filesOf(request.inputs);
+    input.size = request.size;
+    input.wrap = request.wrap;
+    input.seed = request.seed;
+    input.region = request.region;
+    input.judged = false;
+    return input;
+}
+
+/// The plan of a run, however much memory this machine has. @param threads 0: one per core
+RunPlan planFor(const Method& method, const Request& request, const Values& settings, int threads = 0) {
+    RunInput input = inputFor(method, request, settings);
+    input.threads = threads;
+    return planRun(input, std::numeric_limits<std::uint64_t>::max());
+}
+
 Synthesis runWith(const Method& method, Request request, int threads) {
     if (!request.size.empty() && request.size.longerSide() <= kLargestSide)
         fillPorts(method.info(), request);
-    const Values settings = briefSettings(method, request);
-    method.check(request, settings);
-    Job<Synthesis> job({request.seed, threads, false},
-                       [&](JobContext& context) { return method.run(request, settings, context); });
-    Outcome<Synthesis> outcome = job.take();
+    const auto job = startRun(planFor(method, request, briefSettings(method, request), threads), false);
+    Outcome<Result> outcome = job->take();
     if (const auto* failure = std::get_if<Failure>(&outcome))
         throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return std::get<Result>(std::move(outcome)).synthesis;
 }
 
-/// A request that keeps nearly every method busy for seconds, so that it can be watched and stopped.
-Request longRequest(const MethodInfo& info) {
+/// A run that keeps nearly every method busy for seconds, so that it can be watched and stopped.
+RunPlan longPlan(const Method& method) {
     Request request = requestFor({256, 256}, 3, {4096, 4096});
-    fillPorts(info, request);
-    return request;
+    fillPorts(method.info(), request);
+    return planFor(method, request, {});
 }
 
 class Conformance : public testing::TestWithParam<std::string> {
@@ -95,16 +143,15 @@ TEST_P(Conformance, anotherSeedMattersAsTheMethodSays) {
 }
 
 TEST_P(Conformance, cancelAnswersAtOnce) {
-    const Request request = longRequest(method().info());
-    const Values settings = method().resolved({}, request.exemplars.front().image->size());
+    const RunPlan plan = longPlan(method());
     const auto timeToCancel = [&]() -> std::chrono::nanoseconds {
-        Job<Synthesis> job({}, [&](JobContext& context) { return method().run(request, settings, context); });
+        const auto job = startRun(plan, false);
         const auto begun = Clock::now();
-        while (job.monitor().progress() < 0.02 && !job.finished() && Clock::now() - begun < 3s)
+        while (job->monitor().progress() < 0.02 && !job->finished() && Clock::now() - begun < 3s)
             std::this_thread::sleep_for(1ms);
         const auto asked = Clock::now();
-        job.cancel();
-        EXPECT_TRUE(std::holds_alternative<Cancelled>(job.take()));
+        job->cancel();
+        EXPECT_TRUE(std::holds_alternative<Cancelled>(job->take()));
         return Clock::now() - asked;
     };
     const auto limit = limitNow(method().info().cancelsWithin);
@@ -116,20 +163,19 @@ TEST_P(Conformance, cancelAnswersAtOnce) {
 TEST_P(Conformance, progressNeverFallsAndEndsAtOne) {
     Request request = requestFor({64, 64}, 3, {512, 512});
     fillPorts(method().info(), request);
-    const Values settings = briefSettings(method(), request);
-    Job<Synthesis> job({}, [&](JobContext& context) { return method().run(request, settings, context); });
+    const auto job = startRun(planFor(method(), request, briefSettings(method(), request)), false);
     double last = 0;
     bool named = false;
-    while (!job.finished()) {
-        const double now = job.monitor().progress();
+    while (!job->finished()) {
+        const double now = job->monitor().progress();
         EXPECT_GE(now, last);
         last = now;
-        named = named || !job.monitor().stage().empty();
+        named = named || !job->monitor().stage().empty();
         std::this_thread::yield();
     }
-    EXPECT_EQ(job.monitor().progress(), 1);
+    EXPECT_EQ(job->monitor().progress(), 1);
     EXPECT_TRUE(named);
-    job.take();
+    EXPECT_TRUE(std::holds_alternative<Result>(job->take()));
 }
 
 TEST_P(Conformance, stagesMakeUpTheWhole) {
@@ -138,25 +184,23 @@ TEST_P(Conformance, stagesMakeUpTheWhole) {
         if (method().info().canWrap())
             request.wrap = wrap;
         fillPorts(method().info(), request);
+        const RunPlan plan = planFor(method(), request, briefSettings(method(), request));
         JobMonitor monitor;
         JobContext context(
             {request.seed, 2, false}, [] { return false; }, monitor);
         context.step(0, 0.5); // half of a run, so that more than the whole would show, too
-        method().run(request, briefSettings(method(), request), context);
+        method().run(plan.requestFor(0, method().info()), plan.steps.front().settings, context);
         context.stage(0, "what follows");
         EXPECT_NEAR(monitor.progress(), 0.5, 1e-6) << "half the sum of the stages' weights";
     }
 }
 
 TEST_P(Conformance, previewsComeWhileItRuns) {
-    const Request request = longRequest(method().info());
-    const Values settings = method().resolved({}, request.exemplars.front().image->size());
-    Job<Synthesis> job({0, 0, true},
-                       [&](JobContext& context) { return method().run(request, settings, context); });
+    const auto job = startRun(longPlan(method()), true);
     int previews = 0;
     const auto start = Clock::now();
-    while (previews < 3 && !job.finished()) {
-        if (const auto preview = job.monitor().takePreview()) {
+    while (previews < 3 && !job->finished()) {
+        if (const auto preview = job->monitor().takePreview()) {
             ++previews;
             EXPECT_EQ((preview->fullSize.width + preview->step - 1) / preview->step, preview->image.width());
         }
@@ -195,24 +239,15 @@ TEST_P(Conformance, whatHasNoPortIsRefusedByName) {
 }
 
 TEST_P(Conformance, stopsEarlyWithWhatItHas) {
-    const Request request = longRequest(method().info());
-    const Values settings = method().resolved({}, request.exemplars.front().image->size());
-    std::optional<PartialWork> kept;
-    Job<Synthesis> job({0, 0, false}, [&](JobContext& context) {
-        try {
-            return method().run(request, settings, context);
-        } catch (const StoppedEarly&) {
-            kept = context.takePartial();
-            return Synthesis();
-        }
-    });
-    job.stopAndKeep();
-    const Outcome<Synthesis> outcome = job.take();
-    ASSERT_TRUE(std::holds_alternative<Synthesis>(outcome)) << "stopping early is not a failure";
-    if (kept) {
-        EXPECT_EQ(kept->image.channels(), request.channels());
-        EXPECT_FALSE(kept->image.empty());
-    }
+    const RunPlan plan = longPlan(method());
+    const auto job = startRun(plan, false);
+    job->stopAndKeep();
+    const Outcome<Result> outcome = job->take();
+    ASSERT_TRUE(std::holds_alternative<Result>(outcome)) << "stopping early is not a failure";
+    const auto& result = std::get<Result>(outcome);
+    EXPECT_EQ(result.synthesis.image.channels(), plan.request.resultChannels());
+    EXPECT_EQ(result.synthesis.image.size(), plan.request.size);
+    EXPECT_LT(result.stoppedAt.value_or(0), 1);
 }
 
 TEST_P(Conformance, exactMapGivesTheResult) {
@@ -303,14 +338,15 @@ TEST_P(Conformance, regionsEqualTheCropOfTheWhole) {
 TEST_P(Conformance, memoryStaysWithinTheEstimate) {
     if (kSanitized)
         GTEST_SKIP() << "skipped: a sanitizer's own memory is not the method's";
-    const Request request = requestFor({200, 180}, 3, {1500, 1400});
-    const Values settings = briefSettings(method(), request);
-    const Estimate estimate = method().estimate(request, settings, 2);
+    Request request = requestFor({200, 180}, 3, {1500, 1400});
+    fillPorts(method().info(), request);
+    const std::uint64_t bytes =
+        planFor(method(), request, briefSettings(method(), request), 2).estimate.bytes;
     const auto growth = peakGrowth([&] { runWith(method(), request, 2); });
     if (!growth)
         GTEST_SKIP() << "skipped: the kernel does not let the peak be reset";
-    EXPECT_GT(*growth, estimate.bytes / 20) << "the estimate has nothing to do with the run";
-    EXPECT_LE(*growth, estimate.bytes);
+    EXPECT_GT(*growth, bytes / 20) << "the estimate has nothing to do with the run";
+    EXPECT_LE(*growth, bytes);
 }
 
 TEST_P(Conformance, valuesOutOfRangeAreRefusedByNameAndLimit) {

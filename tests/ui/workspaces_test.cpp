@@ -1,3 +1,4 @@
+#include "core/analysis/lattice_values.h"
 #include "core/analysis/map_pictures.h"
 #include "core/analysis/map_usage.h"
 #include "core/io/image_file.h"
@@ -11,7 +12,6 @@
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
-#include "ui/lattice/lattice_values.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
@@ -85,7 +85,7 @@ private Q_SLOTS:
 
         child<QPushButton>(tool, "useLattice")->click();
         QCOMPARE(window.inspector()->method()->id(), std::string("near-regular"));
-        const auto given = givenLattice(*window.inspector()->method(), window.inspector()->values());
+        const auto given = givenLattice(window.inspector()->method()->params(), window.inspector()->values());
         QVERIFY(given && *given == *tool.lattice());
         QCOMPARE(number(window, "origin-x"), 0.0);
         QVERIFY2(tool.useText().contains(QStringLiteral("uses this lattice")), qPrintable(tool.useText()));
@@ -161,7 +161,7 @@ private Q_SLOTS:
         const LatticeTool& tool = *window.lattice();
         child<QPushButton>(tool, "useLattice")->click();
         const auto given = [&] {
-            return givenLattice(*window.inspector()->method(), window.inspector()->values());
+            return givenLattice(window.inspector()->method()->params(), window.inspector()->values());
         };
         QVERIFY(given());
         const int bricks = window.store()->current()->id;

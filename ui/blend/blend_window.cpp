@@ -240,7 +240,7 @@ QWidget* BlendWindow::makeBottom() {
     connect(m_bar, &TaskBar::cancelled, this, [this] {
         m_task.cancel();
         m_bar->end();
-        say(tr("Stopped. The pictures are those of earlier settings; any change begins anew."));
+        say(tr("Stopped. The pictures are those of earlier settings; any change starts again."));
     });
     auto* bottom = new QWidget(this);
     auto* row = new QHBoxLayout(bottom);

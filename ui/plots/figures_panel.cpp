@@ -106,7 +106,7 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     connect(m_bar, &TaskBar::cancelled, this, [this] {
         m_task.cancel();
         m_bar->end();
-        m_hint->setText(tr("Stopped. Make another result, or close and open this dock to begin anew."));
+        m_hint->setText(tr("Stopped. Make another result, or close and open this dock to start again."));
     });
 }
 

@@ -137,6 +137,8 @@ private:
     void exemplarOpened(int id);
     void offerRecipe(const QString& path, const QString& text);
     void loadRecipeFrom(const QString& path);
+    /// Says so where another build made a recipe.
+    void sayOtherBuild(const std::string& version);
 
     void methodChosen();
     void settingsEdited();

@@ -46,13 +46,15 @@ bool isRecipe(const QString& path) {
 struct LoadedRecipe {
     RunInput input;
     QStringList changed;
+    std::string version; ///< of the build that made it
 };
 
 LoadedRecipe loadAll(const std::filesystem::path& path) {
     LoadedRecipe loaded;
-    loaded.input = loadRecipe(readRecipe(path), [&](const std::filesystem::path& file) {
-        loaded.changed += toQString(file.filename());
-    });
+    const Recipe recipe = readRecipe(path);
+    loaded.version = recipe.version;
+    loaded.input = loadRecipe(
+        recipe, [&](const std::filesystem::path& file) { loaded.changed += toQString(file.filename()); });
     return loaded;
 }
 
@@ -192,8 +194,17 @@ void MainWindow::loadRecipeFrom(const QString& path) {
                     MessageBar::Kind::Information,
                     tr("Settings restored, but these files changed since, so the result will differ: %1.")
                         .arg(loaded.changed.join(QStringLiteral(", "))));
+            else
+                sayOtherBuild(loaded.version);
         },
         [this](const QString& why) { fail(why); });
+}
+
+void MainWindow::sayOtherBuild(const std::string& version) {
+    if (!version.empty() && version != kVersion)
+        m_messages->say(MessageBar::Kind::Information,
+                        tr("The recipe was made by Texloom %1; this is %2, so the result may differ.")
+                            .arg(QString::fromStdString(version), QLatin1String(kVersion)));
 }
 
 void MainWindow::restore(const RunInput& input) {
@@ -239,6 +250,7 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
 
 void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
     const Size size = keepSize ? m_inspector->output()->outputSize() : recipe.size;
+    sayOtherBuild(recipe.version);
     if (recipe.inputs.empty() && openExemplarsOf(recipe)) {
         RunInput input;
         input.steps = recipe.steps;

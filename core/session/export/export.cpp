@@ -125,7 +125,7 @@ Depth companionDepth(const ExportOptions& options, const std::string& word, std:
     if (const auto asked = options.depths.find(word); asked != options.depths.end() && holds(asked->second))
         return asked->second;
     const bool whole =
-        own == Depth::Bits8 || own == Depth::Bits16; // a preset lessens no file of real numbers
+        own == Depth::Bits8 || own == Depth::Bits16; // a preset never reduces a file of real numbers
     return preset && whole && holds(*preset) ? *preset : own;
 }
 
@@ -171,7 +171,7 @@ std::string companionSuffix(const std::string& exemplar, const std::string& comp
     return rest.front() == '_' ? rest : "_" + rest;
 }
 
-/// A companion's own format, but never one that loses.
+/// A companion's own format, but never a lossy one.
 std::string extensionFor(const ExemplarFile& companion) {
     const std::string& format = companion.info.format;
     return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
@@ -347,7 +347,7 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
     try {
         for (Step& step : stepsFor(result, options)) {
             if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
-                fail("{} has appeared meanwhile; export again to see what would be replaced.",
+                fail("{} was not there before; export again to see what would be replaced.",
                      step.entry.path.string());
             step.write();
             written.push_back(std::move(step.entry));

@@ -31,7 +31,7 @@ struct ExportOptions {
     std::map<std::string, Depth> depths;
     /// Where this is given, files that are there and not among these are refused, not replaced.
     std::optional<std::set<std::filesystem::path>> mayReplace;
-    std::function<void()> check; ///< called all the while; what it throws ends the export
+    std::function<void()> check; ///< called throughout; what it throws ends the export
 };
 
 /// One file of an export, before it is written.
