@@ -141,7 +141,7 @@ private:
         for (int i = 0; i < 12 && window.desk()->running(); ++i)
             progressed.wait(1000);
         shoot(window, "running");
-        window.desk()->stop();
+        window.desk()->stopAndKeep();
         QTRY_VERIFY(!window.desk()->running());
         QCoreApplication::processEvents();
         shoot(window, "stopped");
@@ -241,7 +241,7 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(queue->waiting() <= 3, 120'000);
         shoot(window, "try-all");
         queue->clear();
-        window.desk()->stop();
+        window.desk()->cancel();
         QTRY_VERIFY(!window.desk()->running());
         child<QDockWidget>(window, "logDock")->raise();
         shoot(window, "log");
@@ -383,7 +383,7 @@ private:
         editor->setTool(EditCanvas::Tool::Hide);
         shoot(window, "edit-mask");
         auto* targets = child<DropTargets>(window, "dropTargets");
-        targets->open(true, true);
+        targets->open(DropTargets::Dragged::Files, true, window.inspector()->output()->ports());
         shoot(window, "drop-targets");
         targets->hide();
         child<QAction>(window, "editExemplar")->trigger();
