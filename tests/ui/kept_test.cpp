@@ -7,6 +7,7 @@
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
+#include "ui/log/log_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/runs/run_checkpoint.h"
@@ -56,7 +57,7 @@ QStringList checkpointsIn(const QString& folder) {
 int runUntilKilled(const QString& folder) {
     RunDesk desk(folder + QStringLiteral("/results"));
     desk.setCheckpointFolder(folder);
-    desk.run(roundsOf(folder + QStringLiteral("/weave.png"), 100, 20), false);
+    desk.run(roundsOf(folder + QStringLiteral("/weave.png"), 100, 50), false);
     return QApplication::exec();
 }
 
