@@ -446,10 +446,10 @@ private Q_SLOTS:
         JobQueue queue(&controller);
         const int first = queue.add(planFor(m_large, {2048, 2048}, 1), false, false, JobQueue::Place::Last);
         queue.add(planFor(m_exemplar, {64, 64}, 2), false, false, JobQueue::Place::Last);
-        QSignalSpy stopped(&queue, &JobQueue::stopped);
+        QSignalSpy cancelled(&queue, &JobQueue::cancelled);
         QSignalSpy finished(&queue, &JobQueue::finished);
         queue.cancel(first);
-        QVERIFY(stopped.wait());
+        QVERIFY(cancelled.wait());
         QTRY_COMPARE_WITH_TIMEOUT(finished.size(), 1, kPatience);
         QVERIFY(queue.jobs().empty());
     }

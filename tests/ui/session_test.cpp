@@ -293,7 +293,7 @@ private Q_SLOTS:
         auto* targets = child<DropTargets>(*m_window, "dropTargets");
         QVERIFY(targets->isVisible());
         const auto drop = [&](DropTargets::Target target) {
-            targets->open(true, true);
+            targets->open(DropTargets::Dragged::Files, true);
             QDragEnterEvent over(targets->placeOf(target).center(), Qt::CopyAction, &data, Qt::LeftButton,
                                  Qt::NoModifier);
             QApplication::sendEvent(targets, &over);
@@ -309,7 +309,7 @@ private Q_SLOTS:
         drop(DropTargets::Target::Exemplar);
         QTRY_VERIFY(m_window->store()->current()->file().name() == "any");
         QTRY_COMPARE(m_window->store()->entries().size(), 1U);
-        targets->open(false, true); // a picture without a file can be no map
+        targets->open(DropTargets::Dragged::Picture, true); // a picture without a file can be no map
         QVERIFY(!targets->targetAt(targets->placeOf(DropTargets::Target::Mask).center()));
         QVERIFY(targets->targetAt(targets->placeOf(DropTargets::Target::Add).center()));
     }
@@ -375,7 +375,7 @@ private Q_SLOTS:
             QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(-9),
                                      QFileDevice::FileModificationTime));
         }
-        removeOldMasks({m_window->session().settings}, m_folder->filePath(QStringLiteral("recovery")));
+        removeOldFiles({m_window->session().settings}, m_folder->filePath(QStringLiteral("recovery")));
         QVERIFY(QFile::exists(named));
         QVERIFY(!QFile::exists(old));
     }

@@ -7,6 +7,7 @@
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/picture/display_picture.h"
+#include "ui/runs/result_history.h"
 
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -41,7 +42,7 @@ QImage thumbnail(const Image& image, int side) {
 PortRow::PortRow(const Port& port, QWidget* parent)
     : QWidget(parent), m_port(port), m_thumbnail(new QLabel(this)), m_name(new ElidedLabel(this)),
       m_choose(makeButton(QStringLiteral("choose_"), &PortRow::choose)),
-      m_useResult(makeButton(QStringLiteral("useResult_"), &PortRow::resultWanted)),
+      m_useResult(makeButton(QStringLiteral("useResult_"), &PortRow::useShown)),
       m_clear(makeButton(QStringLiteral("clear_"), &PortRow::clear)) {
     const QString title = translated(m_port.title);
     setObjectName(QStringLiteral("port_") + QString::fromStdString(m_port.id));
@@ -50,7 +51,7 @@ PortRow::PortRow(const Port& port, QWidget* parent)
         QStringLiteral("<b>%1</b> %2").arg(title.toHtmlEscaped(), translated(m_port.help).toHtmlEscaped()));
     m_choose->setText(tr("Choose…"));
     m_choose->setAccessibleName(tr("Choose a file: %1").arg(title));
-    m_useResult->setText(tr("Result"));
+    m_useResult->setText(tr("Use result"));
     m_useResult->setAccessibleName(tr("Take the result that is shown: %1").arg(title));
     m_useResult->setVisible(m_port.kind == AssetKind::Image);
     setIconButton(m_clear, QStringLiteral("close"), tr("Go without: %1").arg(title));
@@ -107,11 +108,14 @@ void PortRow::read(const QString& path) {
 }
 
 void PortRow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!localFiles(*event->mimeData()).isEmpty())
+    const bool result = m_port.kind == AssetKind::Image && !draggedResult(*event->mimeData()).empty();
+    if (result || !localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void PortRow::dropEvent(QDropEvent* event) {
+    if (const std::string key = draggedResult(*event->mimeData()); !key.empty())
+        Q_EMIT resultWanted(key);
     for (const QString& path : localFiles(*event->mimeData()))
         read(path);
     event->acceptProposedAction();

@@ -108,6 +108,8 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
     m_list->setItemDelegate(new ResultDelegate(m_list));
     m_list->setViewMode(QListView::IconMode);
     m_list->setMovement(QListView::Static);
+    m_list->setDragEnabled(true);
+    m_list->setDragDropMode(QAbstractItemView::DragOnly);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setUniformItemSizes(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);

@@ -55,10 +55,11 @@ QString titleText(const ResultEntry& entry) {
 }
 
 QString labelText(const ResultEntry& entry) {
-    return tr("%1 · seed %2 · %3")
-        .arg(methodsText(entry))
-        .arg(entry.recipe.seed)
-        .arg(sizeText(entry.recipe.size));
+    const QString label = tr("%1 · seed %2 · %3")
+                              .arg(methodsText(entry))
+                              .arg(entry.recipe.seed)
+                              .arg(sizeText(entry.recipe.size));
+    return entry.stoppedAt ? tr("%1 · %2").arg(label, stoppedText(*entry.stoppedAt)) : label;
 }
 
 QStringList chipsOf(const ResultEntry& entry) {
@@ -66,6 +67,8 @@ QStringList chipsOf(const ResultEntry& entry) {
                          QString::fromStdString(durationText(entry.seconds))};
     if (entry.quick)
         chips += tr("preview");
+    if (entry.stoppedAt)
+        chips += stoppedText(*entry.stoppedAt);
     return chips;
 }
 
@@ -78,6 +81,8 @@ QString detailsText(const ResultEntry& entry) {
     html += row(tr("Seed"), QString::number(entry.recipe.seed));
     html += row(tr("Made"), finishedText(entry));
     html += row(tr("Time"), QString::fromStdString(durationText(entry.seconds)));
+    if (entry.stoppedAt)
+        html += row(tr("Stopped"), tr("at %1 of the work").arg(percentText(*entry.stoppedAt)));
     for (const Figure& figure : entry.figures)
         html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
     html += QStringLiteral("</table>");

@@ -101,6 +101,7 @@ void RecoveryCopy::offer(QWidget* parent) {
         QDir(m_folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
     for (const QFileInfo& copy : found) {
         QLockFile lock(lockOf(copy.filePath()));
+        lock.setStaleLockTime(0);
         if (lock.tryLock()) // else the program that writes it is still there
             return ask(copy.filePath(), parent);
     }

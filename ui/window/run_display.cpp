@@ -25,7 +25,8 @@ RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
     connect(m_desk, &RunDesk::watching, this, &RunDisplay::announce);
     connect(m_desk, &RunDesk::previewed, this, &RunDisplay::showPreview);
     connect(m_desk, &RunDesk::shown, this, &RunDisplay::showResult);
-    connect(m_desk, &RunDesk::stopped, this, &RunDisplay::sayStopped);
+    connect(m_desk, &RunDesk::curvesGrew, m_to.figures, &FiguresPanel::showCurves);
+    connect(m_desk, &RunDesk::cancelled, this, &RunDisplay::sayCancelled);
     connect(m_desk, &RunDesk::emptied, this, &RunDisplay::clear);
     connect(m_desk, &RunDesk::endedUnseen, this, &RunDisplay::offer);
     connect(m_desk, &RunDesk::accepted, m_to.messages, &MessageBar::dismiss);
@@ -35,6 +36,7 @@ RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
 
 void RunDisplay::connectPanel() {
     connect(m_desk->controller(), &RunController::progressed, m_to.panel, &RunPanel::showProgress);
+    connect(m_desk->controller(), &RunController::pictureAwaited, this, &RunDisplay::sayAwaited);
     connect(m_desk->queue(), &JobQueue::changed, this,
             [this] { m_to.panel->setRunning(m_desk->running(), m_desk->queue()->waiting()); });
     connect(m_desk, &RunDesk::outlookChanged, this, [this](const Outlook& outlook) {
@@ -61,9 +63,16 @@ void RunDisplay::showPreview(const RunPictures& pictures) {
 
 void RunDisplay::showResult(const ShownResult& shown) {
     m_to.results->showPictures(shown.pictures);
-    m_to.results->setBadge(shown.quick ? tr("Quick preview") : QString());
+    const std::optional<double>& stopped = shown.result->stoppedAt;
     const QString title = titleOf(*shown.result);
-    m_to.results->setTitle(shown.quick ? tr("Quick preview: %1").arg(title) : title);
+    if (stopped) {
+        const QString mark = tr("Stopped at %1").arg(percentText(*stopped));
+        m_to.results->setBadge(mark);
+        m_to.results->setTitle(tr("%1: %2").arg(mark, title));
+    } else {
+        m_to.results->setBadge(shown.quick ? tr("Quick preview") : QString());
+        m_to.results->setTitle(shown.quick ? tr("Quick preview: %1").arg(title) : title);
+    }
     QStringList notes;
     for (const Message& note : shown.result->synthesis.notes)
         notes += translated(note);
@@ -79,14 +88,27 @@ void RunDisplay::clear() {
     m_to.figures->setResult(nullptr);
 }
 
-void RunDisplay::sayStopped(const QueuedJob& job, double fraction) {
-    const QString text = tr("Stopped at %1").arg(percentText(fraction));
-    m_to.results->setTitle(tr("%1: %2").arg(text, job.label));
-    m_to.results->setBadge(text);
-    if (m_desk->result())
-        m_to.messages->say(MessageBar::Kind::Information,
-                           tr("%1. The picture is as far as it got.").arg(text),
-                           tr("Back to the last result"), [this] { m_desk->showLast(); });
+void RunDisplay::sayAwaited() {
+    const QueuedJob* const job = m_desk->queue()->current();
+    if (job == nullptr)
+        return;
+    const QString sentence =
+        tr("There is no picture yet that could be kept; the run ends as soon as there is one.");
+    m_to.messages->say(MessageBar::Kind::Information, sentence, tr("Cancel it now"),
+                       [this, id = job->id] { m_desk->queue()->cancel(id); });
+    connect(
+        m_desk->queue(), &JobQueue::changed, m_to.messages,
+        [this, sentence] {
+            if (m_to.messages->text() == sentence)
+                m_to.messages->dismiss();
+        },
+        Qt::SingleShotConnection);
+}
+
+void RunDisplay::sayCancelled(const QueuedJob& job, double fraction) {
+    m_to.messages->say(
+        MessageBar::Kind::Information,
+        tr("Cancelled at %1, and nothing of it kept: %2.").arg(percentText(fraction), job.label));
 }
 
 void RunDisplay::offer(const QueuedJob& job, const std::string& key) {

@@ -32,8 +32,9 @@ private:
     void announce(const QueuedJob& job);
     void showPreview(const RunPictures& pictures);
     void showResult(const ShownResult& shown);
+    void sayAwaited();
     void clear();
-    void sayStopped(const QueuedJob& job, double fraction);
+    void sayCancelled(const QueuedJob& job, double fraction);
     void offer(const QueuedJob& job, const std::string& key);
 
     RunDesk* m_desk;

@@ -77,6 +77,8 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
                        {"content", "result"},
                        {"space", spaceFor(result, options)},
                        {"depth", depthName(options.depth)}});
+    if (result.stoppedAt) // run again, the recipe makes all of it
+        outputs.back()["stoppedAt"] = *result.stoppedAt;
     if (hasMap(result))
         for (const fs::path& map : options.maps)
             outputs.push_back(
