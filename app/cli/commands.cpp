@@ -9,6 +9,7 @@
 #include "core/io/map_file.h"
 #include "core/methods/registry.h"
 #include "core/session/export/export.h"
+#include "core/session/export/output_files.h"
 #include "core/session/preset.h"
 #include "core/session/run/checkpoint_file.h"
 #include "core/session/run/run.h"
@@ -59,11 +60,10 @@ Json toJson(const Param& param) {
 }
 
 Json toJson(const Port& port) {
-    static const std::array<const char*, 6> kinds = {"image", "mask", "map", "model", "volume", "mesh"};
     static const std::array<const char*, 3> extents = {"exemplar", "output", "any"};
     return {{"id", port.id},
             {"title", port.title},
-            {"kind", kinds.at(static_cast<std::size_t>(port.kind))},
+            {"kind", kindId(port.kind)},
             {"least", port.least},
             {"most", port.most},
             {"extent", extents.at(static_cast<std::size_t>(port.extent))},
@@ -99,6 +99,9 @@ void printMethod(const Method& method) {
     for (const Port& port : info.takes)
         if (port.id != kExemplarPort && port.id != kCompanionPort)
             fmt::print("  --input {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
+    for (const Port& port : info.gives)
+        if (port.id != kImagePort && port.id != kMapPort)
+            fmt::print("  --save {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
     for (const Param& param : method.params()) {
         fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limits(),
                    defaultText(param), param.help());
@@ -188,6 +191,14 @@ void addInput(RunInput& input, const std::string& name, const fs::path& file) {
     failUsage("--input {}={}: every exemplar has one already.", name, file.string());
 }
 
+/// The two parts of NAME=FILE.
+std::pair<std::string, fs::path> nameAndFile(const char* option, const std::string& given) {
+    const std::size_t equals = given.find('=');
+    if (equals == std::string::npos || equals + 1 == given.size())
+        failUsage("{} {}: write it as NAME=FILE.", option, given);
+    return {given.substr(0, equals), given.substr(equals + 1)};
+}
+
 /// --input and its short names.
 void addInputs(RunInput& input, const SynthOptions& options) {
     for (const fs::path& mask : options.masks)
@@ -195,10 +206,8 @@ void addInputs(RunInput& input, const SynthOptions& options) {
     if (options.initial)
         addInput(input, std::string(kInitialPort), *options.initial);
     for (const std::string& given : options.inputs) {
-        const std::size_t equals = given.find('=');
-        if (equals == std::string::npos || equals + 1 == given.size())
-            failUsage("--input {}: write it as NAME=FILE.", given);
-        addInput(input, given.substr(0, equals), given.substr(equals + 1));
+        const auto [name, file] = nameAndFile("--input", given);
+        addInput(input, name, file);
     }
 }
 
@@ -227,6 +236,25 @@ std::uint64_t memoryLimit(const OutputOptions& out) {
 bool sameFile(const fs::path& a, const fs::path& b) {
     std::error_code error;
     return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+/// The recipe that is written beside an output.
+fs::path sidecarOf(const fs::path& output) {
+    return fs::path(output).replace_extension(".json");
+}
+
+/// Where --save wants the run's further outputs; refuses what cannot be written there.
+std::map<std::string, fs::path> savesOf(const RunPlan& plan, const OutputOptions& out) {
+    std::map<std::string, fs::path> files;
+    for (const std::string& given : out.saves) {
+        const auto [name, file] = nameAndFile("--save", given);
+        checkOutput(plan, name, file);
+        if (sameFile(file, out.output) || (!out.noSidecar && sameFile(file, sidecarOf(out.output))))
+            failUsage("--save {}: the output or its recipe is written there; name another file.", given);
+        if (!files.emplace(name, file).second)
+            failUsage("--save {}: {} was named before; each output is written once.", given, name);
+    }
+    return files;
 }
 
 /// Refuses before the work what would fail after it, or write over what it was made from.
@@ -273,6 +301,7 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     checkOutputs(plan, out, options.depth);
     options.space = out.space;
     options.maps = out.maps;
+    options.outputs = savesOf(plan, out);
     options.sidecar = !out.noSidecar;
     options.check = checkInterrupt;
 
@@ -285,6 +314,9 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     for (const Message& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);
+    for (const OutputFile& output : outputFiles(result, options.outputs))
+        if (!out.quiet)
+            fmt::print("{}: {}\n", output.path.string(), output.content());
     if (!out.report.empty())
         writeText(out.report, reportJson(result, out.report.parent_path()));
     if (!out.quiet)

@@ -14,8 +14,9 @@ namespace texloom::cli {
 struct OutputOptions {
     std::filesystem::path output;
     std::vector<std::filesystem::path> maps;
-    std::string depth; ///< "8", "16", "half", "float", or empty for the exemplar's
-    std::string space; ///< of the output, or empty for what the format's users expect
+    std::vector<std::string> saves; ///< "NAME=FILE" for further outputs of the methods, such as a model
+    std::string depth;              ///< "8", "16", "half", "float", or empty for the exemplar's
+    std::string space;              ///< of the output, or empty for what the format's users expect
     std::filesystem::path report;
     int threads = 0;
     int memory = 0; ///< most MiB that the run may take; 0 for what is free

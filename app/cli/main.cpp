@@ -23,6 +23,12 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
         output->required();
     command.add_option("--map", out.maps,
                        "Position map to write: .exr (STMap) or .png (16-bit); may be repeated");
+    command
+        .add_option("--save", out.saves,
+                    "What else the method gives, such as a model or a volume, as NAME=FILE; see `methods`; "
+                    "may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     command.add_option("--depth", out.depth,
                        "Depth of the output: 8, 16, half or float; the exemplar's if not given");
     command.add_option("--out-space", out.space, "Colour space of the output: srgb, linear, acescg or raw");

@@ -63,6 +63,10 @@ std::vector<std::string> abilities(const MethodInfo& info) {
         if (!isUsual(port))
             lines.push_back(fmt::format("`--input {}=FILE` gives it {}. {}", port.id,
                                         kindText(port.kind).text(), port.help));
+    for (const Port& port : info.gives)
+        if (port.id != kImagePort && port.id != kMapPort)
+            lines.push_back(fmt::format("`--save {}=FILE` writes {}. {}", port.id, kindText(port.kind).text(),
+                                        port.help));
     return lines;
 }
 

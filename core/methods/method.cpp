@@ -2,6 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/model_file.h"
+#include "core/methods/registry.h"
 #include "core/methods/unknown_word.h"
 
 #include <array>
@@ -17,11 +19,21 @@ Message idsOf(const std::vector<Port>& ports) {
     return listOf(ids);
 }
 
-/// A picture of a port has the size that the port's extent wants.
-void checkExtent(const Port& port, const Image& image, Size size, const Message& like) {
-    if (image.size() != size)
+/// A picture of a port has the size that the port's extent wants, if it is there yet: what the method before
+/// makes is not while a run is planned.
+void checkExtent(const Port& port, const Asset& asset, Size size, const Message& like) {
+    const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset);
+    if (image && *image && (*image)->size() != size)
         failUsage("The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.",
-                  Message(port.title), image.width(), image.height(), like, size.width, size.height);
+                  Message(port.title), (*image)->width(), (*image)->height(), like, size.width, size.height);
+}
+
+/// A port that takes a model takes the kind that its id says.
+void checkModel(const MethodInfo& info, const Port& port, const Asset& asset) {
+    const auto* model = std::get_if<std::shared_ptr<const Model>>(&asset);
+    if (model && *model && (*model)->kind != port.id)
+        failUsage("The input {} of {} takes a model of its own kind, and was given one of the kind {}.",
+                  port.id, Message(info.title), (*model)->kind);
 }
 
 /// Kinds and numbers of what was given to one port.
@@ -33,9 +45,11 @@ void checkPort(const MethodInfo& info, const Port& port, const std::vector<Asset
     if (count > port.most)
         failUsage("{} takes {} for its input {}, but {} were given.", Message(info.title), port.most, port.id,
                   count);
-    for (const Asset& asset : given)
+    for (const Asset& asset : given) {
         if (!isOf(port.kind, asset))
             failUsage("The input {} of {} takes {}.", port.id, Message(info.title), kindText(port.kind));
+        checkModel(info, port, asset);
+    }
 }
 
 /// Everything that was given goes into a port that there is.
@@ -65,8 +79,7 @@ void checkExemplar(const MethodInfo& info, const Request& request, const Exempla
             continue;
         checkPort(info, port, exemplar.inputs.at(port.id));
         for (const Asset& asset : exemplar.inputs.at(port.id))
-            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
-                checkExtent(port, **image, size, Message::verbatim(exemplar.name));
+            checkExtent(port, asset, size, Message::verbatim(exemplar.name));
     }
 }
 
@@ -95,8 +108,7 @@ void checkInputs(const MethodInfo& info, const Request& request) {
         if (port.extent != Extent::Output)
             continue;
         for (const Asset& asset : request.inputs.at(port.id))
-            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
-                checkExtent(port, **image, request.size, TR("the output"));
+            checkExtent(port, asset, request.size, TR("the output"));
     }
     if (const Image* initial = request.initial(); initial && initial->channels() != request.channels())
         failUsage("The image to start from has {} channels, the output {}; they need the same number.",

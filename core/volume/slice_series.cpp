@@ -152,6 +152,19 @@ void writeSlices(const fs::path& path, const VolumeSource& source, const Box& bo
     series.commit();
 }
 
+std::vector<fs::path> filesOfSlices(const fs::path& path) {
+    const std::optional<SliceName> name = splitName(path);
+    std::vector<fs::path> files;
+    try {
+        if (name)
+            for (const auto& [number, file] : seriesOf(path, *name))
+                files.push_back(file);
+    } catch (const Error&) { // two have one number: no volume
+        files.clear();
+    }
+    return files.empty() ? std::vector<fs::path>{path} : files;
+}
+
 LoadedVolume readSlices(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
     const std::optional<SliceName> name = splitName(path);
     if (!name)

@@ -15,5 +15,6 @@ void writeSlices(const std::filesystem::path& path, const VolumeSource& source, 
                  const VolumeWriteOptions& options, JobContext& context);
 LoadedVolume readSlices(const std::filesystem::path& path, JobContext& context,
                         const VolumeReadOptions& options);
+std::vector<std::filesystem::path> filesOfSlices(const std::filesystem::path& path);
 
 } // namespace texloom

@@ -28,6 +28,10 @@ std::vector<fs::path> volumeFiles(const fs::path& path, int depth) {
     return sliceFiles(path, depth);
 }
 
+std::vector<fs::path> filesOfVolume(const fs::path& path) {
+    return isRaw(path) ? filesOfRawVolume(path) : filesOfSlices(path);
+}
+
 void writeVolume(const fs::path& path, const VolumeSource& source, const Box& box,
                  const VolumeWriteOptions& options, JobContext& context) {
     box.check();

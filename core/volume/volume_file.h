@@ -11,6 +11,10 @@ namespace texloom {
 /// (or another format of images) NAME-0000.png, NAME-0001.png … from the smallest z on.
 std::vector<std::filesystem::path> volumeFiles(const std::filesystem::path& path, int depth);
 
+/// The files that readVolume() reads for this name: the .json file and its data, or all slices. Only the name
+/// itself where they cannot be told, as for a file that is not there.
+std::vector<std::filesystem::path> filesOfVolume(const std::filesystem::path& path);
+
 /// Writes a box of a source, a few z at a time, so that it need not be in memory whole: all files or none of
 /// them. NAME.raw holds 32-bit little-endian floats: the channels of one voxel after the other, x fastest,
 /// then y, then z; NAME.json says so, with size, place and recipe. (NumPy reads it with

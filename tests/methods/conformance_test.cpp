@@ -2,9 +2,13 @@
 // run. A new method is tested here by being registered.
 
 #include "core/base/error.h"
+#include "core/io/model_file.h"
 #include "core/job/job.h"
 #include "core/session/run/run.h"
+#include "core/volume/mesh.h"
+#include "core/volume/volume_source.h"
 #include "tests/methods/every_method.h"
+#include "tests/methods/made_up_ports.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
 #include "tests/support/time_limit.h"
@@ -113,12 +117,43 @@ RunPlan longPlan(const Method& method) {
     return planFor(method, request, {});
 }
 
+/// The voxels of a box, on so many threads.
+Volume sampled(const VolumeSource& source, const Box& box, int threads = 2) {
+    JobMonitor monitor;
+    JobContext context(
+        {0, threads, false}, [] { return false; }, monitor);
+    return source.sample(box, context);
+}
+
+/// A box that a source has.
+Box boxOf(const VolumeSource& source) {
+    return source.bounds().value_or(Box{-5, 3, -2, {12, 10, 9}});
+}
+
+void expectSameAsset(const Asset& a, const Asset& b) {
+    ASSERT_EQ(a.index(), b.index());
+    if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&a)) {
+        EXPECT_EQ(**model, *std::get<std::shared_ptr<const Model>>(b));
+    } else if (const auto* volume = std::get_if<std::shared_ptr<const VolumeSource>>(&a)) {
+        const Box box = boxOf(**volume);
+        EXPECT_TRUE(sameVoxels(sampled(**volume, box, 1),
+                               sampled(*std::get<std::shared_ptr<const VolumeSource>>(b), box, 5)));
+    } else if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&a)) {
+        EXPECT_TRUE(samePixels(**image, *std::get<std::shared_ptr<const Image>>(b)));
+    }
+}
+
 class Conformance : public testing::TestWithParam<std::string> {
 protected:
     const Method& method() const { return findMethod(GetParam()); }
     void expectSame(const Synthesis& a, const Synthesis& b) const {
         EXPECT_TRUE(samePixels(a.image, b.image));
         EXPECT_EQ(a.map, b.map);
+        for (const auto& [port, assets] : a.outputs.byPort()) {
+            ASSERT_EQ(assets.size(), b.outputs.at(port).size()) << port;
+            for (std::size_t i = 0; i < assets.size(); ++i)
+                expectSameAsset(assets[i], b.outputs.at(port)[i]);
+        }
     }
 };
 
@@ -225,6 +260,53 @@ TEST_P(Conformance, givesWhatItSays) {
     }
     for (const auto& [id, given] : result.outputs.byPort())
         EXPECT_NE(method().info().output(id), nullptr) << id << " is not declared";
+}
+
+TEST_P(Conformance, modelsAreOfTheKindThatTheirPortSays) {
+    const Synthesis result = runWith(method(), requestFor({50, 61}, 3, {97, 80}), 2);
+    for (const Port& port : method().info().gives)
+        if (port.kind == AssetKind::Model) {
+            ASSERT_NE(result.outputs.first<Model>(port.id), nullptr) << port.id;
+            EXPECT_EQ(result.outputs.first<Model>(port.id)->kind, port.id);
+        }
+    for (const Port& port : method().info().takes) {
+        if (port.kind != AssetKind::Model)
+            continue;
+        Request request = requestFor({50, 61}, 3, {97, 80});
+        auto other = std::make_shared<Model>();
+        other->kind = "another";
+        request.inputs.set(port.id, std::shared_ptr<const Model>(other));
+        try {
+            runWith(method(), request, 1);
+            ADD_FAILURE() << "a model of another kind was taken";
+        } catch (const UsageError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(port.id));
+            EXPECT_THAT(error.what(), HasSubstr("another"));
+        }
+    }
+}
+
+TEST_P(Conformance, boxesOfVolumesEqualThatPartOfLargerOnes) {
+    const Synthesis result = runWith(method(), requestFor({50, 61}, 3, {97, 80}), 2);
+    for (const auto& [port, assets] : result.outputs.byPort()) {
+        const auto source = result.outputs.first<VolumeSource>(port);
+        if (!source)
+            continue;
+        const Box whole = boxOf(*source);
+        const Volume all = sampled(*source, whole);
+        const Box part{whole.x + whole.size.width / 3,
+                       whole.y + whole.size.height / 2,
+                       whole.z + whole.size.depth / 4,
+                       {whole.size.width / 2, whole.size.height / 3, whole.size.depth / 2}};
+        const Volume alone = sampled(*source, part);
+        for (int c = 0; c < all.channels(); ++c)
+            for (int z = 0; z < part.size.depth; ++z)
+                for (int y = 0; y < part.size.height; ++y)
+                    for (int x = 0; x < part.size.width; ++x)
+                        ASSERT_EQ(alone(x, y, z, c), all(static_cast<int>(part.x - whole.x) + x,
+                                                         static_cast<int>(part.y - whole.y) + y,
+                                                         static_cast<int>(part.z - whole.z) + z, c));
+    }
 }
 
 TEST_P(Conformance, whatHasNoPortIsRefusedByName) {

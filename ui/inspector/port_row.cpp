@@ -25,6 +25,27 @@ namespace {
 /// Lines of text that a thumbnail is high.
 constexpr int kThumbnailLines = 2;
 
+/// The filter of a dialog that opens what a port takes.
+QString filterFor(AssetKind kind) {
+    const QString all = PortRow::tr("All files (*)");
+    switch (kind) {
+    case AssetKind::Model:
+        return PortRow::tr("Models (%1)").arg(QStringLiteral("*.safetensors")) + QStringLiteral(";;") + all;
+    case AssetKind::Volume:
+        return PortRow::tr("Volumes and slices (%1)")
+                   .arg(QStringLiteral("*.json *.png *.tif *.tiff *.exr *.jpg *.hdr")) +
+               QStringLiteral(";;") + all;
+    case AssetKind::Mesh:
+        return PortRow::tr("Meshes (%1)").arg(QStringLiteral("*.obj *.ply *.gltf *.glb")) +
+               QStringLiteral(";;") + all;
+    case AssetKind::Image:
+    case AssetKind::Mask:
+    case AssetKind::Map:
+        break;
+    }
+    return pictureFilter();
+}
+
 /// A small copy of a picture as it is shown. Called on a worker.
 QImage thumbnail(const Image& image, int side) {
     const int step = std::max(1, image.size().longerSide() / side);
@@ -88,7 +109,7 @@ void PortRow::add(InputFile file) {
 
 void PortRow::choose() {
     const QString path =
-        QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, pictureFilter());
+        QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, filterFor(m_port.kind));
     if (!path.isEmpty())
         read(path);
 }

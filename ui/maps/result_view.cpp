@@ -273,6 +273,14 @@ void ResultView::addPage(QWidget* page, const QString& title, const QString& too
     m_tabs->setTabToolTip(m_tabs->addTab(page, title), toolTip);
 }
 
+void ResultView::setPageOffered(QWidget* page, bool offered) {
+    m_tabs->setTabVisible(m_tabs->indexOf(page), offered);
+}
+
+bool ResultView::pageOffered(QWidget* page) const {
+    return m_tabs->isTabVisible(m_tabs->indexOf(page));
+}
+
 void ResultView::showPage(QWidget* page) {
     m_tabs->setCurrentWidget(page);
 }

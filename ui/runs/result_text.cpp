@@ -25,6 +25,15 @@ QString methodTitle(const std::string& id) {
     return QString::fromStdString(id);
 }
 
+/// What the method that made an output calls it; its id where this version does not have it.
+QString outputTitle(const ResultEntry& entry, const std::string& port) {
+    for (const RecipeStep& step : entry.recipe.steps)
+        for (const Method& method : methods())
+            if (const Port* given = method.id() == step.method ? method.info().output(port) : nullptr)
+                return translated(given->title);
+    return QString::fromStdString(port);
+}
+
 QString exemplarsText(const ResultEntry& entry) {
     QStringList names;
     for (const RecipeExemplar& exemplar : entry.recipe.exemplars)
@@ -83,6 +92,8 @@ QString detailsText(const ResultEntry& entry) {
     html += row(tr("Time"), QString::fromStdString(durationText(entry.seconds)));
     if (entry.stoppedAt)
         html += row(tr("Stopped"), tr("at %1 of the work").arg(percentText(*entry.stoppedAt)));
+    for (const KeptOutput& output : entry.outputs)
+        html += row(outputTitle(entry, output.port), translated(output.size));
     for (const Figure& figure : entry.figures)
         html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
     html += QStringLiteral("</table>");

@@ -6,6 +6,9 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/volume/slice_panel.h"
+
+#include <utility>
 
 namespace texloom::ui {
 
@@ -17,10 +20,22 @@ QString titleOf(const Result& result) {
     return QStringLiteral("%1 · %2").arg(labelOf(plan), QString::fromStdString(durationText(result.seconds)));
 }
 
+/// The first volume that a run made; null if none.
+std::shared_ptr<const VolumeSource> volumeOf(const Result& result) {
+    const Assets& outputs = result.synthesis.outputs;
+    for (const auto& [port, assets] : outputs.byPort())
+        if (const auto volume = outputs.first<VolumeSource>(port))
+            return volume;
+    return nullptr;
+}
+
 } // namespace
 
 RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
-    : QObject(parent), m_desk(desk), m_to(places) {
+    : QObject(parent), m_desk(desk), m_to(places), m_volume(new SlicePanel(places.results)) {
+    m_to.results->addPage(m_volume, tr("Volume"),
+                          tr("A slice of the volume that the result has: any plane, at any place."));
+    m_to.results->setPageOffered(m_volume, false);
     connectPanel();
     connect(m_desk, &RunDesk::watching, this, &RunDisplay::announce);
     connect(m_desk, &RunDesk::previewed, this, &RunDisplay::showPreview);
@@ -78,6 +93,12 @@ void RunDisplay::showResult(const ShownResult& shown) {
         notes += translated(note);
     m_to.results->setNotes(notes);
     m_to.figures->setResult(shown.result);
+    showVolume(volumeOf(*shown.result));
+}
+
+void RunDisplay::showVolume(std::shared_ptr<const VolumeSource> volume) {
+    m_to.results->setPageOffered(m_volume, volume != nullptr);
+    m_volume->setSource(std::move(volume));
 }
 
 void RunDisplay::clear() {
@@ -86,6 +107,7 @@ void RunDisplay::clear() {
     m_to.results->setTitle({});
     m_to.results->setNotes({});
     m_to.figures->setResult(nullptr);
+    showVolume(nullptr);
 }
 
 void RunDisplay::sayAwaited() {

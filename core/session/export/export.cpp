@@ -6,6 +6,7 @@
 #include "core/image/normal_map.h"
 #include "core/io/map_file.h"
 #include "core/job/memory.h"
+#include "core/session/export/output_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// One file to write and how.
+/// One file to write and how; nothing where it is written with the one after it.
 struct Step {
     ExportEntry entry;
     std::function<void()> write;
@@ -70,6 +71,19 @@ void writeResult(const Result& result, const ExportOptions& options) {
     writeImage(options.image, converted, write);
 }
 
+void addOutputSteps(const Result& result, const ExportOptions& options, std::vector<Step>& steps) {
+    for (const OutputFile& output : outputFiles(result, options.outputs)) {
+        const AssetKind kind = output.port->kind;
+        AssetWriteOptions write = outputOptions(result, output);
+        write.depth = options.depth;
+        write.check = options.check;
+        checkAssetFile(kind, output.path);
+        for (const fs::path& file : filesFor(kind, *output.asset, output.path, write))
+            steps.push_back({{file, output.content(), false}, {}});
+        steps.back().write = [output, kind, write] { writeAsset(kind, *output.asset, output.path, write); };
+    }
+}
+
 void writeSidecar(const Result& result, const ExportOptions& options, const fs::path& path) {
     Json json = Json::parse(result.plan.recipe.toJson(folderOf(path)));
     Json& outputs = json["outputs"];
@@ -86,6 +100,12 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
                   fs::absolute(map).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
                  {"content", "position map"},
                  {"convention", mapConvention(map)}});
+    for (const OutputFile& output : outputFiles(result, options.outputs))
+        outputs.push_back(
+            {{"file",
+              fs::absolute(output.path).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
+             {"content", kindId(output.port->kind)},
+             {"output", output.port->id}});
     writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -270,14 +290,19 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
     }
     for (Step& step : companionSteps(result, options))
         steps.push_back(std::move(step));
+    addOutputSteps(result, options, steps);
     if (options.sidecar) {
         const fs::path path = beside(options.image, "", ".json");
         steps.push_back({{path, TR("recipe"), false},
                          [&result, &options, path] { writeSidecar(result, options, path); }});
     }
     const std::vector<fs::path> sources = sourcesOf(result.plan.recipe);
+    std::set<fs::path> taken;
     for (Step& step : steps) {
         std::error_code error;
+        if (!taken.insert(fs::weakly_canonical(step.entry.path, error)).second)
+            failUsage("{} would be written twice, for different things; name another file for one of them.",
+                      step.entry.path.string());
         step.entry.exists = fs::exists(step.entry.path, error);
         checkKept(sources, step.entry.path);
     }
@@ -351,7 +376,8 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
             if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
                 fail("{} was not there before; export again to see what would be replaced.",
                      step.entry.path.string());
-            step.write();
+            if (step.write)
+                step.write();
             written.push_back(std::move(step.entry));
         }
     } catch (...) {
@@ -367,9 +393,9 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
 Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                     const std::function<Result(RunPlan)>& make) {
     const bool companions = options.companions && !plan.companions.front().empty();
-    if (!options.maps.empty() || companions)
-        failUsage("An output of {} × {} px is made in strips of {} rows, without position or companion maps; "
-                  "choose a region or a smaller size to get those.",
+    if (!options.maps.empty() || companions || !options.outputs.empty())
+        failUsage("An output of {} × {} px is made in strips of {} rows, without position maps, companion "
+                  "maps or anything else beside it; choose a region or a smaller size to get those.",
                   plan.request.part().size.width, plan.request.part().size.height, plan.stripRows);
     Result whole;
     whole.plan = plan;
@@ -415,6 +441,8 @@ std::string reportJson(const Result& result, const fs::path& folder) {
         json["figures"][figure.name.text()] = figure.value;
     for (const Curve& curve : result.synthesis.curves)
         json["curves"][curve.name.text()] = curve.values;
+    if (!result.synthesis.outputs.empty())
+        json["outputs"] = Json::parse(outputsReport(result));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

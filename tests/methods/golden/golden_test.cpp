@@ -11,6 +11,7 @@
 #include "core/session/run/exemplar_file.h"
 #include "tests/methods/every_method.h"
 #include "tests/methods/golden/rounding.h"
+#include "tests/methods/made_up_ports.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
 
