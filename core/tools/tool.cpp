@@ -8,7 +8,7 @@ namespace texloom {
 
 void Tool::checkJoin(const ImageView& first, const ImageView& second, const Values& settings) const {
     if (first.channels != second.channels)
-        failUsage("The first image has {} channels and the second {}; they must be alike.", first.channels,
+        failUsage("The first image has {} channels, the second {}; they must have the same.", first.channels,
                   second.channels);
     if (joinsSameSize() && first.size() != second.size())
         failUsage("The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.",

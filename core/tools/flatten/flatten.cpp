@@ -11,7 +11,7 @@ const Tool self = tool<Settings>(
                    "places match."),
      .adjusts = true},
     {field(&Settings::model, "flatten", TR("Light"))
-         .choices({{"smooth", TR("Soft changes")}, {"polynomial", TR("One slope over all")}})
+         .choices({{"smooth", TR("Soft changes")}, {"polynomial", TR("One slope over the whole")}})
          .help(TR("What the light is taken to be: what a wide window sees, or a low polynomial.")),
      field(&Settings::strength, "strength", TR("Strength"))
          .range(0, 1)

@@ -24,7 +24,7 @@ Warp warp(const Settings& settings, Size before) {
 extern const Tool self;
 const Tool self =
     tool<Settings>({.title = TR("Mirror"),
-                    .summary = TR("Makes left of right, or top of bottom."),
+                    .summary = TR("Swaps left and right, or top and bottom."),
                     .presets = {{"↔", TR("Mirror left to right"), {{"flip", std::string("horizontal")}}},
                                 {"↕", TR("Mirror top to bottom"), {{"flip", std::string("vertical")}}}}},
                    {field(&Settings::axis, "flip", TR("Direction"))

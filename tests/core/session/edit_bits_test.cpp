@@ -1,6 +1,9 @@
+#include "core/io/image_file.h"
+#include "core/session/export/export.h"
 #include "core/session/run/edited_exemplar.h"
 #include "core/session/session.h"
 #include "core/tools/edits.h"
+#include "tests/core/session/sample_run.h"
 #include "tests/core/tools/sample_edits.h"
 
 #include <gtest/gtest.h>
@@ -144,6 +147,18 @@ TEST(EditFiles, ASessionFromBeforeThereWereToolsIsReadAndWrittenAlike) {
     expectComplete(session.settings.exemplars.front().edits);
     EXPECT_EQ(jsonOf(session.toJson("/data"))["settings"]["exemplars"],
               jsonOf(text)["settings"]["exemplars"]);
+}
+
+TEST(EditFiles, APictureFromBeforeThereWereToolsIsMadeAgainFromItsRecipe) {
+    const fs::path file = dataFile("edited_by_0_1.png");
+    SampleRun again;
+    again.input = loadRecipe(readRecipe(file));
+    expectComplete(again.input.exemplars.front().edits);
+    ExportOptions options;
+    options.image = again.folder / "again.png";
+    options.depth = Depth::Bits8;
+    exportResult(again.run(), options);
+    EXPECT_TRUE(samePixels(readImage(options.image).image, readImage(file).image));
 }
 
 } // namespace texloom::test
