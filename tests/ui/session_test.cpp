@@ -1,6 +1,7 @@
 #include "core/image/map_role.h"
 #include "core/io/image_file.h"
 #include "core/session/session.h"
+#include "core/tools/edits.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/background.h"
 #include "ui/common/message_bar.h"
@@ -102,6 +103,35 @@ private Q_SLOTS:
         QVERIFY((current() == Size{64, 48}));
         child<QAction>(*m_window, "redo")->trigger();
         QTRY_VERIFY((current() == Size{50, 40}));
+    }
+
+    void everyToolIsUsedFromThePageAndUndone() {
+        openBark(true);
+        child<QAction>(*m_window, "editExemplar")->trigger();
+        auto* editor = m_window->exemplarEditor();
+        const Size whole = current();
+        for (const Tool& tool : tools()) {
+            if (tool.joins())
+                continue;
+            const QString id = QString::fromStdString(tool.id());
+            if (auto* frame = editor->findChild<QToolButton*>(QStringLiteral("mode-") + id)) {
+                frame->click();
+                editor->findChild<QPushButton*>(QStringLiteral("apply-") + id)->click();
+            } else if (auto* preset =
+                           editor->findChild<QToolButton*>(QStringLiteral("preset-%1-0").arg(id))) {
+                preset->click();
+            } else {
+                editor->findChild<QGroupBox*>(QStringLiteral("tool-") + id)->setChecked(true);
+            }
+            QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
+            const RunExemplar& made = m_window->store()->current()->exemplar;
+            QVERIFY2(&toolOf(made.edits.front()) == &tool, qPrintable(id));
+            QVERIFY(made.companions.front().image->size() == made.image.image->size());
+            QCOMPARE(child<QListWidget>(*editor, "editList")->count(), 1);
+            child<QAction>(*m_window, "undo")->trigger();
+            QTRY_VERIFY2(m_window->store()->current()->exemplar.edits.empty(), qPrintable(id));
+            QVERIFY(current() == whole);
+        }
     }
 
     void aCornerIsDraggedOrMovedByKeys() {
