@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 
 #include "app/cli/console.h"
+#include "app/cli/param_text.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -12,8 +13,10 @@
 #include "core/session/export/output_files.h"
 #include "core/session/preset.h"
 #include "core/session/run/checkpoint_file.h"
+#include "core/session/run/edited_exemplar.h"
 #include "core/session/run/run.h"
 #include "core/session/session.h"
+#include "core/tools/edits.h"
 
 #include <algorithm>
 #include <array>
@@ -25,39 +28,6 @@ namespace fs = std::filesystem;
 using Json = JsonField::Json;
 
 namespace {
-
-const char* typeName(Param::Type type) {
-    switch (type) {
-    case Param::Type::Toggle:
-        return "toggle";
-    case Param::Type::Integer:
-        return "integer";
-    case Param::Type::Real:
-        return "real";
-    case Param::Type::Choice:
-        break;
-    }
-    return "choice";
-}
-
-Json toJson(const Param& param) {
-    Json json = {{"name", param.name()},
-                 {"title", param.title()},
-                 {"type", typeName(param.type())},
-                 {"default", texloom::toJson(param.defaultFor(0))}};
-    if (param.scale())
-        json["defaultShareOfShorterSide"] = *param.scale();
-    if (param.hasRange())
-        json["range"] = {param.smallest(), param.largest()};
-    for (const Choice& choice : param.choices())
-        json["choices"].push_back({{"id", choice.id}, {"title", choice.title}});
-    if (const auto& condition = param.condition())
-        json["onlyWhen"] = {{condition->name, texloom::toJson(condition->value)}};
-    json["unit"] = param.unit();
-    json["symbol"] = param.symbol();
-    json["help"] = param.help();
-    return json;
-}
 
 Json toJson(const Port& port) {
     static const std::array<const char*, 3> extents = {"exemplar", "output", "any"};
@@ -89,7 +59,7 @@ Json toJson(const Method& method) {
     for (const Port& port : info.gives)
         json["gives"].push_back(toJson(port));
     for (const Param& param : method.params())
-        json["parameters"].push_back(toJson(param));
+        json["parameters"].push_back(cli::toJson(param));
     return json;
 }
 
@@ -102,12 +72,8 @@ void printMethod(const Method& method) {
     for (const Port& port : info.gives)
         if (port.id != kImagePort && port.id != kMapPort)
             fmt::print("  --save {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
-    for (const Param& param : method.params()) {
-        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limits(),
-                   defaultText(param), param.help());
-        if (const auto& condition = param.condition())
-            fmt::print("      Matters only with {}={}.\n", condition->name, toText(condition->value));
-    }
+    for (const Param& param : method.params())
+        printParam("--set " + param.name() + "=…", param);
 }
 
 void printPreset(const Preset& preset) {
@@ -166,9 +132,11 @@ void attach(RunInput& input, const SynthOptions& options) {
 }
 
 /// Loads one `--input NAME=FILE`: a port of the run's, or one of the exemplars' own, which are shared out in
-/// order.
-void addInput(RunInput& input, const std::string& name, const fs::path& file) {
+/// order. Those of the other kind are left to another call.
+void addInput(RunInput& input, const std::string& name, const fs::path& file, bool ofExemplars) {
     const Port& port = portOf(input.steps, name);
+    if ((port.extent == Extent::Exemplar) != ofExemplars)
+        return;
     if (port.id == kExemplarPort || port.id == kCompanionPort)
         failUsage("--input {}: exemplars are named on their own, companion maps with --companion.", name);
     std::vector<Size> sizes;
@@ -199,15 +167,16 @@ std::pair<std::string, fs::path> nameAndFile(const char* option, const std::stri
     return {given.substr(0, equals), given.substr(equals + 1)};
 }
 
-/// --input and its short names.
-void addInputs(RunInput& input, const SynthOptions& options) {
+/// --input and its short names. What belongs to an exemplar is edited with it; the rest may depend on the
+/// edited exemplars' sizes.
+void addInputs(RunInput& input, const SynthOptions& options, bool ofExemplars) {
     for (const fs::path& mask : options.masks)
-        addInput(input, std::string(kMaskPort), mask);
+        addInput(input, std::string(kMaskPort), mask, ofExemplars);
     if (options.initial)
-        addInput(input, std::string(kInitialPort), *options.initial);
+        addInput(input, std::string(kInitialPort), *options.initial, ofExemplars);
     for (const std::string& given : options.inputs) {
         const auto [name, file] = nameAndFile("--input", given);
-        addInput(input, name, file);
+        addInput(input, name, file, ofExemplars);
     }
 }
 
@@ -217,6 +186,27 @@ std::optional<Size> sizeOfInputs(const RunInput& input) {
         if (portOf(input.steps, id).extent == Extent::Output && files.front().image())
             return files.front().image()->size();
     return std::nullopt;
+}
+
+/// Edits the exemplars as --edit says. An edit is for every exemplar, or for the one whose number stands
+/// before it.
+void edit(RunInput& input, const std::vector<std::string>& edits) {
+    const std::size_t count = input.exemplars.size();
+    std::vector<ExemplarEdits> each(count);
+    for (const std::string& text : edits) {
+        const std::size_t colon = text.find(':');
+        long long number = 0;
+        const bool numbered = colon != std::string::npos && parseInteger(text.substr(0, colon), number);
+        if (numbered && (number < 1 || number > static_cast<long long>(count)))
+            failUsage("--edit {}: there is no exemplar {}; they are numbered from 1 to {}.", text, number,
+                      count);
+        const ExemplarEdit made = parseEdit(numbered ? text.substr(colon + 1) : text);
+        for (std::size_t i = 0; i < count; ++i)
+            if (!numbered || static_cast<long long>(i) + 1 == number)
+                each[i].push_back(made);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        input.exemplars[i] = edited(input.exemplars[i], each[i], checkInterrupt);
 }
 
 Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs::path& path) {
@@ -326,13 +316,6 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
 
 } // namespace
 
-std::string defaultText(const Param& param) {
-    if (param.scale())
-        return fmt::format("{:.0f} % of the exemplar's shorter side", *param.scale() * 100);
-    const std::string unit = param.unit().empty() ? "" : " " + param.unit();
-    return toText(param.defaultFor(0)) + unit;
-}
-
 RunInput inputFor(const SynthOptions& options) {
     RunInput input;
     input.steps = stepsOf(options);
@@ -342,7 +325,9 @@ RunInput inputFor(const SynthOptions& options) {
     for (const fs::path& path : options.exemplars)
         input.exemplars.push_back({loadExemplar(path, options.exemplarSpace), {}, {}});
     attach(input, options);
-    addInputs(input, options);
+    addInputs(input, options, true);
+    edit(input, options.edits);
+    addInputs(input, options, false);
     const Size exemplar = input.exemplars.front().image.image->size();
     const std::optional<Size> given = options.size ? options.size : sizeOfInputs(input);
     input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});

@@ -35,6 +35,8 @@ struct SynthOptions {
     std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
     Wrap wrap;
     std::optional<Region> region; ///< all of the output if not given
+    std::vector<std::string>
+        edits; ///< of the exemplars: "tool=value name=value", perhaps with "2:" before it
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
     std::vector<double> weights;                  ///< of the exemplars, in order; empty: all alike
@@ -77,11 +79,9 @@ RunInput inputFor(const SynthOptions& options);
 /// Runs a plan with a progress bar. @throws Error, Cancelled
 Result runToEnd(RunPlan plan, bool quiet);
 
-/// A parameter's default as people read it: "0.25", "16 % of the exemplar's shorter side".
-std::string defaultText(const Param& param);
-
 /// Each does one command. @throws Error, UsageError, Cancelled
 void listMethods(const std::string& id, bool json);
+void listTools(const std::string& id, bool json);
 void synth(const SynthOptions& options);
 void runRecipe(const RunOptions& options);
 void applyMap(const ApplyOptions& options);

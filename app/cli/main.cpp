@@ -1,9 +1,9 @@
 #include "app/cli/analyze_quality.h"
 #include "app/cli/analyze_statistics.h"
 #include "app/cli/batch_command.h"
-#include "app/cli/blend_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/join_commands.h"
 #include "app/cli/method_pages.h"
 #include "app/cli/option_forms.h"
 #include "core/base/error.h"
@@ -66,6 +66,15 @@ void addMethods(CLI::App& app) {
     });
 }
 
+void addTools(CLI::App& app) {
+    static std::string id;
+    static bool json = false;
+    CLI::App* command = app.add_subcommand("tools", "List every tool with its parameters");
+    command->add_option("tool", id, "Only this one");
+    command->add_flag("--json", json, "As JSON");
+    command->callback([] { cli::listTools(id, json); });
+}
+
 void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
     command.add_option("exemplar", options.exemplars, "Images to learn from")->required();
@@ -86,6 +95,13 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     cli::addWrap(command, options.wrap, "Axes on which the output tiles: x, y or xy");
     cli::addRegion(command, options.region,
                    "Part of the output to make, as x,y,width,height; it equals that part of the whole");
+    command
+        .add_option(
+            "--edit", options.edits,
+            "Change of the exemplars, their masks and companions, as TOOL=value, with further settings "
+            "after a blank; see `tools`. 2:TOOL=value is for the second exemplar alone; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     command
         .add_option("--companion", options.companions,
                     "Map of the exemplar's size that gets the same layout; may be repeated")
@@ -191,11 +207,12 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", std::string("texloom-cli ") + kVersion);
     app.require_subcommand(0, 1);
     addMethods(app);
+    addTools(app);
     addSynth(app);
     addRun(app);
     cli::addBatch(app);
     addApply(app);
-    cli::addBlend(app);
+    cli::addJoins(app);
     addAnalyze(app);
     addStress(app);
     cli::silenceLibraries();
@@ -204,7 +221,7 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
             return complain(
-                "Name a command: methods, synth, run, batch, apply, blend, analyze or stress. See "
+                "Name a command: methods, tools, synth, run, batch, apply, blend, analyze or stress. See "
                 "texloom-cli --help.",
                 Usage);
         return Done;

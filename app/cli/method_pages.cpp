@@ -1,6 +1,6 @@
 #include "app/cli/method_pages.h"
 
-#include "app/cli/commands.h"
+#include "app/cli/param_text.h"
 #include "core/io/image_file.h"
 
 #include <fmt/format.h>

@@ -140,27 +140,15 @@ std::vector<Size> Request::exemplarSizes() const {
 }
 
 const Param& Method::param(std::string_view name) const {
-    std::vector<std::string> known;
-    for (const Param& param : m_params) {
-        if (param.name() == name)
-            return param;
-        known.push_back(param.name());
-    }
-    refuseUnknown(message("{} has no parameter {}; it has {}.", m_id, name, listOf(known)), name, known);
+    return paramNamed(m_params, m_id, name);
 }
 
 Values Method::defaults(Size exemplar) const {
-    Values values;
-    for (const Param& param : m_params)
-        values[param.name()] = param.defaultFor(exemplar.shorterSide());
-    return values;
+    return defaultsOf(m_params, exemplar.shorterSide());
 }
 
 Values Method::resolved(const Values& settings, Size exemplar) const {
-    Values values = defaults(exemplar);
-    for (const auto& [name, value] : settings)
-        values[name] = param(name).checked(value);
-    return values;
+    return resolvedValues(m_params, m_id, settings, exemplar.shorterSide());
 }
 
 void Method::check(const Request& request, const Values& settings) const {

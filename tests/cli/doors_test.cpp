@@ -210,4 +210,25 @@ TEST_F(Doors, ADamagedCheckpointOrAnotherFileOfItsNameIsLeftAlone) {
     EXPECT_EQ(readText(m_folder / "out.exr.checkpoint"), "my notes");
 }
 
+TEST_F(Doors, AToolEditsExemplars) {
+    const Json ripple = Json::parse(run({"tools", "ripple", "--json"})).front();
+    EXPECT_EQ(ripple.at("actsOn"), "image-mask-and-companions");
+    EXPECT_THAT(run({"tools"}), HasSubstr("--edit ripple=…"));
+    const std::vector<std::string> arguments = {"synth",   "quilting", "bark.png", "-o",
+                                                "out.exr", "--set",    "patch=8",  "--size",
+                                                "40x40",   "--quiet",  "--edit",   "ripple=3 length=12"};
+    run(arguments);
+    const Json edits = json("out.json").at("exemplars").at(0).at("edits");
+    EXPECT_EQ(edits, Json::parse(R"([{"length": 12, "ripple": 3.0}])"));
+    run({"run", "out.json", "-o", "again.exr"});
+    EXPECT_TRUE(samePixels(image("out.exr"), image("again.exr")));
+    std::vector<std::string> wrong = arguments;
+    wrong.back() = "ripple=9";
+    expectRefusal(wrong, {"ripple = 9: Height goes from 0 to 8 px."});
+    wrong.back() = "riple=3";
+    expectRefusal(wrong, {"riple", "Did you mean ripple?"});
+    wrong.back() = "3:ripple=3";
+    expectRefusal(wrong, {"3:ripple=3", "1"});
+}
+
 } // namespace texloom::test

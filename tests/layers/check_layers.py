@@ -9,7 +9,7 @@ import re
 import sys
 import tempfile
 
-CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "volume", "methods", "session"]
+CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "volume", "tools", "methods", "session"]
 # From the cellar to the roof: a folder of ui/ knows only those before it.
 UI = [
     "common", "picture", "runs", "viewers", "exemplar", "inspector", "jobs", "results", "log", "maps", "export",
@@ -41,9 +41,9 @@ def top_of(path):
 
 
 def method_of(path):
-    """The method's folder that a path lies in, or None for the files directly in core/methods."""
+    """The method's or tool's folder that a path lies in, or None for the files directly in core/methods or tools."""
     parts = path.split("/")
-    return parts[2] if parts[:2] == ["core", "methods"] and len(parts) > 3 else None
+    return "/".join(parts[1:3]) if parts[:2] in (["core", "methods"], ["core", "tools"]) and len(parts) > 3 else None
 
 
 def library_offence(path, include):
@@ -70,7 +70,7 @@ def include_offence(path, include):
         if order.index(target_layer) > order.index(layer):
             return f"{include}: {top}/{layer} comes before {top}/{target_layer} and must not know it"
         if method_of(target) and method_of(path) != method_of(target):
-            return f"{include}: what is shared with a method belongs in match, math or analysis"
+            return f"{include}: what is shared with a method or tool belongs in match, math or analysis"
     return None
 
 
@@ -171,6 +171,9 @@ PLANTS = {
     "core/methods/one/i.cpp": '#include "core/methods/two/settings.h"',
     "core/methods/j.cpp": '#include "core/methods/two/settings.h"',
     "core/session/k.cpp": '#include "core/methods/two/settings.h"',
+    "core/session/u.cpp": '#include "core/tools/one/settings.h"',
+    "core/tools/one/v.cpp": '#include "core/tools/two/settings.h"',
+    "core/tools/one/w.cpp": '#include "core/methods/method.h"',
     "core/extra/l.cpp": '#include "core/base/text.h"',
     "core/base/m.h": "struct M {};",
     "ui/exemplar/n.h": '#pragma once\n#include "ui/window/w.h"',

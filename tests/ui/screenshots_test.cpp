@@ -1,4 +1,5 @@
 #include "core/session/run/checkpoint_file.h"
+#include "core/tools/edits.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/blend/blend_window.h"
 #include "ui/common/appearance.h"
@@ -367,13 +368,13 @@ private:
         child<QComboBox>(*blend, "blendSecond")->setCurrentIndex(3);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend");
-        child<QComboBox>(*blend, "blendShape")->setCurrentIndex(2);
+        child<ValueEditor>(*blend, "blend-curve")->findChild<QComboBox*>()->setCurrentIndex(2);
         child<QCheckBox>(*blend, "blendWay0")->setChecked(false);
         child<QCheckBox>(*blend, "blendWay3")->setChecked(false);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend-circular");
         child<QCheckBox>(*blend, "blendWay4")->setChecked(true);
-        child<QSpinBox>(*blend, "blendBand")->setValue(400);
+        child<ValueEditor>(*blend, "blend-band")->findChild<QSpinBox*>()->setValue(400);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend-wide-band");
         blend->close();
@@ -399,21 +400,21 @@ private:
         ExemplarEditor* const editor = window.exemplarEditor();
         const int id = window.store()->current()->id;
         child<QAction>(window, "editExemplar")->trigger();
-        editor->setTool(EditCanvas::Tool::Crop);
+        editor->setMode(QStringLiteral("crop"));
         shoot(window, "edit-crop");
-        editor->setTool(EditCanvas::Tool::Rectify);
+        editor->setMode(QStringLiteral("rectify"));
         QTest::keyClick(editor->canvas(), Qt::Key_N);
         QTest::keyClick(editor->canvas(), Qt::Key_Left, Qt::ControlModifier);
         shoot(window, "edit-rectify");
-        window.store()->setEdits(id, {RotateEdit{8}, FlattenEdit{}}, {});
+        window.store()->setEdits(id, {{{"rotate", 8.0}}, {{"flatten", std::string("smooth")}}}, {});
         const Size size = window.store()->current()->file().image->size();
-        Image stroke(sizeAfter(RotateEdit{8}, size), 1);
+        Image stroke(sizeAfter(ExemplarEdit{{"rotate", 8.0}}, size), 1);
         for (int y = stroke.height() / 5; y < stroke.height() / 2; ++y)
             for (int x = stroke.width() / 4; x < stroke.width() * 2 / 3; ++x)
                 stroke(x, y, 0) = 1;
         window.store()->paintMask(id, std::move(stroke), true);
         QTRY_VERIFY(window.store()->current()->exemplar.mask);
-        editor->setTool(EditCanvas::Tool::Hide);
+        editor->setMode(QStringLiteral("hide"));
         shoot(window, "edit-mask");
         auto* targets = child<DropTargets>(window, "dropTargets");
         targets->open(DropTargets::Dragged::Files, true, window.inspector()->output()->ports());

@@ -1,5 +1,6 @@
 #include "ui/common/value_editor.h"
 
+#include "ui/common/numbers_editor.h"
 #include "ui/common/text.h"
 
 #include <QCheckBox>
@@ -70,6 +71,14 @@ public:
         m_spin->setValue(std::get<int>(value));
         follow(m_spin->value());
     }
+    void setLargest(double largest) override {
+        const QSignalBlocker spin(m_spin);
+        m_spin->setMaximum(static_cast<int>(largest));
+        if (m_slider == nullptr)
+            return;
+        const QSignalBlocker slider(m_slider);
+        m_slider->setMaximum(m_spin->maximum());
+    }
 
 private:
     void follow(int value) {
@@ -85,7 +94,9 @@ private:
 
 class RealEditor : public ValueEditor {
 public:
-    RealEditor(const Param& param, QWidget* parent) : ValueEditor(parent), m_spin(new QDoubleSpinBox(this)) {
+    RealEditor(const Param& param, QWidget* parent)
+        : ValueEditor(parent), m_spin(new QDoubleSpinBox(this)), m_from(param.usualFrom()),
+          m_to(param.usualTo()) {
         QHBoxLayout* const row = rowFor(this);
         const double largest = std::numeric_limits<float>::max();
         m_spin->setDecimals(decimalsFor(param));
@@ -97,7 +108,7 @@ public:
         m_spin->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         if (param.hasRange() && spanOf(param) <= kOpenSpan) {
             m_spin->setStepType(QAbstractSpinBox::DefaultStepType);
-            m_spin->setSingleStep((param.largest() - param.smallest()) / 100);
+            m_spin->setSingleStep((m_to - m_from) / 100);
             m_slider = new QSlider(Qt::Horizontal, this);
             m_slider->setRange(0, kSliderSteps);
             m_slider->setPageStep(kSliderSteps / 10);
@@ -106,8 +117,7 @@ public:
             row->addWidget(m_slider, 1);
             alignSpinBox(m_spin);
             connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
-                m_spin->setValue(m_spin->minimum() +
-                                 (m_spin->maximum() - m_spin->minimum()) * position / kSliderSteps);
+                m_spin->setValue(m_from + (m_to - m_from) * position / kSliderSteps);
             });
         }
         row->addWidget(m_spin);
@@ -127,7 +137,7 @@ public:
 
 private:
     static double spanOf(const Param& param) {
-        return param.hasRange() ? param.largest() - param.smallest() : 1;
+        return param.hasRange() ? param.usualTo() - param.usualFrom() : 1;
     }
 
     static int decimalsFor(const Param& param) {
@@ -139,12 +149,13 @@ private:
         if (m_slider == nullptr)
             return;
         const QSignalBlocker blocker(m_slider);
-        const double share = (value - m_spin->minimum()) / (m_spin->maximum() - m_spin->minimum());
+        const double share = (value - m_from) / (m_to - m_from);
         m_slider->setValue(static_cast<int>(std::lround(share * kSliderSteps)));
     }
 
     QDoubleSpinBox* m_spin;
     QSlider* m_slider = nullptr;
+    double m_from, m_to; ///< the ends of the slider
 };
 
 class ToggleEditor : public ValueEditor {
@@ -200,6 +211,10 @@ ValueEditor* makeValueEditor(const Param& param, QWidget* parent) {
         return new RealEditor(param, parent);
     case Param::Type::Choice:
         return new ChoiceEditor(param, parent);
+    case Param::Type::Area:
+    case Param::Type::Size:
+    case Param::Type::Points:
+        return new NumbersEditor(param, parent);
     }
     return nullptr;
 }

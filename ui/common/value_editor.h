@@ -18,13 +18,16 @@ public:
     virtual Value value() const = 0;
     /// Shows a value without saying that it was edited.
     virtual void setValue(const Value& value) = 0;
+    /// Lets no number be larger; only of editors of one number.
+    virtual void setLargest(double /*largest*/) {}
 
 Q_SIGNALS:
     /// The user changed the value.
     void edited();
 };
 
-/// The editor that suits a parameter: a slider with a spin box in step, a check box, or a list of choices.
+/// The editor that suits a parameter: a slider with a spin box in step, a check box, a list of choices, or
+/// pairs of numbers.
 ValueEditor* makeValueEditor(const Param& param, QWidget* parent);
 
 } // namespace texloom::ui

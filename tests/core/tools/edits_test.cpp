@@ -1,9 +1,8 @@
-#include "core/image/exemplar_edit.h"
-#include "core/image/flatten.h"
-#include "core/image/map_role.h"
 #include "core/image/normal_map.h"
 #include "core/image/resample.h"
+#include "core/tools/edits.h"
 #include "tests/core/refusal.h"
+#include "tests/core/tools/sample_edits.h"
 #include "tests/support/textures.h"
 
 #include <cmath>
@@ -15,7 +14,12 @@ namespace texloom::test {
 namespace {
 
 Image made(const Image& image, const ExemplarEdits& edits) {
-    return resampled(image, placementOf(edits, image.size()));
+    return resampled(image, warpOf(edits, image.size()));
+}
+
+void recolor(Image& image, const ExemplarEdit& edit, const Image* mask = nullptr) {
+    const Tool& tool = toolOf(edit);
+    tool.recolor(image, tool.resolved(edit), mask);
 }
 
 /// A smooth periodic pattern, defined between pixels, too.
@@ -64,29 +68,28 @@ double meanOf(const Image& image, const Region& part) {
     return sum / static_cast<double>(part.size.area());
 }
 
-constexpr FlipEdit kMirror{FlipEdit::Axis::Horizontal};
+const ExemplarEdit kMirror = flip("horizontal");
 
 } // namespace
 
 TEST(ExemplarEdit, CropsAndQuarterTurnsMovePixelsBitForBit) {
     const Image image = blobs({13, 9}, 3);
-    const Image cropped = made(image, {CropEdit{{2, 3, {7, 5}}}});
+    const Image cropped = made(image, {crop(2, 3, 7, 5)});
     EXPECT_TRUE(samePixels(cropped, image.view().crop(2, 3, {7, 5})));
-    const Image turned = made(image, {RotateEdit{90}});
+    const Image turned = made(image, {turn(90)});
     ASSERT_EQ(turned.size(), (Size{9, 13}));
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 13; ++x) // the top row becomes the right column
             ASSERT_EQ(turned(8 - y, x, 1), image(x, y, 1));
-    EXPECT_TRUE(samePixels(made(image, {RotateEdit{90}, RotateEdit{-90}}), image));
-    EXPECT_TRUE(
-        samePixels(made(image, {RotateEdit{180}, kMirror, FlipEdit{FlipEdit::Axis::Vertical}}), image));
+    EXPECT_TRUE(samePixels(made(image, {turn(90), turn(-90)}), image));
+    EXPECT_TRUE(samePixels(made(image, {turn(180), kMirror, flip("vertical")}), image));
     EXPECT_EQ(made(image, {kMirror})(0, 4, 2), image(12, 4, 2));
 }
 
 TEST(ExemplarEdit, AnyAngleKeepsTheLargestUprightRectangleInside) {
     for (const Size size : {Size{200, 100}, Size{100, 100}, Size{60, 230}})
         for (const double degrees : {0.0, 3.0, 30.0, 45.0, 61.0, 119.0, -10.0, 200.0}) {
-            const Placement placement = placementOf({RotateEdit{degrees}}, size);
+            const Warp placement = warpOf({turn(degrees)}, size);
             const Size after = placement.size();
             double reach = -1e9; // how far the farthest corner lies outside
             for (const PlanePoint corner : {PlanePoint{0, 0},
@@ -104,7 +107,7 @@ TEST(ExemplarEdit, AnyAngleKeepsTheLargestUprightRectangleInside) {
 TEST(ExemplarEdit, TurnsClockwise) {
     const Size size{120, 90};
     const Image image = seen(size, [](PlanePoint p) { return p; });
-    const Image turned = made(image, {RotateEdit{20}});
+    const Image turned = made(image, {turn(20)});
     const double angle = 20 * std::numbers::pi / 180;
     const Image expected = seen(turned.size(), [&](PlanePoint p) {
         const double x = p.x - 0.5 * turned.width(), y = p.y - 0.5 * turned.height();
@@ -116,9 +119,9 @@ TEST(ExemplarEdit, TurnsClockwise) {
 
 TEST(ExemplarEdit, RectifiesAWarpedPatternBack) {
     // The camera: a projective map from the picture of 160 × 130 px to the plane of 100 × 80 units.
-    const std::array<PlanePoint, 4> corners = {PlanePoint{31, 22}, {128, 10}, {150, 121}, {12, 104}};
-    const Placement camera = placementOf({RectifyEdit{corners, {100, 80}}}, {160, 130});
-    const Image photograph = seen({160, 130}, [&](PlanePoint p) { return camera.fromSource(p); });
+    const PlanePoints corners = {{31, 22}, {128, 10}, {150, 121}, {12, 104}};
+    const Warp camera = warpOf({rectify(corners, {100, 80})}, {160, 130});
+    const Image photograph = seen({160, 130}, [&](PlanePoint p) { return camera.fromSource(p, p); });
     const Image back = resampled(photograph, camera);
     const Image plane = seen({100, 80}, [](PlanePoint p) { return p; });
     EXPECT_LT(largestDifference(back, plane, 1), 0.01);
@@ -126,7 +129,7 @@ TEST(ExemplarEdit, RectifiesAWarpedPatternBack) {
 }
 
 TEST(ExemplarEdit, RectifiesToTheLongerOfOppositeSides) {
-    const RectifyEdit edit{{{{10, 10}, {50, 10}, {70, 90}, {10, 90}}}, {}};
+    const ExemplarEdit edit = rectify({{10, 10}, {50, 10}, {70, 90}, {10, 90}});
     EXPECT_EQ(sizeAfter(edit, {100, 100}), (Size{60, 82}));
 }
 
@@ -135,7 +138,7 @@ TEST(ExemplarEdit, ShrinkingAveragesInsteadOfSkipping) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             stripes(x, y, 0) = x % 2 == 0 ? 1.0F : 0.0F;
-    const RectifyEdit all{{{{0, 0}, {64, 0}, {64, 64}, {0, 64}}}, {16, 16}};
+    const ExemplarEdit all = rectify({{0, 0}, {64, 0}, {64, 64}, {0, 64}}, {16, 16});
     const Image small = made(stripes, {all});
     for (int x = 2; x < 14; ++x)
         EXPECT_NEAR(small(x, 8, 0), 0.5, 0.1);
@@ -143,7 +146,7 @@ TEST(ExemplarEdit, ShrinkingAveragesInsteadOfSkipping) {
 
 TEST(ExemplarEdit, EditsInOneGoAreThoseOneAfterTheOther) {
     const Image image = seen({90, 70}, [](PlanePoint p) { return p; });
-    const ExemplarEdits edits = {CropEdit{{5, 4, {80, 60}}}, RotateEdit{7}, kMirror, RotateEdit{90}};
+    const ExemplarEdits edits = {crop(5, 4, 80, 60), turn(7), kMirror, turn(90)};
     Image stepwise = image;
     for (const ExemplarEdit& edit : edits)
         stepwise = made(stepwise, {edit});
@@ -155,9 +158,9 @@ TEST(ExemplarEdit, EditsInOneGoAreThoseOneAfterTheOther) {
 TEST(ExemplarEdit, MaskHidesWhateverTouchesTheHidden) {
     Image mask = constant({40, 40}, 1, 1);
     mask(20, 20, 0) = 0;
-    const Placement exact = placementOf({CropEdit{{10, 10, {20, 20}}}}, mask.size());
+    const Warp exact = warpOf({crop(10, 10, 20, 20)}, mask.size());
     EXPECT_EQ(meanOf(resampledMask(mask, exact), {0, 0, {20, 20}}), 399.0 / 400);
-    const Image turned = resampledMask(mask, placementOf({RotateEdit{30}}, mask.size()));
+    const Image turned = resampledMask(mask, warpOf({turn(30)}, mask.size()));
     const double hidden =
         (1 - meanOf(turned, {0, 0, turned.size()})) * static_cast<double>(turned.size().area());
     EXPECT_GE(hidden, 9);
@@ -167,15 +170,15 @@ TEST(ExemplarEdit, MaskHidesWhateverTouchesTheHidden) {
 TEST(ExemplarEdit, RefusesWhatCannotBeMade) {
     const Size size{100, 80};
     const auto making = [size](const ExemplarEdit& edit) { return [=] { sizeAfter(edit, size); }; };
-    EXPECT_THAT(making(CropEdit{{50, 0, {51, 10}}}), usageRefusal("51 × 10", "100 × 80"));
-    EXPECT_THAT(making(RotateEdit{1000}), usageRefusal("1000", "360"));
-    EXPECT_THAT(making(RotateEdit{std::numeric_limits<double>::quiet_NaN()}), usageRefusal("angle"));
-    EXPECT_THAT(making(RectifyEdit{{{{0, 0}, {101, 0}, {90, 70}, {0, 70}}}, {}}), usageRefusal("Corner 2"));
-    EXPECT_THAT(making(RectifyEdit{{{{0, 0}, {0, 70}, {90, 70}, {90, 0}}}, {}}), usageRefusal("clockwise"));
-    EXPECT_THAT(making(RectifyEdit{{{{0, 0}, {90, 0}, {5, 5}, {0, 70}}}, {}}), usageRefusal("dent"));
-    EXPECT_THAT(making(FlattenEdit{FlattenEdit::Model::Smooth, 0, 2, 1}), usageRefusal("0.02 to 1"));
-    EXPECT_THAT(making(FlattenEdit{FlattenEdit::Model::Polynomial, 0.2, 5, 1}), usageRefusal("1 to 4"));
-    EXPECT_THAT(making(FlattenEdit{FlattenEdit::Model::Smooth, 0.2, 2, 1.5}), usageRefusal("1.5", "0 to 1"));
+    EXPECT_THAT(making(crop(50, 0, 51, 10)), usageRefusal("51 × 10", "100 × 80"));
+    EXPECT_THAT(making(turn(1000)), usageRefusal("1000", "360"));
+    EXPECT_THAT(making(turn(std::numeric_limits<double>::quiet_NaN())), usageRefusal("Angle"));
+    EXPECT_THAT(making(rectify({{0, 0}, {101, 0}, {90, 70}, {0, 70}})), usageRefusal("Corner 2"));
+    EXPECT_THAT(making(rectify({{0, 0}, {0, 70}, {90, 70}, {90, 0}})), usageRefusal("clockwise"));
+    EXPECT_THAT(making(rectify({{0, 0}, {90, 0}, {5, 5}, {0, 70}})), usageRefusal("dent"));
+    EXPECT_THAT(making(flatten("smooth", 1, {{"width", 0.0}})), usageRefusal("0.02 to 1"));
+    EXPECT_THAT(making(flatten("polynomial", 1, {{"order", 5}})), usageRefusal("1 to 4"));
+    EXPECT_THAT(making(flatten("smooth", 1.5)), usageRefusal("1.5", "0 to 1"));
 }
 
 TEST(NormalMap, TurnsAndMirrorsWithTheSurface) {
@@ -197,8 +200,8 @@ TEST(NormalMap, TurnsAndMirrorsWithTheSurface) {
         for (Image* image : {&stored, &swapped, &mirrored})
             if (role == MapRole::NormalDx)
                 flipGreen(*image);
-        const Image turned = placedNormals(stored, role, placementOf({RotateEdit{90}}, size));
-        const Image flipped = placedNormals(stored, role, placementOf({kMirror}, size));
+        const Image turned = placedNormals(stored, role, warpOf({turn(90)}, size));
+        const Image flipped = placedNormals(stored, role, warpOf({kMirror}, size));
         for (int c = 0; c < 3; ++c) {
             EXPECT_LT(largestDifference(Image(turned.view().channelRange(c, 1)),
                                         Image(swapped.view().channelRange(c, 1))),
@@ -212,7 +215,7 @@ TEST(NormalMap, TurnsAndMirrorsWithTheSurface) {
 
 TEST(NormalMap, StaysOneLongAndTellsSlopesApart) {
     const Image normals = waves({80, 80}, 0.15, 0, 3); // slopes along x alone
-    const Image turned = placedNormals(normals, MapRole::NormalGl, placementOf({RotateEdit{30}}, {80, 80}));
+    const Image turned = placedNormals(normals, MapRole::NormalGl, warpOf({turn(30)}, {80, 80}));
     for (int y = 0; y < turned.height(); ++y)
         for (int x = 0; x < turned.width(); ++x) {
             const double nx = 2 * turned(x, y, 0) - 1, ny = 2 * turned(x, y, 1) - 1,
@@ -221,18 +224,6 @@ TEST(NormalMap, StaysOneLongAndTellsSlopesApart) {
             // Green is up: the slope that ran along x now runs 30° down to the right.
             ASSERT_NEAR(ny, -std::tan(std::numbers::pi / 6) * nx, 1e-4);
         }
-}
-
-TEST(NormalMap, ReadsVectorsStoredAsTheyAre) {
-    Image raw(Size{2, 1}, 3);
-    raw(0, 0, 0) = -0.6F;
-    raw(0, 0, 2) = 0.8F;
-    raw(1, 0, 1) = 0.5F;
-    flipGreen(raw);
-    renormalize(raw);
-    EXPECT_FLOAT_EQ(raw(0, 0, 0), -0.6F);
-    EXPECT_FLOAT_EQ(raw(1, 0, 1), -1);
-    EXPECT_FLOAT_EQ(raw(1, 0, 2), 0);
 }
 
 TEST(Flatten, TakesARampOutAndKeepsTheMean) {
@@ -248,16 +239,16 @@ TEST(Flatten, TakesARampOutAndKeepsTheMean) {
     };
     const double own = unevenness(texture);
     ASSERT_GT(unevenness(lit) - own, 1.4);
-    for (const FlattenEdit::Model model : {FlattenEdit::Model::Smooth, FlattenEdit::Model::Polynomial}) {
+    for (const char* model : {"smooth", "polynomial"}) {
         Image flat = lit;
-        flatten(flat, {model, 0.4, 2, 1});
+        recolor(flat, flatten(model, 1, {{"width", 0.4}}));
         EXPECT_LT(std::abs(unevenness(flat) - own), 0.15);
         EXPECT_NEAR(meanOf(flat, {0, 0, flat.size()}), meanOf(lit, {0, 0, lit.size()}),
                     0.1 * meanOf(lit, {0, 0, lit.size()}));
         Image half = lit, none = lit;
-        flatten(half, {model, 0.4, 2, 0.5});
+        recolor(half, flatten(model, 0.5, {{"width", 0.4}}));
         EXPECT_NEAR(unevenness(half), 0.5 * (unevenness(lit) + unevenness(flat)), 0.15);
-        flatten(none, {model, 0.4, 2, 0});
+        recolor(none, flatten(model, 0, {{"width", 0.4}}));
         EXPECT_TRUE(samePixels(none, lit));
     }
 }
@@ -270,50 +261,23 @@ TEST(Flatten, DoesNotLookAtWhatTheMaskHides) {
             mask(x, y, 0) = 0;
         }
     Image with = image, without = image;
-    flatten(with, {}, &mask);
-    flatten(without, {});
+    recolor(with, flatten("smooth"), &mask);
+    recolor(without, flatten("smooth"));
     EXPECT_NEAR(with(5, 30, 0) / with(35, 30, 0), 1, 1e-3);
     EXPECT_GT(std::abs(without(5, 30, 0) / without(35, 30, 0) - 1), 0.05);
 }
 
 TEST(Flatten, LeavesBlackAndHueAlone) {
     Image black = constant({20, 20}, 3, 0);
-    flatten(black, {});
+    recolor(black, flatten("smooth"));
     EXPECT_TRUE(samePixels(black, constant({20, 20}, 3, 0)));
     Image lit = blobs({40, 40}, 4);
     const Image before = lit;
-    flatten(lit, {FlattenEdit::Model::Polynomial, 0.25, 3, 1});
+    recolor(lit, flatten("polynomial", 1, {{"order", 3}}));
     for (int x = 0; x < 40; ++x) {
         EXPECT_NEAR(lit(x, 7, 0) * before(x, 7, 1), lit(x, 7, 1) * before(x, 7, 0), 1e-5);
         EXPECT_EQ(lit(x, 7, 3), before(x, 7, 3)); // alpha
     }
-}
-
-TEST(MapRole, RecognisesSuffixesInAnyCase) {
-    const auto expectName = [](const char* stem, const char* base, MapRole role) {
-        const MapName name = mapNameFrom(stem);
-        EXPECT_EQ(name.base, base) << stem;
-        EXPECT_EQ(name.role, role) << stem;
-    };
-    expectName("bark_albedo", "bark", MapRole::Color);
-    expectName("Bark-BaseColor", "Bark", MapRole::Color);
-    expectName("old_bark_NRM", "old_bark", MapRole::NormalGl);
-    expectName("bark_nor_gl", "bark", MapRole::NormalGl);
-    expectName("bark_Normal_DX", "bark", MapRole::NormalDx);
-    expectName("bark_NormalDX", "bark", MapRole::NormalDx);
-    expectName("bark_rough_2k", "bark", MapRole::Roughness);
-    expectName("bark metalness", "bark", MapRole::Metallic);
-    expectName("bark_AO", "bark", MapRole::Occlusion);
-    expectName("bark_opacity", "bark", MapRole::Opacity);
-    expectName("bark_disp", "bark", MapRole::Height);
-    expectName("bark_height_dx", "bark_height_dx", MapRole::Other);
-    expectName("normal", "normal", MapRole::Other);
-    expectName("bark_2", "bark_2", MapRole::Other);
-    for (const MapRoleInfo& info : mapRoles()) {
-        EXPECT_EQ(mapRoleFrom(info.id), info.role);
-        EXPECT_EQ(mapRoleId(info.role), info.id);
-    }
-    EXPECT_THAT([] { mapRoleFrom("bump"); }, usageRefusal("bump", "height"));
 }
 
 } // namespace texloom::test

@@ -1,4 +1,4 @@
-#include "core/image/flatten.h"
+#include "core/tools/flatten/light.h"
 
 #include <Eigen/Cholesky>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace texloom {
+namespace texloom::flatten {
 
 namespace {
 
@@ -152,21 +152,21 @@ void scale(Image& image, int x, int y, double factor) {
 
 } // namespace
 
-void flatten(Image& image, const FlattenEdit& edit, const Image* mask, const std::function<void()>& check) {
+void evenOut(Image& image, const Settings& settings, const Image* mask, const std::function<void()>& check) {
     const double darkest = floorOf(image);
-    if (darkest <= 0 || edit.strength == 0)
+    if (darkest <= 0 || settings.strength == 0)
         return;
     Grid grid = gridOf(image, mask, darkest, check);
-    if (edit.model == FlattenEdit::Model::Smooth)
-        fitSmooth(grid, std::max(0.5, edit.width * image.size().shorterSide() / grid.cell));
+    if (settings.model == Model::Smooth)
+        fitSmooth(grid, std::max(0.5, settings.width * image.size().shorterSide() / grid.cell));
     else
-        fitPolynomial(grid, edit.order);
+        fitPolynomial(grid, settings.order);
     double before = 0, after = 0;
     for (int y = 0; y < image.height(); ++y) {
         check();
         for (int x = 0; x < image.width(); ++x) {
             before += brightness(image, x, y);
-            scale(image, x, y, std::exp(-edit.strength * (fitAt(grid, x, y) - std::log(100 * darkest))));
+            scale(image, x, y, std::exp(-settings.strength * (fitAt(grid, x, y) - std::log(100 * darkest))));
             after += brightness(image, x, y);
         }
     }
@@ -175,4 +175,4 @@ void flatten(Image& image, const FlattenEdit& edit, const Image* mask, const std
             scale(image, x, y, before / after);
 }
 
-} // namespace texloom
+} // namespace texloom::flatten
