@@ -3,8 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/model_file.h"
-#include "core/methods/registry.h"
-#include "core/methods/unknown_word.h"
 
 #include <array>
 

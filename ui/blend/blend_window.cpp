@@ -2,7 +2,7 @@
 
 #include "core/session/export/export.h"
 #include "ui/common/text.h"
-#include "ui/common/value_editor.h"
+#include "ui/common/value_editors.h"
 #include "ui/exemplar/files.h"
 #include "ui/jobs/task_bar.h"
 

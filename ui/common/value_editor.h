@@ -4,8 +4,6 @@
 
 #include <QWidget>
 
-#include <memory>
-
 namespace texloom::ui {
 
 /// Edits one value of a parameter's type.
@@ -25,9 +23,5 @@ Q_SIGNALS:
     /// The user changed the value.
     void edited();
 };
-
-/// The editor that suits a parameter: a slider with a spin box in step, a check box, a list of choices, or
-/// pairs of numbers.
-ValueEditor* makeValueEditor(const Param& param, QWidget* parent);
 
 } // namespace texloom::ui

@@ -5,7 +5,7 @@
 #include "ui/common/background.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/text.h"
-#include "ui/common/value_editor.h"
+#include "ui/common/value_editors.h"
 #include "ui/exemplar/edit_list.h"
 #include "ui/exemplar/frame_page.h"
 #include "ui/exemplar/tool_form.h"

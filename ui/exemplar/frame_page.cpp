@@ -1,7 +1,7 @@
 #include "ui/exemplar/frame_page.h"
 
 #include "ui/common/text.h"
-#include "ui/common/value_editor.h"
+#include "ui/common/value_editors.h"
 #include "ui/exemplar/edit_canvas.h"
 
 #include <QFormLayout>

@@ -2,7 +2,7 @@
 
 #include "core/tools/edits.h"
 #include "ui/common/text.h"
-#include "ui/common/value_editor.h"
+#include "ui/common/value_editors.h"
 
 #include <QCheckBox>
 #include <QFormLayout>

@@ -3,7 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/model_file.h"
-#include "core/session/export/export.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

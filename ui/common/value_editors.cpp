@@ -1,4 +1,4 @@
-#include "ui/common/value_editor.h"
+#include "ui/common/value_editors.h"
 
 #include "ui/common/numbers_editor.h"
 #include "ui/common/text.h"
