@@ -98,10 +98,10 @@ void analyzeQuality(const QualityOptions& options) {
 
 void addAnalyzeQuality(CLI::App& analyze) {
     static QualityOptions options;
-    CLI::App* command = analyze.add_subcommand("quality", "How like its exemplars a texture is");
+    CLI::App* command = analyze.add_subcommand("quality", "How closely a texture resembles its exemplars");
     command->add_option("result", options.result, "The texture")->required();
     command->add_option("exemplar", options.exemplars, "Images that it was made from")->required();
-    command->add_option("--map", options.map, "Its position map, for the figures of what was copied");
+    command->add_option("--map", options.map, "Its position map, for figures on what was copied");
     addMemory(*command);
     command->add_flag("--json", options.json, "As JSON");
     command->callback([] { analyzeQuality(options); });

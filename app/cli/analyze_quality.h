@@ -4,7 +4,7 @@
 
 namespace texloom::cli {
 
-/// Adds `analyze quality`: how like its exemplars a texture is, and what its map says was copied.
+/// Adds `analyze quality`: how closely a texture resembles its exemplars, and what its map says was copied.
 void addAnalyzeQuality(CLI::App& analyze);
 
 } // namespace texloom::cli

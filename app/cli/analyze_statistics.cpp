@@ -1,6 +1,7 @@
 #include "app/cli/analyze_statistics.h"
 
 #include "app/cli/console.h"
+#include "app/cli/option_forms.h"
 #include "core/analysis/patch_variance.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -74,7 +75,7 @@ void run(const StatisticsOptions& options) {
 void addAnalyzeStatistics(CLI::App& analyze) {
     static StatisticsOptions options;
     CLI::App* command =
-        analyze.add_subcommand("statistics", "How much patches vary that are alike, by size and number");
+        analyze.add_subcommand("statistics", "How much similar patches vary, by their size and number");
     command->add_option("image", options.image, "Image to look at")->required();
     command->add_option("--patch", options.sizes, "Patch sizes in pixels, as 10,20,40")
         ->delimiter(',')
@@ -83,7 +84,7 @@ void addAnalyzeStatistics(CLI::App& analyze) {
         ->delimiter(',')
         ->check(CLI::Range(2, 100000));
     command->add_option("--patches", options.patches, "Patches to look at")->check(CLI::Range(1, 10000));
-    command->add_option("--seed", options.seed, "Another seed looks at other patches");
+    addSeed(*command, options.seed, "Another seed looks at other patches");
     addMemory(*command);
     command->add_flag("--json", options.json, "As JSON");
     command->callback([] { run(options); });

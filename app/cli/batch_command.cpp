@@ -178,9 +178,9 @@ void run(const BatchOptions& options) {
 
 void addBatch(CLI::App& app) {
     static BatchOptions options;
-    CLI::App* command = app.add_subcommand("batch", "Do many recipes, sweeps among them, or a shard of them");
+    CLI::App* command = app.add_subcommand("batch", "Run many recipes, sweeps included, or a shard of them");
     command->add_option("file", options.file, "JSON file with the runs; see README.md")->required();
-    command->add_option("--shard", options.shard, "Do only every Nth run from the Ith on, as I/N");
+    command->add_option("--shard", options.shard, "Make only every Nth run, beginning with the Ith, as I/N");
     command->add_option("--summary", options.summary, "JSON file that says how each run ended");
     command->add_option("--threads", options.threads, "Number of threads; one per core if not given")
         ->check(CLI::Range(1, 1024));

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 
 #include "app/cli/console.h"
+#include "app/cli/param_text.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -9,10 +10,13 @@
 #include "core/io/map_file.h"
 #include "core/methods/registry.h"
 #include "core/session/export/export.h"
+#include "core/session/export/output_files.h"
 #include "core/session/preset.h"
 #include "core/session/run/checkpoint_file.h"
+#include "core/session/run/edited_exemplar.h"
 #include "core/session/run/run.h"
 #include "core/session/session.h"
+#include "core/tools/edits.h"
 
 #include <algorithm>
 #include <array>
@@ -25,45 +29,11 @@ using Json = JsonField::Json;
 
 namespace {
 
-const char* typeName(Param::Type type) {
-    switch (type) {
-    case Param::Type::Toggle:
-        return "toggle";
-    case Param::Type::Integer:
-        return "integer";
-    case Param::Type::Real:
-        return "real";
-    case Param::Type::Choice:
-        break;
-    }
-    return "choice";
-}
-
-Json toJson(const Param& param) {
-    Json json = {{"name", param.name()},
-                 {"title", param.title()},
-                 {"type", typeName(param.type())},
-                 {"default", texloom::toJson(param.defaultFor(0))}};
-    if (param.scale())
-        json["defaultShareOfShorterSide"] = *param.scale();
-    if (param.hasRange())
-        json["range"] = {param.smallest(), param.largest()};
-    for (const Choice& choice : param.choices())
-        json["choices"].push_back({{"id", choice.id}, {"title", choice.title}});
-    if (const auto& condition = param.condition())
-        json["onlyWhen"] = {{condition->name, texloom::toJson(condition->value)}};
-    json["unit"] = param.unit();
-    json["symbol"] = param.symbol();
-    json["help"] = param.help();
-    return json;
-}
-
 Json toJson(const Port& port) {
-    static const std::array<const char*, 6> kinds = {"image", "mask", "map", "model", "volume", "mesh"};
     static const std::array<const char*, 3> extents = {"exemplar", "output", "any"};
     return {{"id", port.id},
             {"title", port.title},
-            {"kind", kinds.at(static_cast<std::size_t>(port.kind))},
+            {"kind", kindId(port.kind)},
             {"least", port.least},
             {"most", port.most},
             {"extent", extents.at(static_cast<std::size_t>(port.extent))},
@@ -89,7 +59,7 @@ Json toJson(const Method& method) {
     for (const Port& port : info.gives)
         json["gives"].push_back(toJson(port));
     for (const Param& param : method.params())
-        json["parameters"].push_back(toJson(param));
+        json["parameters"].push_back(cli::toJson(param));
     return json;
 }
 
@@ -99,60 +69,16 @@ void printMethod(const Method& method) {
     for (const Port& port : info.takes)
         if (port.id != kExemplarPort && port.id != kCompanionPort)
             fmt::print("  --input {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
-    for (const Param& param : method.params()) {
-        fmt::print("  --set {}=…  {}; default {}\n      {}\n", param.name(), param.limits(),
-                   defaultText(param), param.help());
-        if (const auto& condition = param.condition())
-            fmt::print("      Matters only with {}={}.\n", condition->name, toText(condition->value));
-    }
+    for (const Port& port : info.gives)
+        if (port.id != kImagePort && port.id != kMapPort)
+            fmt::print("  --save {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
+    for (const Param& param : method.params())
+        printParam("--set " + param.name() + "=…", param);
 }
 
 void printPreset(const Preset& preset) {
     fmt::print("{}: {}\n  {}\n  Runs {}.\n", preset.id, preset.title, preset.summary,
                methodIds(preset.steps, ", then "));
-}
-
-Size parseSize(const std::string& text) {
-    const std::size_t by = text.find('x');
-    long long width = 0, height = 0;
-    const bool read = by == std::string::npos ? parseInteger(text, width) && parseInteger(text, height)
-                                              : parseInteger(text.substr(0, by), width) &&
-                                                    parseInteger(text.substr(by + 1), height);
-    if (!read || width < 1 || height < 1 || width > kLargestSide || height > kLargestSide)
-        failUsage("--size {}: write it as 512x512 or 512, each side from 1 to {} px.", text,
-                  grouped(kLargestSide));
-    return {static_cast<int>(width), static_cast<int>(height)};
-}
-
-std::optional<Region> parseRegion(const std::string& text) {
-    if (text.empty())
-        return std::nullopt;
-    std::vector<long long> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        long long number = -1;
-        if (!parseInteger(text.substr(begin, end - begin), number) || number < 0 || number > kLargestSide)
-            number = -1;
-        numbers.push_back(number);
-        begin = end + 1;
-    }
-    if (numbers.size() != 4 || std::find(numbers.begin(), numbers.end(), -1) != numbers.end())
-        failUsage("--region {}: write it as x,y,width,height in pixels of the output.", text);
-    const auto at = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
-    return Region{at(0), at(1), {at(2), at(3)}};
-}
-
-std::uint64_t parseSeed(const std::string& text) {
-    std::uint64_t seed = 0;
-    if (!parseUnsigned(text, seed))
-        failUsage("--seed {}: it is a whole number from 0 to 18446744073709551615.", text);
-    return seed;
-}
-
-Wrap parseWrap(const std::string& axes) {
-    if (!axes.empty() && axes != "x" && axes != "y" && axes != "xy")
-        failUsage("--wrap {}: it is one of x, y and xy.", axes);
-    return {axes.find('x') != std::string::npos, axes.find('y') != std::string::npos};
 }
 
 /// The step that a setting is for: the one that it names as METHOD.name, or the first.
@@ -206,9 +132,11 @@ void attach(RunInput& input, const SynthOptions& options) {
 }
 
 /// Loads one `--input NAME=FILE`: a port of the run's, or one of the exemplars' own, which are shared out in
-/// order.
-void addInput(RunInput& input, const std::string& name, const fs::path& file) {
+/// order. Those of the other kind are left to another call.
+void addInput(RunInput& input, const std::string& name, const fs::path& file, bool ofExemplars) {
     const Port& port = portOf(input.steps, name);
+    if ((port.extent == Extent::Exemplar) != ofExemplars)
+        return;
     if (port.id == kExemplarPort || port.id == kCompanionPort)
         failUsage("--input {}: exemplars are named on their own, companion maps with --companion.", name);
     std::vector<Size> sizes;
@@ -231,17 +159,24 @@ void addInput(RunInput& input, const std::string& name, const fs::path& file) {
     failUsage("--input {}={}: every exemplar has one already.", name, file.string());
 }
 
-/// --input and its short names.
-void addInputs(RunInput& input, const SynthOptions& options) {
+/// The two parts of NAME=FILE.
+std::pair<std::string, fs::path> nameAndFile(const char* option, const std::string& given) {
+    const std::size_t equals = given.find('=');
+    if (equals == std::string::npos || equals + 1 == given.size())
+        failUsage("{} {}: write it as NAME=FILE.", option, given);
+    return {given.substr(0, equals), given.substr(equals + 1)};
+}
+
+/// --input and its short names. What belongs to an exemplar is edited with it; the rest may depend on the
+/// edited exemplars' sizes.
+void addInputs(RunInput& input, const SynthOptions& options, bool ofExemplars) {
     for (const fs::path& mask : options.masks)
-        addInput(input, std::string(kMaskPort), mask);
+        addInput(input, std::string(kMaskPort), mask, ofExemplars);
     if (options.initial)
-        addInput(input, std::string(kInitialPort), *options.initial);
+        addInput(input, std::string(kInitialPort), *options.initial, ofExemplars);
     for (const std::string& given : options.inputs) {
-        const std::size_t equals = given.find('=');
-        if (equals == std::string::npos || equals + 1 == given.size())
-            failUsage("--input {}: write it as NAME=FILE.", given);
-        addInput(input, given.substr(0, equals), given.substr(equals + 1));
+        const auto [name, file] = nameAndFile("--input", given);
+        addInput(input, name, file, ofExemplars);
     }
 }
 
@@ -253,6 +188,27 @@ std::optional<Size> sizeOfInputs(const RunInput& input) {
     return std::nullopt;
 }
 
+/// Edits the exemplars as --edit says. An edit is for every exemplar, or for the one whose number stands
+/// before it.
+void edit(RunInput& input, const std::vector<std::string>& edits) {
+    const std::size_t count = input.exemplars.size();
+    std::vector<ExemplarEdits> each(count);
+    for (const std::string& text : edits) {
+        const std::size_t colon = text.find(':');
+        long long number = 0;
+        const bool numbered = colon != std::string::npos && parseInteger(text.substr(0, colon), number);
+        if (numbered && (number < 1 || number > static_cast<long long>(count)))
+            failUsage("--edit {}: there is no exemplar {}; they are numbered from 1 to {}.", text, number,
+                      count);
+        const ExemplarEdit made = parseEdit(numbered ? text.substr(colon + 1) : text);
+        for (std::size_t i = 0; i < count; ++i)
+            if (!numbered || static_cast<long long>(i) + 1 == number)
+                each[i].push_back(made);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        input.exemplars[i] = edited(input.exemplars[i], each[i], checkInterrupt);
+}
+
 Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs::path& path) {
     if (text.empty())
         return depthLike(exemplar, path);
@@ -260,6 +216,18 @@ Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs
         if (depthName(depth) == text || depthName(depth) == text + "-bit")
             return depth;
     failUsage("--depth {}: it is one of 8, 16, half and float.", text);
+}
+
+/// Where --save wants the run's further outputs; refuses what cannot be written there.
+std::map<std::string, fs::path> savesOf(const RunPlan& plan, const OutputOptions& out) {
+    std::map<std::string, fs::path> files;
+    for (const std::string& given : out.saves) {
+        const auto [name, file] = nameAndFile("--save", given);
+        checkOutput(plan, name, file);
+        if (!files.emplace(name, file).second)
+            failUsage("--save {}: {} was named before; each output is written once.", given, name);
+    }
+    return files;
 }
 
 /// Refuses before the work what would fail after it, or write over what it was made from.
@@ -306,6 +274,7 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     options.depth = parseDepth(out.depth, exemplar, out.output);
     options.space = out.space;
     options.maps = out.maps;
+    options.outputs = savesOf(plan, out);
     options.sidecar = !out.noSidecar;
     options.check = checkInterrupt;
     checkOutputs(plan, options, out);
@@ -320,6 +289,9 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
     for (const Message& note : result.synthesis.notes)
         if (!out.quiet)
             fmt::print("{}\n", note);
+    for (const OutputFile& output : outputFiles(result, options.outputs))
+        if (!out.quiet)
+            fmt::print("{}: {}\n", output.path.string(), output.content());
     if (!out.report.empty())
         writeText(out.report, reportJson(result, out.report.parent_path()));
     if (!out.quiet)
@@ -329,30 +301,21 @@ void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& ou
 
 } // namespace
 
-std::string defaultText(const Param& param) {
-    if (param.scale())
-        return fmt::format("{:.0f} % of the exemplar's shorter side", *param.scale() * 100);
-    const std::string unit = param.unit().empty() ? "" : " " + param.unit();
-    return toText(param.defaultFor(0)) + unit;
-}
-
 RunInput inputFor(const SynthOptions& options) {
     RunInput input;
     input.steps = stepsOf(options);
-    input.wrap = parseWrap(options.wrap);
-    input.seed = parseSeed(options.seed);
-    input.region = parseRegion(options.region);
-    if (!options.size.empty())
-        input.size = parseSize(options.size);
+    input.wrap = options.wrap;
+    input.seed = options.seed;
+    input.region = options.region;
     for (const fs::path& path : options.exemplars)
         input.exemplars.push_back({loadExemplar(path, options.exemplarSpace, options.layer), {}, {}});
     attach(input, options);
-    addInputs(input, options);
-    if (options.size.empty()) {
-        const Size exemplar = input.exemplars.front().image.image->size();
-        const std::optional<Size> given = sizeOfInputs(input);
-        input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});
-    }
+    addInputs(input, options, true);
+    edit(input, options.edits);
+    addInputs(input, options, false);
+    const Size exemplar = input.exemplars.front().image.image->size();
+    const std::optional<Size> given = options.size ? options.size : sizeOfInputs(input);
+    input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});
     return input;
 }
 
@@ -399,10 +362,9 @@ void listMethods(const std::string& id, bool json) {
 RunInput loadAndWarn(const Recipe& recipe) {
     static std::string told; // once for a batch of them
     if (!recipe.version.empty() && recipe.version != kVersion && recipe.version != told) {
-        fmt::print(
-            messages(),
-            "texloom-cli: The recipe was made by Texloom {}; this is {}, so that the result may differ.\n",
-            recipe.version, kVersion);
+        fmt::print(messages(),
+                   "texloom-cli: The recipe was made by Texloom {}; this is {}, so the result may differ.\n",
+                   recipe.version, kVersion);
         told = recipe.version;
     }
     return loadRecipe(recipe, [](const fs::path& file) {

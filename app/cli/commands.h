@@ -3,6 +3,7 @@
 #include "core/session/export/output_guard.h"
 #include "core/session/run/run.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,8 +15,9 @@ namespace texloom::cli {
 struct OutputOptions {
     std::filesystem::path output;
     std::vector<std::filesystem::path> maps;
-    std::string depth; ///< "8", "16", "half", "float", or empty for the exemplar's
-    std::string space; ///< of the output, or empty for what the format's users expect
+    std::vector<std::string> saves; ///< "NAME=FILE" for further outputs of the methods, such as a model
+    std::string depth;              ///< "8", "16", "half", "float", or empty for the exemplar's
+    std::string space;              ///< of the output, or empty for what the format's users expect
     std::filesystem::path report;
     int threads = 0;
     bool overwrite = false;              ///< whether files that Texloom did not write may be replaced
@@ -30,12 +32,14 @@ struct SynthOptions {
     std::vector<std::string> then; ///< methods that follow
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;
-    std::string layer; ///< of the exemplars' files, or empty for all that they hold
-    std::string size;  ///< "512x256" or "512"; empty for twice the exemplar, or the initial image's size
-    std::string seed = "0";
+    std::string layer;        ///< of the exemplars' files, or empty for all that they hold
+    std::optional<Size> size; ///< twice the exemplar, or the initial image's size, if not given
+    std::uint64_t seed = 0;
     std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
-    std::string wrap;
-    std::string region; ///< "x,y,width,height", or empty for all
+    Wrap wrap;
+    std::optional<Region> region; ///< all of the output if not given
+    std::vector<std::string>
+        edits; ///< of the exemplars: "tool=value name=value", perhaps with "2:" before it
     std::vector<std::filesystem::path> companions;
     std::vector<std::filesystem::path> masks;
     std::vector<double> weights;                  ///< of the exemplars, in order; empty: all alike
@@ -65,29 +69,28 @@ struct LatticeOptions {
     bool json = false;
 };
 
-/// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
-void runInput(RunInput input, const OutputOptions& out);
-/// loadRecipe() that tells of files that have changed, and of another build that made the recipe.
-RunInput loadAndWarn(const Recipe& recipe);
 struct StressOptions {
     SynthOptions synth;
     int rounds = 5;
 };
 
+/// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
+void runInput(RunInput input, const OutputOptions& out);
+/// loadRecipe() that tells of files that have changed, and of another build that made the recipe.
+RunInput loadAndWarn(const Recipe& recipe);
 /// Checks that one command's only output replaces nothing that it reads, nor a file of others.
 /// @throws UsageError
 void checkOnlyOutput(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& output,
                      bool overwrite);
+
 /// What the options of `synth` ask for, with its images loaded. @throws Error, UsageError
 RunInput inputFor(const SynthOptions& options);
 /// Runs a plan with a progress bar. @throws Error, Cancelled
 Result runToEnd(RunPlan plan, bool quiet);
 
-/// A parameter's default as people read it: "0.25", "16 % of the exemplar's shorter side".
-std::string defaultText(const Param& param);
-
 /// Each does one command. @throws Error, UsageError, Cancelled
 void listMethods(const std::string& id, bool json);
+void listTools(const std::string& id, bool json);
 void synth(const SynthOptions& options);
 void runRecipe(const RunOptions& options);
 void applyMap(const ApplyOptions& options);

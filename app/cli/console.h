@@ -23,8 +23,8 @@ void addMemory(CLI::App& command);
 /// Lets pictures hold no time of day: see setReproducible().
 void addReproducible(CLI::App& command, bool otherwise);
 
-/// Sends what libraries write to stderr nowhere: libpng, for one, prints a line of its own before the error
-/// is ours to word.
+/// Discards what libraries write to stderr: libpng, for one, prints a line of its own before the error
+/// reaches those who word it.
 void silenceLibraries();
 
 /// Where our own messages go: the program's stderr.

@@ -1,10 +1,11 @@
 #include "app/cli/analyze_quality.h"
 #include "app/cli/analyze_statistics.h"
 #include "app/cli/batch_command.h"
-#include "app/cli/blend_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/join_commands.h"
 #include "app/cli/method_pages.h"
+#include "app/cli/option_forms.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/io/decoder_process.h"
@@ -23,6 +24,12 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
         output->required();
     command.add_option("--map", out.maps,
                        "Position map to write: .exr (STMap) or .png (16-bit); may be repeated");
+    command
+        .add_option("--save", out.saves,
+                    "What else the method gives, such as a model or a volume, as NAME=FILE; see `methods`; "
+                    "may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     command.add_option("--depth", out.depth,
                        "Depth of the output: 8, 16, half or float; the exemplar's if not given");
     command.add_option("--out-space", out.space, "Colour space of the output: srgb, linear, acescg or raw");
@@ -49,7 +56,7 @@ void addMethods(CLI::App& app) {
     CLI::App* command = app.add_subcommand("methods", "List every method with its parameters");
     command->add_option("method", id, "Only this one");
     command->add_flag("--json", json, "As JSON");
-    command->add_option("--markdown", pages, "Folder to write a page to for every method, instead")
+    command->add_option("--markdown", pages, "Write a page for every method to this folder instead")
         ->excludes("--json");
     cli::addOverwrite(*command, overwrite);
     command->callback([] {
@@ -60,12 +67,21 @@ void addMethods(CLI::App& app) {
     });
 }
 
+void addTools(CLI::App& app) {
+    static std::string id;
+    static bool json = false;
+    CLI::App* command = app.add_subcommand("tools", "List every tool with its parameters");
+    command->add_option("tool", id, "Only this one");
+    command->add_flag("--json", json, "As JSON");
+    command->callback([] { cli::listTools(id, json); });
+}
+
 void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
     command.add_option("exemplar", options.exemplars, "Images to learn from")->required();
-    command.add_option("--size", options.size,
-                       "Size of the output, as 512x256 or 512; twice the exemplar if not given");
-    command.add_option("--seed", options.seed, "Whole number from 0; another seed gives another texture");
+    cli::addSize(command, options.size,
+                 "Size of the output, as 512x256 or 512; twice the exemplar if not given");
+    cli::addSeed(command, options.seed, "Whole number from 0; another seed gives another texture");
     command
         .add_option("--then", options.then,
                     "Method that follows, starting from the image made so far; may be repeated")
@@ -77,12 +93,19 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
                     "be repeated")
         ->take_all()
         ->allow_extra_args(false);
-    command.add_option("--wrap", options.wrap, "Axes on which the output tiles: x, y or xy");
-    command.add_option("--region", options.region,
-                       "Part of the output to make, as x,y,width,height; it equals that part of the whole");
+    cli::addWrap(command, options.wrap, "Axes on which the output tiles: x, y or xy");
+    cli::addRegion(command, options.region,
+                   "Part of the output to make, as x,y,width,height; it equals that part of the whole");
+    command
+        .add_option(
+            "--edit", options.edits,
+            "Change of the exemplars, their masks and companions, as TOOL=value, with further settings "
+            "after a blank; see `tools`. 2:TOOL=value is for the second exemplar alone; may be repeated")
+        ->take_all()
+        ->allow_extra_args(false);
     command
         .add_option("--companion", options.companions,
-                    "Map of the exemplar's size to lay out alike; may be repeated")
+                    "Map of the exemplar's size that gets the same layout; may be repeated")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--init", options.initial,
@@ -100,8 +123,8 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command
         .add_option(
             "--weight", options.weights,
-            "How much an exemplar counts beside the others, 0.01 to 100, in their order; 2: as though "
-            "it were given twice")
+            "How much each exemplar counts beside the others, 0.01 to 100, in their order; 2 counts as "
+            "though it were given twice")
         ->take_all()
         ->allow_extra_args(false);
     command.add_option("--space", options.exemplarSpace,
@@ -121,13 +144,14 @@ void addSynth(CLI::App& app) {
 
 void addStress(CLI::App& app) {
     static cli::StressOptions options;
-    CLI::App* command =
-        app.add_subcommand("stress", "Make a texture from the last one, again and again, and measure each");
+    CLI::App* command = app.add_subcommand(
+        "stress", "Make a texture from the previous one, again and again, and measure each");
     addSynthOptions(*command, options.synth);
-    command->add_option("--rounds", options.rounds, "How often; 5 if not given")->check(CLI::Range(1, 1000));
+    command->add_option("--rounds", options.rounds, "Number of rounds; 5 if not given")
+        ->check(CLI::Range(1, 1000));
     command
         ->add_option("-o,--output", options.synth.out.output,
-                     "Beginning of the files to write: PREFIX_1.png and so on")
+                     "Prefix of the files to write: PREFIX_1.png and so on")
         ->required();
     command
         ->add_option("--threads", options.synth.out.threads, "Number of threads; one per core if not given")
@@ -142,7 +166,7 @@ void addStress(CLI::App& app) {
 
 void addRun(CLI::App& app) {
     static cli::RunOptions options;
-    CLI::App* command = app.add_subcommand("run", "Do again what a recipe says");
+    CLI::App* command = app.add_subcommand("run", "Repeat the run that a recipe describes");
     command->add_option("recipe", options.recipe, "A .json recipe, an image that Texloom wrote, or a session")
         ->required();
     addOutputOptions(*command, options.out, false);
@@ -151,9 +175,11 @@ void addRun(CLI::App& app) {
 
 void addApply(CLI::App& app) {
     static cli::ApplyOptions options;
-    CLI::App* command = app.add_subcommand("apply", "Lay out another image as a position map says");
+    CLI::App* command = app.add_subcommand("apply", "Apply a position map to another image");
     command->add_option("map", options.map, "Position map: .exr (STMap) or .png (16-bit)")->required();
-    command->add_option("exemplar", options.exemplars, "One image for each exemplar of the map, of its size")
+    command
+        ->add_option("exemplar", options.exemplars,
+                     "One image for each exemplar of the map, of the same size")
         ->required();
     command->add_option("-o,--output", options.output, "File to write")->required();
     cli::addMemory(*command);
@@ -194,11 +220,12 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", std::string("texloom-cli ") + kVersion);
     app.require_subcommand(0, 1);
     addMethods(app);
+    addTools(app);
     addSynth(app);
     addRun(app);
     cli::addBatch(app);
     addApply(app);
-    cli::addBlend(app);
+    cli::addJoins(app);
     addAnalyze(app);
     addStress(app);
     cli::silenceLibraries();
@@ -207,7 +234,7 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
             return complain(
-                "Name a command: methods, synth, run, batch, apply, blend, analyze or stress. See "
+                "Name a command: methods, tools, synth, run, batch, apply, blend, analyze or stress. See "
                 "texloom-cli --help.",
                 Usage);
         return Done;

@@ -1,6 +1,6 @@
 #include "app/cli/method_pages.h"
 
-#include "app/cli/commands.h"
+#include "app/cli/param_text.h"
 #include "core/io/image_file.h"
 #include "core/session/export/output_guard.h"
 
@@ -64,6 +64,10 @@ std::vector<std::string> abilities(const MethodInfo& info) {
         if (!isUsual(port))
             lines.push_back(fmt::format("`--input {}=FILE` gives it {}. {}", port.id,
                                         kindText(port.kind).text(), port.help));
+    for (const Port& port : info.gives)
+        if (port.id != kImagePort && port.id != kMapPort)
+            lines.push_back(fmt::format("`--save {}=FILE` writes {}. {}", port.id, kindText(port.kind).text(),
+                                        port.help));
     return lines;
 }
 

@@ -3,7 +3,6 @@
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/language.h"
-#include "ui/session/document.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -37,7 +36,7 @@ int main(int argc, char** argv) {
     auto window = std::make_unique<texloom::ui::MainWindow>();
     window->show();
     window->openFiles(arguments.positionalArguments());
-    window->document()->offerRecovery();
+    window->offerRecovery();
     const int status = QApplication::exec();
     window.reset();
     texloom::ui::workers().waitForDone();

@@ -9,9 +9,23 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace texloom {
+
+/// Roles of the parameters by which a method follows a lattice; see Param::role().
+namespace lattice_role {
+/// A choice: where the lattice comes from, its entries in the order of LatticeSource.
+inline constexpr std::string_view kSource = "lattice-source";
+/// The given vectors, in pixels of the exemplar.
+inline constexpr std::string_view kFirstRight = "lattice-first-right", kFirstDown = "lattice-first-down",
+                                  kSecondRight = "lattice-second-right", kSecondDown = "lattice-second-down";
+/// The point of the lattice that lies at the output's top left, in pixels of the exemplar.
+inline constexpr std::string_view kOriginRight = "lattice-origin-right", kOriginDown = "lattice-origin-down";
+/// The corner of the one tile that is repeated, in pixels of the exemplar.
+inline constexpr std::string_view kTileRight = "lattice-tile-right", kTileDown = "lattice-tile-down";
+} // namespace lattice_role
 
 /// Where a method's lattice comes from.
 enum class LatticeSource { Automatic, Given, None };
@@ -27,9 +41,10 @@ struct LatticeSettings {
 /// The parameters' declarations for a settings struct that is a LatticeSettings.
 template <class Settings> std::vector<Param> latticeFields() {
     const auto given = std::string("given");
-    const auto vector = [&](double LatticeSettings::*member, const char* name, const char* title,
-                            const char* help) {
+    const auto vector = [&](double LatticeSettings::*member, const char* name, std::string_view role,
+                            const char* title, const char* help) {
         return field(static_cast<double Settings::*>(member), name, title)
+            .role(role)
             .range(-65535, 65535)
             .unit("px")
             .when("lattice", given)
@@ -39,18 +54,22 @@ template <class Settings> std::vector<Param> latticeFields() {
     std::vector<Param> fields;
     fields.push_back(
         field(static_cast<LatticeSource Settings::*>(&LatticeSettings::lattice), "lattice", TR("Lattice"))
+            .role(lattice_role::kSource)
             .choices({{"automatic", TR("Found by itself")}, {given, TR("As given")}, {"none", TR("None")}})
             .group(TR("Lattice"))
             .help(TR(
                 "The two vectors by which the texture repeats itself: found in the exemplar, given, or none "
                 "for a texture that does not repeat.")));
-    fields.push_back(vector(&LatticeSettings::v1x, "v1-x", TR("First vector, right"),
+    fields.push_back(vector(&LatticeSettings::v1x, "v1-x", lattice_role::kFirstRight,
+                            TR("First vector, right"),
                             TR("How far to the right the texture repeats itself first.")));
-    fields.push_back(vector(&LatticeSettings::v1y, "v1-y", TR("First vector, down"),
+    fields.push_back(vector(&LatticeSettings::v1y, "v1-y", lattice_role::kFirstDown, TR("First vector, down"),
                             TR("How far down the texture repeats itself first.")));
-    fields.push_back(vector(&LatticeSettings::v2x, "v2-x", TR("Second vector, right"),
+    fields.push_back(vector(&LatticeSettings::v2x, "v2-x", lattice_role::kSecondRight,
+                            TR("Second vector, right"),
                             TR("How far to the right the texture repeats itself in the other direction.")));
-    fields.push_back(vector(&LatticeSettings::v2y, "v2-y", TR("Second vector, down"),
+    fields.push_back(vector(&LatticeSettings::v2y, "v2-y", lattice_role::kSecondDown,
+                            TR("Second vector, down"),
                             TR("How far down the texture repeats itself in the other direction.")));
     return fields;
 }

@@ -21,7 +21,7 @@ namespace texloom {
 /// marked with TR() is a message without values.
 class Message {
 public:
-    /// A pattern in another language; the pattern itself where it has none.
+    /// The translation of a pattern; the pattern itself where there is none.
     using Translate = std::function<std::string(const std::string& pattern)>;
 
     Message() = default;
@@ -72,7 +72,9 @@ public:
         if (std::count(view.begin(), view.end(), '{') != static_cast<std::ptrdiff_t>(sizeof...(Args)))
             throw "a message has as many places as values";
     }
-    const char* text() const { return m_text; }
+    const char* text() const {
+        return m_text;
+    }
 
 private:
     const char* m_text;

@@ -46,9 +46,26 @@ Param Param::when(std::string name, Value value) && {
     return std::move(*this);
 }
 
+Param Param::role(std::string_view id) && {
+    m_role = id;
+    return std::move(*this);
+}
+
+Param Param::usual(double from, double to) && {
+    m_usualFrom = from;
+    m_usualTo = to;
+    return std::move(*this);
+}
+
+Param Param::upToShare(double share) && {
+    m_shareUpTo = share;
+    return std::move(*this);
+}
+
 Param Param::choices(std::vector<Choice> entries) && {
     m_choices = std::move(entries);
-    m_default = m_choices.at(m_defaultChoice).id;
+    if (m_type == Type::Choice)
+        m_default = m_choices.at(m_defaultChoice).id;
     return std::move(*this);
 }
 
@@ -62,6 +79,10 @@ Value Param::defaultFor(int shorterSide) const {
     return scaled;
 }
 
+double Param::largestFor(int shorterSide) const {
+    return m_shareUpTo ? std::clamp(*m_shareUpTo * shorterSide, smallest(), largest()) : largest();
+}
+
 Message Param::limits() const {
     switch (m_type) {
     case Type::Toggle:
@@ -72,6 +93,12 @@ Message Param::limits() const {
             ids += (ids.empty() ? "" : ", ") + choice.id;
         return Message::verbatim(ids);
     }
+    case Type::Area:
+        return TR("x,y,width,height in whole px");
+    case Type::Size:
+        return message("width,height, each {} to {} px", numberText(smallest()), numberText(largest()));
+    case Type::Points:
+        return message("{} points as x,y,x,y,… in px", m_pointCount);
     case Type::Integer:
     case Type::Real:
         break;
@@ -85,9 +112,10 @@ Message Param::limits() const {
 
 void Param::refuse(const std::string& value) const {
     const Message title(m_title);
+    const bool number = m_type == Type::Integer || m_type == Type::Real;
     if (m_type == Type::Choice)
         failUsage("{} = {}: {} is one of {}.", m_name, value, title, limits());
-    if (hasRange())
+    if (number && hasRange())
         failUsage("{} = {}: {} goes from {}.", m_name, value, title, limits());
     failUsage("{} = {}: {} is {}.", m_name, value, title, limits());
 }
@@ -117,10 +145,23 @@ Value Param::checked(const Value& value) const {
             refuse(toText(value));
         return id;
     }
+    case Type::Area:
+    case Type::Size:
+        if (!goodWholes(value))
+            refuse(toText(value));
+        return value;
+    case Type::Points:
+        if (!goodPoints(value))
+            refuse(toText(value));
+        return value;
     case Type::Integer:
     case Type::Real:
         break;
     }
+    return checkedNumber(value);
+}
+
+Value Param::checkedNumber(const Value& value) const {
     double number = 0;
     if (const auto* whole = std::get_if<int>(&value))
         number = *whole;
@@ -130,7 +171,7 @@ Value Param::checked(const Value& value) const {
         refuse(toText(value));
     const bool isWhole = number == std::floor(number);
     const bool tooLarge = m_type == Type::Integer && std::abs(number) > INT_MAX;
-    if (!std::isfinite(number) || tooLarge || (hasRange() && (number < smallest() || number > largest())))
+    if (!std::isfinite(number) || tooLarge || !inRange(number))
         refuse(toText(value));
     if (m_type == Type::Integer && !isWhole)
         failUsage("{} = {}: this is not a whole number; {}: {}.", m_name, toText(value), Message(m_title),
@@ -140,6 +181,50 @@ Value Param::checked(const Value& value) const {
     return number;
 }
 
+bool Param::goodWholes(const Value& value) const {
+    const auto* wholes = std::get_if<Wholes>(&value);
+    if (wholes == nullptr)
+        return false;
+    if (m_type == Type::Size)
+        return wholes->empty() || (wholes->size() == 2 && inRange(wholes->at(0)) && inRange(wholes->at(1)));
+    return wholes->size() == 4 && wholes->at(0) >= 0 && wholes->at(1) >= 0 && wholes->at(2) > 0 &&
+           wholes->at(3) > 0;
+}
+
+bool Param::goodPoints(const Value& value) const {
+    const auto* points = std::get_if<PlanePoints>(&value);
+    return points != nullptr && points->size() == m_pointCount &&
+           std::all_of(points->begin(), points->end(), [](const PlanePoint& point) {
+               return std::isfinite(point.x) && std::isfinite(point.y);
+           });
+}
+
+Value Param::parseList(std::string_view text) const {
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        double number = 0;
+        if (!parseNumber(text.substr(begin, end - begin), number))
+            refuse(std::string(text));
+        numbers.push_back(number);
+        begin = end + 1;
+    }
+    if (m_type == Type::Points) {
+        if (numbers.size() != 2 * m_pointCount)
+            refuse(std::string(text));
+        PlanePoints points;
+        for (std::size_t i = 0; i < numbers.size(); i += 2)
+            points.push_back({numbers[i], numbers[i + 1]});
+        return checked(points);
+    }
+    Wholes wholes;
+    for (const double number : numbers) {
+        if (number != std::floor(number) || std::abs(number) > INT_MAX)
+            refuse(std::string(text));
+        wholes.push_back(static_cast<int>(number));
+    }
+    return checked(wholes);
+}
 namespace {
 
 /// Refuses a text that is no number, or none that can be held.
@@ -168,6 +253,8 @@ Value Param::parse(std::string_view text) const {
                 return false;
         refuse(std::string(text));
     }
+    if (m_type == Type::Area || m_type == Type::Size || m_type == Type::Points)
+        return parseList(text);
     double number = 0;
     if (text.empty())
         refuse("(nothing)");

@@ -11,7 +11,7 @@
 
 namespace texloom {
 
-/// "1,536" from 1536: counts for people.
+/// "1,536" from 1536: a count for people to read.
 std::string grouped(std::uint64_t count);
 
 /// "96 MiB" or "1.4 GiB" from a number of bytes.

@@ -1,18 +1,18 @@
 #pragma once
 
 #include "core/image/image.h"
-#include "core/image/placement.h"
+#include "core/image/warp.h"
 
 #include <functional>
 
 namespace texloom {
 
 /// A mask with a stroke of a brush added that was painted on the edited image.
-/// @param mask of the source's size, or null for one that hides nothing. @param placement of the edited image
-/// in the source. @param stroke one channel of the edited image's size: not 0 where the brush went.
+/// @param mask of the source's size, or null for one that hides nothing. @param warp from the edited image
+/// to the source. @param stroke one channel of the edited image's size: not 0 where the brush went.
 /// @param hide whether the brush hides or shows again. @param check called for every row; may throw.
 Image paintedMask(
-    const Image* mask, Size source, const Placement& placement, const Image& stroke, bool hide,
+    const Image* mask, Size source, const Warp& warp, const Image& stroke, bool hide,
     const std::function<void()>& check = [] {});
 
 } // namespace texloom

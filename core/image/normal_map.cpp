@@ -36,22 +36,22 @@ Eigen::Matrix2d nearestTurn(const Eigen::Matrix2d& map) {
 
 } // namespace
 
-Image placedNormals(const ImageView& normals, MapRole role, const Placement& placement,
+Image placedNormals(const ImageView& normals, MapRole role, const Warp& warp,
                     const std::function<void()>& check) {
-    Image placed = resampled(normals, placement, check);
+    Image placed = resampled(normals, warp, check);
     const Code code(normals);
     const float up = role == MapRole::NormalDx ? 1.0F : -1.0F; // the image's y points down
     for (int y = 0; y < placed.height(); ++y) {
         check();
         for (int x = 0; x < placed.width(); ++x) {
-            const Eigen::Matrix2d turn = nearestTurn(placement.jacobian({x + 0.5, y + 0.5}).inverse());
+            const Eigen::Matrix2d turn = nearestTurn(warp.jacobian({x + 0.5, y + 0.5}).inverse());
             const Eigen::Vector2d vector(code.read(placed(x, y, 0)), up * code.read(placed(x, y, 1)));
             const Eigen::Vector2d turned = turn * vector;
             placed(x, y, 0) = code.write(static_cast<float>(turned.x()));
             placed(x, y, 1) = code.write(up * static_cast<float>(turned.y()));
         }
     }
-    if (!placement.exact())
+    if (!warp.exact())
         renormalize(placed);
     return placed;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "core/image/exemplar_edit.h"
+#include "core/base/value.h"
+#include "core/image/size.h"
 
 #include <Eigen/Core>
+
+#include <utility>
 
 namespace texloom {
 
@@ -10,7 +13,9 @@ namespace texloom {
 class Placement {
 public:
     /// The image as it is.
-    explicit Placement(Size size) : m_size(size), m_toSource(Eigen::Matrix3d::Identity()) {}
+    explicit Placement(Size size) : Placement(size, Eigen::Matrix3d::Identity()) {}
+    /// @param size of the edited image. @param toSource from its homogeneous coordinates to the source's.
+    Placement(Size size, Eigen::Matrix3d toSource) : m_size(size), m_toSource(std::move(toSource)) {}
 
     Size size() const { return m_size; }
     /// The source's point for a point of the edited image, and the other way round.
@@ -21,15 +26,15 @@ public:
     /// Whether every pixel lies on one of the source.
     bool exact() const;
 
-    /// The same after a further edit; flattening moves nothing. @throws UsageError as sizeAfter()
-    Placement after(const ExemplarEdit& edit) const;
+    /// Where `next` and this lead together: `next` is of an image made from this one's.
+    Placement after(const Placement& next) const { return {next.m_size, m_toSource * next.m_toSource}; }
 
 private:
     Size m_size;
     Eigen::Matrix3d m_toSource;
 };
 
-/// Where all edits together lead.
-Placement placementOf(const ExemplarEdits& edits, Size source);
+/// The placement that moves an image's origin to this point of its source.
+Eigen::Matrix3d shifted(double x, double y);
 
 } // namespace texloom

@@ -33,17 +33,16 @@ struct Taps {
 };
 
 /// Calls `sample(columns, rows)` for each sample of an output pixel. @return how many there are.
-template <class Sample>
-int forSamples(const Placement& placement, Size source, int x, int y, const Sample& sample) {
+template <class Sample> int forSamples(const Warp& warp, Size source, int x, int y, const Sample& sample) {
     const PlanePoint middle{x + 0.5, y + 0.5};
-    const Eigen::Matrix2d step = placement.jacobian(middle);
+    const Eigen::Matrix2d step = warp.jacobian(middle);
     // A little more than 1 is no shrinking worth a second sample.
     constexpr double kSlack = 0.25;
     const double shrinks = std::max(step.col(0).norm(), step.col(1).norm());
     const int n = std::clamp(static_cast<int>(std::ceil(shrinks - kSlack)), 1, kMostSamples);
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
-            const PlanePoint at = placement.toSource({x + (i + 0.5) / n, y + (j + 0.5) / n});
+            const PlanePoint at = warp.toSource({x + (i + 0.5) / n, y + (j + 0.5) / n});
             sample(Taps(at.x - 0.5, source.width), Taps(at.y - 0.5, source.height));
         }
     return n * n;
@@ -75,13 +74,13 @@ bool anyHidden(const PlaneView& mask, const Taps& columns, const Taps& rows) {
 
 } // namespace
 
-Image resampled(const ImageView& source, const Placement& placement, const std::function<void()>& check) {
-    Image result(placement.size(), source.channels);
+Image resampled(const ImageView& source, const Warp& warp, const std::function<void()>& check) {
+    Image result(warp.size(), source.channels);
     for (int y = 0; y < result.height(); ++y) {
         check();
         for (int x = 0; x < result.width(); ++x) {
             const int count =
-                forSamples(placement, source.size(), x, y, [&](const Taps& columns, const Taps& rows) {
+                forSamples(warp, source.size(), x, y, [&](const Taps& columns, const Taps& rows) {
                     for (int c = 0; c < source.channels; ++c)
                         result(x, y, c) += sampled(source.plane(c), columns, rows);
                 });
@@ -92,13 +91,13 @@ Image resampled(const ImageView& source, const Placement& placement, const std::
     return result;
 }
 
-Image resampledMask(const ImageView& mask, const Placement& placement, const std::function<void()>& check) {
-    Image result(placement.size(), 1);
+Image resampledMask(const ImageView& mask, const Warp& warp, const std::function<void()>& check) {
+    Image result(warp.size(), 1);
     for (int y = 0; y < result.height(); ++y) {
         check();
         for (int x = 0; x < result.width(); ++x) {
             bool hidden = false;
-            forSamples(placement, mask.size(), x, y, [&](const Taps& columns, const Taps& rows) {
+            forSamples(warp, mask.size(), x, y, [&](const Taps& columns, const Taps& rows) {
                 hidden = hidden || anyHidden(mask.plane(0), columns, rows);
             });
             result(x, y, 0) = hidden ? 0.0F : 1.0F;

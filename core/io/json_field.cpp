@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <type_traits>
 
 namespace texloom {
 
@@ -120,7 +121,18 @@ Json parseJson(const Message& document, std::string_view text) {
 }
 
 Json toJson(const Value& value) {
-    return std::visit([](const auto& held) { return Json(held); }, value);
+    return std::visit(
+        [](const auto& held) -> Json {
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, PlanePoints>) {
+                Json list = Json::array();
+                for (const PlanePoint& point : held)
+                    list.push_back(Json::array({point.x, point.y}));
+                return list;
+            } else {
+                return held;
+            }
+        },
+        value);
 }
 
 Json toJson(const Values& values) {

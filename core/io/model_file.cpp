@@ -317,7 +317,7 @@ template const std::vector<std::int64_t>& Model::values(const std::string&, cons
 
 void Model::checkKind(std::string_view wanted) const {
     if (kind != wanted)
-        fail("The model was made by {}; one made by {} is needed.", kind, wanted);
+        fail("The model is of the kind {}; one of the kind {} is needed.", kind, wanted);
 }
 
 std::string Model::bytes() const {

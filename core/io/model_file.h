@@ -36,7 +36,8 @@ public:
     static constexpr std::size_t kMostArrays = 65536;
     static constexpr std::size_t kMostAxes = 8;
 
-    std::string kind;                        ///< what can use it: the id of the method that made it
+    /// What it is a model of. Methods that make and use models of one kind have ports of this id for it.
+    std::string kind;
     std::string recipe;                      ///< JSON text of the recipe that made it; empty if unknown
     std::vector<std::string> exemplarHashes; ///< SHA-1 of the files that it was learnt from
     /// Anything else worth knowing, as text; names do not begin with "texloom.".

@@ -24,15 +24,21 @@ namespace {
 /// The names of fields, all of which only Texloom puts into one object.
 using Marks = std::vector<const char*>;
 
-const std::array<Marks, 5> kMarks = {{
-    {"texloom", "outputs"},        // the recipe beside a picture
-    {"texloomReport"},             // of a run, of a stress test or a batch
-    {"recipe", "peakMemoryBytes"}, // a run's report before it had a mark of its own
+const std::array<Marks, 7> kMarks = {{
+    {"texloom", "outputs"},                 // the recipe beside a picture
+    {"texloomReport"},                      // of a run, of a stress test or a batch
+    {"recipe", "peakMemoryBytes"},          // a run's report before it had a mark of its own
+    {"shard", "runs", "skipped", "failed"}, // a batch's summary before that
     {"session", "settings", "seedLocked"},
     {"texloomResult"},
+    {"texloom-volume"},
 }};
 
 constexpr std::string_view kPage = "<!-- Written by `texloom-cli ";
+constexpr std::string_view kMesh = "ply\nformat binary_little_endian 1.0\ncomment Texloom\n";
+/// Of a model: behind the eight bytes of its length, and near enough to the beginning.
+constexpr std::string_view kModelHead = "{\"", kModelMark = "\"texloom.format\"";
+constexpr std::size_t kModelLength = 8, kBeginning = 65536;
 /// The summary of as many runs as a batch may hold is some 30 MB.
 constexpr std::uintmax_t kLargestJson = 256U << 20;
 
@@ -46,10 +52,15 @@ bool hasMarks(const fs::path& path) {
 
 std::string beginningOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    std::string begin(kPage.size(), '\0');
+    std::string begin(kBeginning, '\0');
     file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
     return begin;
+}
+
+bool isModel(std::string_view begin) {
+    return begin.size() > kModelLength && begin.substr(kModelLength).starts_with(kModelHead) &&
+           begin.find(kModelMark) != std::string_view::npos;
 }
 
 } // namespace
@@ -58,9 +69,11 @@ bool isOwnFile(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error))
         return false;
+    if (path.extension() == ".raw") // the voxels beside a volume's head
+        return isOwnFile(fs::path(path).replace_extension(".json"));
     try {
         const std::string begin = beginningOf(path);
-        if (begin == kPage)
+        if (begin.starts_with(kPage) || begin.starts_with(kMesh) || isModel(begin))
             return true;
         if (begin.starts_with('{'))
             return hasMarks(path);

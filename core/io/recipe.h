@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/base/value.h"
-#include "core/image/exemplar_edit.h"
+#include "core/base/exemplar_edit.h"
 #include "core/image/size.h"
 
 #include <cstdint>

@@ -100,8 +100,8 @@ public:
     /// Ends the job if that was asked for. Call it at least every 50 ms. @throws Cancelled
     void check() const;
     /// Begins one of several runs that follow each other in one job: it makes up `share` of the whole (all
-    /// shares add to 1), its stages make up the whole of it, and its random numbers are a stream of their
-    /// own, and its curves begin anew.
+    /// shares add to 1), its stages make up the whole of it, its random numbers are a stream of their own,
+    /// and its curves begin anew.
     void step(std::uint32_t number, double share);
     /// Begins a part of the work that makes up `weight` of the whole run (all weights add to 1).
     void stage(double weight, Message name);

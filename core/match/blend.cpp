@@ -306,17 +306,18 @@ void BlendBand::midway(const ImageView& first, const ImageView& second, const Mi
                });
 }
 
-Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
-            const BlendOptions& options, JobContext& context) {
-    if (first.size() != second.size())
+void checkBlend(Size first, Size second, const BlendOptions& options) {
+    if (first != second)
         failUsage("The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.",
                   first.width, first.height, second.width, second.height);
-    if (first.channels != second.channels)
-        failUsage("The first image has {} channels, the second {}; they must have the same.", first.channels,
-                  second.channels);
-    if (options.band < 2 || 2 * options.band > first.size().shorterSide())
+    if (options.band < 2 || 2 * options.band > first.shorterSide())
         failUsage("The band of {} px must be from 2 px to half the images' shorter side, {} px.",
-                  options.band, first.size().shorterSide() / 2);
+                  options.band, first.shorterSide() / 2);
+}
+
+Image blendAlong(const ImageView& first, const ImageView& second, const BlendCurve& curve,
+                 const BlendOptions& options, JobContext& context) {
+    checkBlend(first.size(), second.size(), options);
     const auto stage = [&](double weight, const char* name) {
         context.stage(weight, name);
         return [&context](double share) {

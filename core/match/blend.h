@@ -110,12 +110,14 @@ struct BlendOptions {
     MidwayOptions midway;
 };
 
-/// A whole blend. @param context its stage and progress are set.
-/// @throws UsageError if the pictures differ in size or channels, or the band is wider than they allow.
-Image blend(const ImageView& first, const ImageView& second, const BlendCurve& curve,
-            const BlendOptions& options, JobContext& context);
+/// Blends whole pictures along a curve. @param context its stage and progress are set.
+/// @throws UsageError if the pictures differ in size, or the band is wider than they allow.
+Image blendAlong(const ImageView& first, const ImageView& second, const BlendCurve& curve,
+                 const BlendOptions& options, JobContext& context);
+/// What blendAlong() refuses. @throws UsageError that names the value and the limit
+void checkBlend(Size first, Size second, const BlendOptions& options);
 
-/// Upper bound of the memory that blend() takes.
+/// Upper bound of the memory that blendAlong() takes.
 std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options);
 
 } // namespace texloom

@@ -5,11 +5,11 @@
 
 namespace texloom {
 
-/// An output that closes on itself on both axes, laid out for patch distances: behind its last rows and
-/// columns the first ones lie once more, so that a patch anywhere is one rectangle.
+/// An output that closes on itself on both axes, laid out for patch distances: its first rows and columns are
+/// repeated after the last, so that a patch anywhere is one rectangle.
 class ClosedCanvas {
 public:
-    /// All 0. @param margin rows and columns that lie there once more: those of the largest patch less 1.
+    /// All 0. @param margin rows and columns that are repeated: those of the largest patch less 1.
     ClosedCanvas(Size size, int channels, int margin);
 
     /// Without the margin.
@@ -22,7 +22,7 @@ public:
 
     /// Takes the image, enlarged where it is smaller than the canvas, and closes.
     void load(const ImageView& image, JobContext& context);
-    /// Writes the first rows and columns once more behind the last.
+    /// Repeats the first rows and columns after the last.
     void close(JobContext& context);
     /// Every `step`-th pixel.
     Image image(int step, JobContext& context) const;

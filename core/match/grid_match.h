@@ -49,7 +49,7 @@ public:
     /// @param weight λ_occ; 0 for none.
     void discourage(const PatchField& field, double weight);
 
-    /// One round over all patches: the distance to the present match is taken anew, then those of the
+    /// One round over all patches: the distance to the present match is computed again, then those of the
     /// neighbours' matches and of random ones at most `radius` pixels away are tried.
     /// @param round number of the round; it turns the scan and the random numbers.
     void improve(PatchField& field, const Gather& gather, int round, int radius);

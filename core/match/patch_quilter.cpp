@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/match/patch_stitch.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace texloom {
@@ -49,7 +50,8 @@ void PatchQuilter::prepareExemplars() {
     for (const PatchCell& cell : m_canvas.grid().cells())
         m_search.prepare(compared(cell));
     if (m_guide)
-        m_guide->search.prepare(Footprint::filled({m_options.patch, m_options.patch}));
+        for (const PatchCell& cell : m_canvas.grid().cells())
+            m_guide->search.prepare(Footprint::filled(m_canvas.visible(cell)));
 }
 
 Footprint PatchQuilter::compared(const PatchCell& cell) const {
@@ -57,30 +59,36 @@ Footprint PatchQuilter::compared(const PatchCell& cell) const {
     return m_options.initial ? Footprint::filled(m_canvas.visible(cell)) : Footprint(cell.overlap);
 }
 
-/// Adds the guide's distances to those of what is known, both as means over their pixels, up to a factor.
-void PatchQuilter::follow(const PatchCell& cell, bool known, Workspace& work) const {
-    const Footprint whole = Footprint::filled({m_options.patch, m_options.patch});
+/// Fills the guide's distances: those of what lies within the output, beyond which it says nothing.
+void PatchQuilter::follow(const PatchCell& cell, Workspace& work) const {
     m_guide->canvas.read(cell, work.guide);
-    m_guide->search.compute(work.guide, whole, work.guideScratch, [this] { m_context.check(); });
-    if (!known) {
-        std::swap(work.scratch, work.guideScratch);
-        return;
-    }
-    const double pixels = static_cast<double>(m_options.patch) * m_options.patch;
-    m_search.add(work.guideScratch, pixels / (pixelsOf(compared(cell), m_options.patch) * m_guide->weight),
+    m_guide->search.compute(work.guide, Footprint::filled(m_canvas.visible(cell)), work.guideScratch,
+                            [this] { m_context.check(); });
+}
+
+/// The distances to choose by: of what is known, of the guide, or of both as means over their pixels, up to a
+/// factor.
+const PatchSearch::Scratch& PatchQuilter::distances(const PatchCell& cell, bool known,
+                                                    Workspace& work) const {
+    if (m_guide)
+        follow(cell, work);
+    if (m_guide && (!known || std::isinf(m_guide->weight)))
+        return work.guideScratch;
+    m_search.compute(work.known, compared(cell), work.scratch, [this] { m_context.check(); });
+    if (!m_guide)
+        return work.scratch;
+    const auto guided = static_cast<double>(m_canvas.visible(cell).area());
+    m_search.add(work.guideScratch, guided / (pixelsOf(compared(cell), m_options.patch) * m_guide->weight),
                  work.scratch);
+    return work.scratch;
 }
 
 PatchPosition PatchQuilter::choose(const PatchCell& cell, Workspace& work) const {
     const bool known = !cell.overlap.none() || m_options.initial;
     if (!known && !m_guide)
         return m_search.drawn(m_context.random().uniform(cell.column, cell.row));
-    if (known)
-        m_search.compute(work.known, compared(cell), work.scratch, [this] { m_context.check(); });
-    if (m_guide)
-        follow(cell, known, work);
-    return m_search.drawn(m_search.within(m_options.tolerance, work.scratch), m_context.random(), cell.column,
-                          cell.row);
+    return m_search.drawn(m_search.within(m_options.tolerance, distances(cell, known, work)),
+                          m_context.random(), cell.column, cell.row);
 }
 
 void PatchQuilter::trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight) {

@@ -17,7 +17,8 @@ namespace texloom {
 struct QuiltGuide {
     std::vector<PatchSource> exemplars; ///< of the exemplars' sizes, with their masks
     ImageView output;                   ///< of the output's size or larger; mirrored beyond its borders
-    /// How much the mean square of its differences counts beside that of the overlap's.
+    /// How much the mean square of its differences counts beside that of the overlap's; infinite: it alone
+    /// counts.
     double weight = 1;
 };
 
@@ -80,7 +81,8 @@ private:
     void prepareExemplars();
     void place(int index);
     Footprint compared(const PatchCell& cell) const;
-    void follow(const PatchCell& cell, bool known, Workspace& work) const;
+    void follow(const PatchCell& cell, Workspace& work) const;
+    const PatchSearch::Scratch& distances(const PatchCell& cell, bool known, Workspace& work) const;
     PatchPosition choose(const PatchCell& cell, Workspace& work) const;
     void trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight);
 

@@ -146,9 +146,7 @@ void PatchSearch::add(const Scratch& other, double weight, Scratch& to) const {
             const int width = m_distances[e].positions().width;
             for (int x = 0; x < width; ++x)
                 row[x] = factor * row[x] + from[x];
-            // A bound is enough for leaving rows out.
-            float& minimum = to[e].rowMinima[static_cast<std::size_t>(y)];
-            minimum = factor * minimum + other[e].rowMinima[static_cast<std::size_t>(y)];
+            to[e].rowMinima[static_cast<std::size_t>(y)] = *std::min_element(row, row + width);
         }
 }
 

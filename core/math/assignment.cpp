@@ -18,9 +18,9 @@ constexpr double kScaling = 6;
 /// The first ε, the one that gives the exact solution its first prices, and the one of a relaxed assignment
 /// without, as shares of the mean cost.
 constexpr double kFirst = 0.1, kRough = 5e-3, kLast = 2e-4;
-/// Share of ε by which an object may be worse than one whose cost is not known yet.
+/// Share of ε by which a column may be worse than one whose cost is not known yet.
 constexpr double kUnseen = 0.2;
-/// Rounds in which everybody without an object may push out another.
+/// Rounds in which each row without a column may displace another.
 constexpr int kPushes = 12;
 /// Bids made at a time, before prices rise: more would outbid one another.
 constexpr int kBids = 256;
@@ -32,33 +32,33 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-/// Shortest paths of changes from one person to all objects: Dijkstra's algorithm on the full graph.
+/// Shortest paths of changes from one row to all columns: Dijkstra's algorithm on the full graph.
 class Paths {
 public:
     explicit Paths(const std::vector<double>& prices)
         : m_prices(prices), m_open(prices.size(), kInfinite), m_from(prices.size(), -1),
           m_closed(prices.size(), 0) {}
 
-    /// Tries the ways over `person` to everything not closed yet: `base` and the cost with the price.
-    /// @return the object that is nearest then.
-    int relax(const float* costs, int person, double base) {
+    /// Tries the ways through `row` to everything not closed yet: `base` and the cost with the price.
+    /// @return the column that is nearest then.
+    int relax(const float* costs, int row, double base) {
         using Lane = Lanes<double>;
         using Values = Lane::Values;
-        const auto who = static_cast<double>(person);
+        const auto taker = static_cast<double>(row);
         const int count = static_cast<int>(m_prices.size());
         Values best = Values{} + kInfinite;
         Lane::Places where = Lane::Places{} - 1, now = Lane::kFirst;
-        int object = 0;
-        for (; object + Lane::kCount <= count; object += Lane::kCount, now += Lane::kCount) {
-            Values open = load<Values>(m_open.data() + object);
-            Values from = load<Values>(m_from.data() + object);
+        int column = 0;
+        for (; column + Lane::kCount <= count; column += Lane::kCount, now += Lane::kCount) {
+            Values open = load<Values>(m_open.data() + column);
+            Values from = load<Values>(m_from.data() + column);
             const Values through =
-                Lane::costs(costs + object) + load<Values>(m_prices.data() + object) + base;
+                Lane::costs(costs + column) + load<Values>(m_prices.data() + column) + base;
             const Lane::Places better = through < open;
             open = better ? through : open;
-            from = better ? Values{} + who : from;
-            __builtin_memcpy(m_open.data() + object, &open, sizeof open);
-            __builtin_memcpy(m_from.data() + object, &from, sizeof from);
+            from = better ? Values{} + taker : from;
+            __builtin_memcpy(m_open.data() + column, &open, sizeof open);
+            __builtin_memcpy(m_from.data() + column, &from, sizeof from);
             const Lane::Places nearer = open < best;
             best = nearer ? open : best;
             where = nearer ? now : where;
@@ -66,40 +66,40 @@ public:
         BestTwo<double> nearest;
         for (int lane = 0; lane < Lane::kCount; ++lane)
             nearest.add(static_cast<int>(where[lane]), best[lane], best[lane]);
-        for (; object < count; ++object) {
-            const double through = static_cast<double>(costs[object]) + m_prices[at(object)] + base;
-            if (through < m_open[at(object)]) {
-                m_open[at(object)] = through;
-                m_from[at(object)] = who;
+        for (; column < count; ++column) {
+            const double through = static_cast<double>(costs[column]) + m_prices[at(column)] + base;
+            if (through < m_open[at(column)]) {
+                m_open[at(column)] = through;
+                m_from[at(column)] = taker;
             }
-            nearest.add(object, m_open[at(object)]);
+            nearest.add(column, m_open[at(column)]);
         }
         return nearest.place;
     }
-    /// No shorter way to this object will be found.
-    double close(int object) {
-        m_closed[at(object)] = m_open[at(object)];
-        m_open[at(object)] = kInfinite;
-        m_prices[at(object)] = kInfinite;
-        return m_closed[at(object)];
+    /// No shorter way to this column will be found.
+    double close(int column) {
+        m_closed[at(column)] = m_open[at(column)];
+        m_open[at(column)] = kInfinite;
+        m_prices[at(column)] = kInfinite;
+        return m_closed[at(column)];
     }
-    double length(int object) const { return m_closed[at(object)]; }
-    int from(int object) const { return static_cast<int>(m_from[at(object)]); }
+    double length(int column) const { return m_closed[at(column)]; }
+    int from(int column) const { return static_cast<int>(m_from[at(column)]); }
 
 private:
     std::vector<double> m_prices; ///< infinite for what is closed
     std::vector<double> m_open;   ///< lengths; infinite for what is closed
-    std::vector<double> m_from;   ///< the person who would come; of one type with the rest, for vectors
+    std::vector<double> m_from;   ///< the row that would take it; of one type with the rest, for vectors
     std::vector<double> m_closed; ///< lengths
 };
 
 double meanCost(const AssignmentCosts& costs) {
     double sum = 0;
     std::int64_t count = 0;
-    const int step = 1 + costs.persons / 512;
-    for (int person = 0; person < costs.persons; person += step)
+    const int step = 1 + costs.rows / 512;
+    for (int row = 0; row < costs.rows; row += step)
         for (int place = 0; place < costs.perRow; place += 7, ++count)
-            sum += static_cast<double>(std::abs(costs.row(person)[place]));
+            sum += static_cast<double>(std::abs(costs.valuesOf(row)[place]));
     return sum / static_cast<double>(std::max<std::int64_t>(1, count));
 }
 
@@ -112,7 +112,7 @@ Assigner::Assigner(std::vector<int> places) : m_places(std::move(places)) {
     for (const int count : m_places)
         m_begin.push_back(m_begin.back() + count);
     m_placePrice.assign(at(m_begin.back()), 0);
-    m_holder.assign(at(m_begin.back()), -1);
+    m_assigned.assign(at(m_begin.back()), -1);
     m_price.resize(m_places.size());
     m_second.resize(m_places.size());
     m_scanned.resize(m_places.size());
@@ -121,49 +121,49 @@ Assigner::Assigner(std::vector<int> places) : m_places(std::move(places)) {
 
 void Assigner::reset(double price) {
     std::fill(m_placePrice.begin(), m_placePrice.end(), price);
-    for (std::size_t object = 0; object < m_places.size(); ++object)
-        refreshPrice(static_cast<int>(object));
+    for (std::size_t column = 0; column < m_places.size(); ++column)
+        refreshPrice(static_cast<int>(column));
 }
 
-/// Gives places that nobody has the lowest price, and keeps the others' within bounds.
+/// Gives free places the lowest price, and keeps the others' within bounds.
 void Assigner::lowerFree(double lowest, double highest) {
     std::vector<std::pair<double, int>> places;
-    for (std::size_t object = 0; object < m_places.size(); ++object) {
+    for (std::size_t column = 0; column < m_places.size(); ++column) {
         places.clear();
-        for (int place = m_begin[object]; place < m_begin[object + 1]; ++place) {
-            const int holder = m_holder[at(place)];
-            places.emplace_back(holder < 0 ? lowest : std::clamp(m_placePrice[at(place)], lowest, highest),
-                                holder);
+        for (int place = m_begin[column]; place < m_begin[column + 1]; ++place) {
+            const int assigned = m_assigned[at(place)];
+            places.emplace_back(assigned < 0 ? lowest : std::clamp(m_placePrice[at(place)], lowest, highest),
+                                assigned);
         }
         std::sort(places.begin(), places.end());
         for (std::size_t i = 0; i < places.size(); ++i)
-            std::tie(m_placePrice[at(m_begin[object]) + i], m_holder[at(m_begin[object]) + i]) = places[i];
-        refreshPrice(static_cast<int>(object));
+            std::tie(m_placePrice[at(m_begin[column]) + i], m_assigned[at(m_begin[column]) + i]) = places[i];
+        refreshPrice(static_cast<int>(column));
     }
 }
 
-/// The places of an object are a heap by price: the lowest first, and the second lowest right below it.
-void Assigner::refreshPrice(int object) {
-    const int begin = m_begin[at(object)], count = m_places[at(object)];
-    m_price[at(object)] = count > 0 ? m_placePrice[at(begin)] : kInfinite;
-    m_second[at(object)] = kInfinite;
+/// The places of a column are a heap by price: the lowest first, and the second lowest right below it.
+void Assigner::refreshPrice(int column) {
+    const int begin = m_begin[at(column)], count = m_places[at(column)];
+    m_price[at(column)] = count > 0 ? m_placePrice[at(begin)] : kInfinite;
+    m_second[at(column)] = kInfinite;
     for (int child = 1; child < std::min(count, 3); ++child)
-        m_second[at(object)] = std::min(m_second[at(object)], m_placePrice[at(begin + child)]);
-    m_scanned[at(object)] = static_cast<float>(m_price[at(object)]);
+        m_second[at(column)] = std::min(m_second[at(column)], m_placePrice[at(begin + child)]);
+    m_scanned[at(column)] = static_cast<float>(m_price[at(column)]);
 }
 
 /// Moves the first place down the heap after its price rose.
-void Assigner::sink(int object) {
-    const int begin = m_begin[at(object)], count = m_places[at(object)];
+void Assigner::sink(int column) {
+    const int begin = m_begin[at(column)], count = m_places[at(column)];
     for (int parent = 0, child = 1; child < count; parent = child, child = 2 * parent + 1) {
         if (child + 1 < count && m_placePrice[at(begin + child + 1)] < m_placePrice[at(begin + child)])
             ++child;
         if (m_placePrice[at(begin + parent)] <= m_placePrice[at(begin + child)])
             break;
         std::swap(m_placePrice[at(begin + parent)], m_placePrice[at(begin + child)]);
-        std::swap(m_holder[at(begin + parent)], m_holder[at(begin + child)]);
+        std::swap(m_assigned[at(begin + parent)], m_assigned[at(begin + child)]);
     }
-    refreshPrice(object);
+    refreshPrice(column);
 }
 
 std::vector<int> Assigner::assign(AssignmentCosts& costs, const AssignmentOptions& options,
@@ -172,11 +172,11 @@ std::vector<int> Assigner::assign(AssignmentCosts& costs, const AssignmentOption
     const bool relaxed = std::isfinite(options.relaxation);
     const bool exact = options.epsilon <= 0 && !relaxed;
     const double last = options.epsilon > 0 ? options.epsilon : (exact ? kRough : kLast) * mean;
-    const bool stay = m_warm && (!relaxed || options.carryOn) && at(costs.persons) == m_object.size();
+    const bool stay = m_warm && (!relaxed || options.carryOn) && at(costs.rows) == m_column.size();
     if (relaxed && stay)
         lowerFree(-options.relaxation, options.relaxation);
     else if (relaxed)
-        reset(-options.relaxation); // an object that nobody wants must stay at the lowest price
+        reset(-options.relaxation); // a column that no row wants must stay at the lowest price
     if (!m_warm && !relaxed)
         for (double epsilon = kFirst * mean; epsilon > 2 * last; epsilon /= kScaling)
             auction(costs, epsilon, kInfinite, false, context);
@@ -185,65 +185,64 @@ std::vector<int> Assigner::assign(AssignmentCosts& costs, const AssignmentOption
     m_warm = true;
     if (exact) {
         if (costs.bounded())
-            context.parallel(0, costs.persons, [&](int person) {
+            context.parallel(0, costs.rows, [&](int row) {
                 for (int place = 0; place < costs.perRow; ++place)
-                    costs.known(person, place);
+                    costs.known(row, place);
             });
         solveExactly(costs, context);
     }
-    return m_object;
+    return m_column;
 }
 
-/// Takes their objects from all.
-std::vector<int> Assigner::everybody(int persons) {
-    std::fill(m_holder.begin(), m_holder.end(), -1);
-    m_object.assign(at(persons), -1);
-    std::vector<int> all(at(persons));
+/// Takes all columns back. @return every row.
+std::vector<int> Assigner::releaseAll(int rows) {
+    std::fill(m_assigned.begin(), m_assigned.end(), -1);
+    m_column.assign(at(rows), -1);
+    std::vector<int> all(at(rows));
     std::iota(all.begin(), all.end(), 0);
     return all;
 }
 
-/// Takes the objects from those for whom, at these prices, another would be better by more than ε.
-/// @return everybody without an object.
-std::vector<int> Assigner::discontented(AssignmentCosts& costs, double epsilon, JobContext& context) {
-    std::vector<double> paid(at(costs.persons), kInfinite);
-    for (std::size_t object = 0; object < m_places.size(); ++object)
-        for (int place = m_begin[object]; place < m_begin[object + 1]; ++place)
-            if (m_holder[at(place)] >= 0)
-                paid[at(m_holder[at(place)])] = m_placePrice[at(place)];
-    std::vector<std::uint8_t> leaves(at(costs.persons), 0);
-    context.parallel(0, (costs.persons + kChunk - 1) / kChunk, [&](int chunk) {
-        for (int person = chunk * kChunk; person < std::min(costs.persons, (chunk + 1) * kChunk); ++person) {
-            const int place = costs.place(person, m_object[at(person)]);
+/// Takes the columns back from rows for which, at these prices, another would be better by more than ε.
+/// @return the rows without a column.
+std::vector<int> Assigner::releaseWorse(AssignmentCosts& costs, double epsilon, JobContext& context) {
+    std::vector<double> paid(at(costs.rows), kInfinite);
+    for (std::size_t column = 0; column < m_places.size(); ++column)
+        for (int place = m_begin[column]; place < m_begin[column + 1]; ++place)
+            if (m_assigned[at(place)] >= 0)
+                paid[at(m_assigned[at(place)])] = m_placePrice[at(place)];
+    std::vector<std::uint8_t> leaves(at(costs.rows), 0);
+    context.parallel(0, (costs.rows + kChunk - 1) / kChunk, [&](int chunk) {
+        for (int row = chunk * kChunk; row < std::min(costs.rows, (chunk + 1) * kChunk); ++row) {
+            const int place = costs.place(row, m_column[at(row)]);
             const double has =
-                place < 0 ? kInfinite : static_cast<double>(costs.known(person, place)) + paid[at(person)];
-            leaves[at(person)] = offers(costs, person, has - epsilon) ? 1 : 0;
+                place < 0 ? kInfinite : static_cast<double>(costs.known(row, place)) + paid[at(row)];
+            leaves[at(row)] = offers(costs, row, has - epsilon) ? 1 : 0;
         }
     });
-    for (int& holder : m_holder)
-        if (holder >= 0 && leaves[at(holder)] != 0)
-            holder = -1;
+    for (int& assigned : m_assigned)
+        if (assigned >= 0 && leaves[at(assigned)] != 0)
+            assigned = -1;
     std::vector<int> left;
-    for (int person = 0; person < costs.persons; ++person)
-        if (leaves[at(person)] != 0) {
-            m_object[at(person)] = -1;
-            left.push_back(person);
+    for (int row = 0; row < costs.rows; ++row)
+        if (leaves[at(row)] != 0) {
+            m_column[at(row)] = -1;
+            left.push_back(row);
         }
     return left;
 }
 
-/// Bids are made until everybody has an object: at first by all, or with `stay` by those whose object no
-/// longer suits them. Prices begin as they are.
+/// Bids are made until every row has a column: at first for all, or with `stay` for those whose column is
+/// no longer good enough. Prices begin as they are.
 void Assigner::auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
                        JobContext& context) {
     if (std::isfinite(ceiling))
-        for (std::size_t object = 0; object < m_places.size(); ++object)
-            if (m_places[object] == 0) {
-                m_price[object] = ceiling;
-                m_scanned[object] = static_cast<float>(ceiling);
+        for (std::size_t column = 0; column < m_places.size(); ++column)
+            if (m_places[column] == 0) {
+                m_price[column] = ceiling;
+                m_scanned[column] = static_cast<float>(ceiling);
             }
-    std::vector<int> bidders = stay ? discontented(costs, epsilon, context) : everybody(costs.persons),
-                     waiting;
+    std::vector<int> bidders = stay ? releaseWorse(costs, epsilon, context) : releaseAll(costs.rows), waiting;
     while (!bidders.empty()) {
         waiting.clear();
         for (std::size_t first = 0; first < bidders.size(); first += kBids)
@@ -254,7 +253,7 @@ void Assigner::auction(AssignmentCosts& costs, double epsilon, double ceiling, b
     }
 }
 
-/// Some persons bid at the same prices, then objects are given away. @param waiting gets those left without.
+/// Bids for some rows at the same prices, then assigns. @param waiting gets the rows left without a column.
 void Assigner::bid(AssignmentCosts& costs, std::span<const int> bidders, double epsilon, double ceiling,
                    std::vector<int>& waiting, JobContext& context) {
     context.check();
@@ -273,155 +272,154 @@ void Assigner::bid(AssignmentCosts& costs, std::span<const int> bidders, double 
         take(bidders[at(i)], bids[at(i)], ceiling, waiting);
 }
 
-Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int person, double slack) const {
+Assigner::Offers Assigner::offersTo(AssignmentCosts& costs, int row, double slack) const {
     if (costs.choices.empty())
-        return {bestTwo(costs, person, m_scanned.data(), static_cast<float>(slack))};
+        return {bestTwo(costs, row, m_scanned.data(), static_cast<float>(slack))};
     Offers two;
     for (int place = 0; place < costs.perRow; ++place)
-        two.add(place, costs.row(person)[place] + m_scanned[at(costs.object(person, place))]);
+        two.add(place, costs.valuesOf(row)[place] + m_scanned[at(costs.column(row, place))]);
     return two;
 }
 
-/// Whether an object costs a person less than `limit`, its price included.
-bool Assigner::offers(AssignmentCosts& costs, int person, double limit) const {
+/// Whether any column costs a row less than `limit`, its price included.
+bool Assigner::offers(AssignmentCosts& costs, int row, double limit) const {
     if (costs.choices.empty())
-        return anyBelow(costs, person, m_scanned.data(), static_cast<float>(limit));
-    return static_cast<double>(offersTo(costs, person, 0).best) < limit;
+        return anyBelow(costs, row, m_scanned.data(), static_cast<float>(limit));
+    return static_cast<double>(offersTo(costs, row, 0).best) < limit;
 }
 
-/// The best object for a person, and the price at which the second best would be as good, and ε more.
-Assigner::Bid Assigner::bidOf(AssignmentCosts& costs, int person, double epsilon, double ceiling) const {
-    const float* row = costs.row(person);
-    // Part of ε goes into objects that only may be better, so that fewer need be looked at.
+/// The best column for a row, and the price at which the second best would be as good, and ε more.
+Assigner::Bid Assigner::bidOf(AssignmentCosts& costs, int row, double epsilon, double ceiling) const {
+    const float* values = costs.valuesOf(row);
+    // Part of ε is spent on columns that only may be better, so that fewer need be looked at.
     const double slack = costs.bounded() ? kUnseen * epsilon : 0;
-    const Offers two = offersTo(costs, person, slack);
-    const int object = costs.object(person, two.place);
-    const auto cost = static_cast<double>(row[two.place]);
-    const double another = std::min(static_cast<double>(two.second), cost + m_second[at(object)]);
-    // With nothing else to turn to, any price will do.
-    const double limit = std::isfinite(another) ? another - cost : m_price[at(object)];
-    return {object, std::min(ceiling, std::max(limit, m_price[at(object)]) + epsilon - slack)};
+    const Offers two = offersTo(costs, row, slack);
+    const int column = costs.column(row, two.place);
+    const auto cost = static_cast<double>(values[two.place]);
+    const double another = std::min(static_cast<double>(two.second), cost + m_second[at(column)]);
+    // Without a second, any price will do.
+    const double limit = std::isfinite(another) ? another - cost : m_price[at(column)];
+    return {column, std::min(ceiling, std::max(limit, m_price[at(column)]) + epsilon - slack)};
 }
 
-void Assigner::take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting) {
-    if (m_price[at(bid.object)] >= ceiling) { // as many as like may have it at this price
-        m_object[at(person)] = bid.object;
+void Assigner::take(int row, const Bid& bid, double ceiling, std::vector<int>& waiting) {
+    if (m_price[at(bid.column)] >= ceiling) { // at this price any number of rows may have it
+        m_column[at(row)] = bid.column;
         return;
     }
-    const int lowest = m_begin[at(bid.object)];
+    const int lowest = m_begin[at(bid.column)];
     if (bid.price <= m_placePrice[at(lowest)]) {
-        waiting.push_back(person);
+        waiting.push_back(row);
         return;
     }
-    if (m_holder[at(lowest)] >= 0) {
-        m_object[at(m_holder[at(lowest)])] = -1;
-        waiting.push_back(m_holder[at(lowest)]);
+    if (m_assigned[at(lowest)] >= 0) {
+        m_column[at(m_assigned[at(lowest)])] = -1;
+        waiting.push_back(m_assigned[at(lowest)]);
     }
-    m_holder[at(lowest)] = person;
+    m_assigned[at(lowest)] = row;
     m_placePrice[at(lowest)] = bid.price;
-    m_object[at(person)] = bid.object;
-    sink(bid.object);
+    m_column[at(row)] = bid.column;
+    sink(bid.column);
 }
 
-void Assigner::release(int person) {
-    const int object = m_object[at(person)];
-    for (int place = m_begin[at(object)]; place < m_begin[at(object) + 1]; ++place)
-        if (m_holder[at(place)] == person)
-            m_holder[at(place)] = -1;
-    m_object[at(person)] = -1;
+void Assigner::release(int row) {
+    const int column = m_column[at(row)];
+    for (int place = m_begin[at(column)]; place < m_begin[at(column) + 1]; ++place)
+        if (m_assigned[at(place)] == row)
+            m_assigned[at(place)] = -1;
+    m_column[at(row)] = -1;
 }
 
-/// Prices at which nobody wants more than one object, as far as bids without ε lead (augmenting row reduction
-/// of Jonker & Volgenant), then shortest augmenting paths for the rest. All the while everybody with an
-/// object has the best.
+/// Prices as far as bids without ε lead (augmenting row reduction of Jonker & Volgenant), then shortest
+/// augmenting paths for the rest. At any time, the column of a row that has one is the best for it.
 void Assigner::solveExactly(const AssignmentCosts& costs, JobContext& context) {
-    std::fill(m_holder.begin(), m_holder.end(), -1);
-    m_object.assign(at(costs.persons), -1);
+    std::fill(m_assigned.begin(), m_assigned.end(), -1);
+    m_column.assign(at(costs.rows), -1);
     std::vector<int> waiting;
-    for (int person = costs.persons - 1; person >= 0; --person)
-        waiting.push_back(person);
+    for (int row = costs.rows - 1; row >= 0; --row)
+        waiting.push_back(row);
     for (int round = 0; round < kPushes && !waiting.empty(); ++round)
         waiting = push(costs, std::move(waiting), context);
     std::sort(waiting.begin(), waiting.end());
-    for (const int person : waiting)
-        augment(costs, person, context);
-    for (std::size_t object = 0; object < m_places.size(); ++object) {
-        std::fill(m_placePrice.begin() + m_begin[object], m_placePrice.begin() + m_begin[object + 1],
-                  m_price[object]);
-        refreshPrice(static_cast<int>(object));
+    for (const int row : waiting)
+        augment(costs, row, context);
+    for (std::size_t column = 0; column < m_places.size(); ++column) {
+        std::fill(m_placePrice.begin() + m_begin[column], m_placePrice.begin() + m_begin[column + 1],
+                  m_price[column]);
+        refreshPrice(static_cast<int>(column));
     }
 }
 
-/// Everybody takes the object that is best for them, at the price at which the second best would be as good.
-/// @param waiting taken from the end. @return those who are left without.
+/// Each row takes the column that is best for it, at the price at which the second best would be as good.
+/// @param waiting taken from the end. @return the rows left without.
 std::vector<int> Assigner::push(const AssignmentCosts& costs, std::vector<int> waiting, JobContext& context) {
     std::vector<int> left;
     std::size_t steps = 4 * waiting.size();
     while (!waiting.empty()) {
         context.check();
-        const int person = waiting.back();
+        const int row = waiting.back();
         waiting.pop_back();
-        const BestTwo<double> two = bestTwo(costs.row(person), m_price.data(), costs.objects);
-        const int object = two.place;
-        const int free = freePlace(object);
-        const int place = free >= 0 ? free : m_begin[at(object)];
-        if (free < 0 && (m_places[at(object)] > 1 || !(two.second > two.best) || steps == 0)) {
-            left.push_back(person);
+        const BestTwo<double> two = bestTwo(costs.valuesOf(row), m_price.data(), costs.columns);
+        const int column = two.place;
+        const int free = freePlace(column);
+        const int place = free >= 0 ? free : m_begin[at(column)];
+        if (free < 0 && (m_places[at(column)] > 1 || !(two.second > two.best) || steps == 0)) {
+            left.push_back(row);
             continue;
         }
         if (free < 0) {
-            const int before = m_holder[at(place)];
-            m_object[at(before)] = -1;
+            const int before = m_assigned[at(place)];
+            m_column[at(before)] = -1;
             waiting.push_back(before);
             --steps;
         }
-        // A free object may cost more without a loss: only its holder pays.
-        if (m_places[at(object)] == 1 && std::isfinite(two.second))
-            m_price[at(object)] += two.second - two.best;
-        m_holder[at(place)] = person;
-        m_object[at(person)] = object;
+        // A column with one place may cost more without a loss: only its own row pays.
+        if (m_places[at(column)] == 1 && std::isfinite(two.second))
+            m_price[at(column)] += two.second - two.best;
+        m_assigned[at(place)] = row;
+        m_column[at(row)] = column;
     }
     std::reverse(left.begin(), left.end());
     return left;
 }
 
-int Assigner::freePlace(int object) const {
-    for (int place = m_begin[at(object)]; place < m_begin[at(object) + 1]; ++place)
-        if (m_holder[at(place)] < 0)
+int Assigner::freePlace(int column) const {
+    for (int place = m_begin[at(column)]; place < m_begin[at(column) + 1]; ++place)
+        if (m_assigned[at(place)] < 0)
             return place;
     return -1;
 }
 
-/// Finds a place for one person along the shortest path of changes, and moves the prices so that everybody
-/// still has the best.
-void Assigner::augment(const AssignmentCosts& costs, int person, JobContext& context) {
+/// Finds a place for one row along the shortest path of changes, and moves the prices so that every row still
+/// has its best column.
+void Assigner::augment(const AssignmentCosts& costs, int row, JobContext& context) {
     Paths paths(m_price);
     std::vector<int> scanned;
-    int nearest = paths.relax(costs.row(person), person, 0);
+    int nearest = paths.relax(costs.valuesOf(row), row, 0);
     int end = -1;
     while (end < 0) {
         context.check();
-        const int object = nearest;
-        const double length = paths.close(object);
-        scanned.push_back(object);
-        if (freePlace(object) >= 0)
-            end = object;
-        for (int place = m_begin[at(object)]; place < m_begin[at(object) + 1] && end < 0; ++place) {
-            const int holder = m_holder[at(place)];
-            const double paid = static_cast<double>(costs.row(holder)[object]) + m_price[at(object)];
-            nearest = paths.relax(costs.row(holder), holder, length - paid);
+        const int column = nearest;
+        const double length = paths.close(column);
+        scanned.push_back(column);
+        if (freePlace(column) >= 0)
+            end = column;
+        for (int place = m_begin[at(column)]; place < m_begin[at(column) + 1] && end < 0; ++place) {
+            const int assigned = m_assigned[at(place)];
+            const double paid = static_cast<double>(costs.valuesOf(assigned)[column]) + m_price[at(column)];
+            nearest = paths.relax(costs.valuesOf(assigned), assigned, length - paid);
         }
     }
-    for (const int object : scanned)
-        m_price[at(object)] += paths.length(end) - paths.length(object);
-    for (int object = end, who = -1; who != person;) {
-        who = paths.from(object);
-        const int before = m_object[at(who)];
+    for (const int column : scanned)
+        m_price[at(column)] += paths.length(end) - paths.length(column);
+    for (int column = end, moved = -1; moved != row;) {
+        moved = paths.from(column);
+        const int before = m_column[at(moved)];
         if (before >= 0)
-            release(who);
-        m_holder[at(freePlace(object))] = who;
-        m_object[at(who)] = object;
-        object = before;
+            release(moved);
+        m_assigned[at(freePlace(column))] = moved;
+        m_column[at(moved)] = column;
+        column = before;
     }
 }
 

@@ -9,37 +9,38 @@
 
 namespace texloom {
 
-/// How well persons are to be assigned.
+/// How well columns are to be assigned to rows.
 struct AssignmentOptions {
-    /// The sum of costs is at most this much a person above the smallest possible; 0 for the smallest itself.
+    /// The sum of costs is at most this much a row above the smallest possible; 0 for the smallest itself.
     double epsilon = 0;
-    /// ρ of the relaxed assignment: what each person too many, or too few, costs at an object (Gutierrez,
-    /// thesis 2020, eq. 3.29). Infinite: there are never too many. With less an auction with `epsilon`, or a
-    /// small one for 0, finds it.
+    /// ρ of the relaxed assignment: what each row too many, or too few, costs at a column (Gutierrez, thesis
+    /// 2020, eq. 3.29). Infinite: there are never too many. With less, an auction with `epsilon`, or a small
+    /// one for 0, finds it.
     double relaxation = std::numeric_limits<double>::infinity();
     /// With a relaxation: begins with the last assignment and its prices. Far fewer bids where costs have
-    /// changed little, but the sum may then be more than `epsilon` a person above the smallest.
+    /// changed little, but the sum may then be more than `epsilon` a row above the smallest.
     bool carryOn = false;
 };
 
-/// Gives each of many persons one object, each object to as many persons as it has places, for the smallest
-/// sum of costs: the linear assignment problem. The auction algorithm with ε-scaling (Bertsekas 1988), whose
-/// bids are made in parallel and taken in order of the persons, so that threads change nothing; for the exact
-/// solution shortest augmenting paths (Jonker & Volgenant 1987) mend what the auction left. Prices are kept
-/// from one assignment to the next, where costs that changed little need few bids.
+/// Assigns one column to each row of a matrix of costs, each column to as many rows as it has places, so that
+/// the sum of costs is smallest: the linear assignment problem. The auction algorithm with ε-scaling
+/// (Bertsekas 1988), in which rows bid for columns; bids are made in parallel and taken in the order of the
+/// rows, so that threads change nothing. For the exact solution, shortest augmenting paths (Jonker &
+/// Volgenant 1987) settle what the auction left open. Prices are kept from one assignment to the next, where
+/// costs that changed little need few bids.
 class Assigner {
 public:
-    /// @param places of each object, at least 0.
+    /// @param places of each column, at least 0.
     explicit Assigner(std::vector<int> places);
 
-    /// @param costs whose rows hold all objects where the relaxation is infinite; then there must be a place
-    /// for everybody. Bounds give way to costs where it matters, for the smallest sum everywhere.
-    /// @return the object of each person.
+    /// @param costs whose rows hold all columns where the relaxation is infinite; then there must be a place
+    /// for every row. Bounds give way to costs where it matters, for the smallest sum everywhere.
+    /// @return the column of each row.
     std::vector<int> assign(AssignmentCosts& costs, const AssignmentOptions& options, JobContext& context);
 
 private:
     struct Bid {
-        int object = -1;
+        int column = -1;
         double price = 0;
     };
     struct Offers; ///< the best two of a row
@@ -48,29 +49,29 @@ private:
     void auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay, JobContext& context);
     void bid(AssignmentCosts& costs, std::span<const int> bidders, double epsilon, double ceiling,
              std::vector<int>& waiting, JobContext& context);
-    std::vector<int> everybody(int persons);
-    std::vector<int> discontented(AssignmentCosts& costs, double epsilon, JobContext& context);
-    Offers offersTo(AssignmentCosts& costs, int person, double slack) const;
-    bool offers(AssignmentCosts& costs, int person, double limit) const;
-    Bid bidOf(AssignmentCosts& costs, int person, double epsilon, double ceiling) const;
-    void take(int person, const Bid& bid, double ceiling, std::vector<int>& waiting);
-    void refreshPrice(int object);
-    void sink(int object);
+    std::vector<int> releaseAll(int rows);
+    std::vector<int> releaseWorse(AssignmentCosts& costs, double epsilon, JobContext& context);
+    Offers offersTo(AssignmentCosts& costs, int row, double slack) const;
+    bool offers(AssignmentCosts& costs, int row, double limit) const;
+    Bid bidOf(AssignmentCosts& costs, int row, double epsilon, double ceiling) const;
+    void take(int row, const Bid& bid, double ceiling, std::vector<int>& waiting);
+    void refreshPrice(int column);
+    void sink(int column);
     void solveExactly(const AssignmentCosts& costs, JobContext& context);
     std::vector<int> push(const AssignmentCosts& costs, std::vector<int> waiting, JobContext& context);
-    int freePlace(int object) const;
-    void augment(const AssignmentCosts& costs, int person, JobContext& context);
-    void release(int person);
+    int freePlace(int column) const;
+    void augment(const AssignmentCosts& costs, int row, JobContext& context);
+    void release(int row);
 
     std::vector<int> m_places;
     std::vector<int>
-        m_begin; ///< first place of each object, and one behind the last; each object's are a heap by price
+        m_begin; ///< first place of each column, and one behind the last; each column's are a heap by price
     std::vector<double> m_placePrice; ///< of each place
-    std::vector<int> m_holder;        ///< of each place, or −1
-    std::vector<double> m_price;      ///< the lowest of each object's places
+    std::vector<int> m_assigned;      ///< the row of each place, or −1
+    std::vector<double> m_price;      ///< the lowest of each column's places
     std::vector<double> m_second;     ///< the second lowest
     std::vector<float> m_scanned;     ///< m_price once more, for fast rows
-    std::vector<int> m_object;        ///< of each person, or −1
+    std::vector<int> m_column;        ///< of each row, or −1
     bool m_warm = false;
 };
 

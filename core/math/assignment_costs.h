@@ -10,46 +10,46 @@
 
 namespace texloom {
 
-/// What it costs to give persons objects: for every person a row of costs, of all objects or of some. Costs
-/// are not negative.
+/// A matrix of costs, from which each row is to be given a column: whole, or some of the columns of each row.
+/// Costs are not negative.
 struct AssignmentCosts {
-    int persons = 0;
-    int objects = 0;
-    /// Row by row. A number with a minus sign, which zero can have, too, is but a bound: the cost is not less
-    /// than its magnitude. Rows with bounds hold all objects, in order.
+    int rows = 0;
+    int columns = 0;
+    /// Row by row. A number with a minus sign, which zero can have, too, is only a lower bound: the cost is
+    /// not less than its magnitude. Rows with bounds hold all columns, in order.
     std::vector<float> costs;
-    /// The objects that the costs of a row belong to, as many for every row; empty: all, in order.
+    /// The columns that the costs of a row belong to, as many for every row; empty: all, in order.
     std::vector<std::int32_t> choices;
     int perRow = 0; ///< costs in a row
-    /// Where there are bounds: writes what it costs to give a person each of some objects. Called by several
-    /// threads at a time.
-    std::function<void(int person, std::span<const int> objects, float* to)> cost;
+    /// Where there are bounds: writes the costs of a row at some columns. Called by several threads at a
+    /// time.
+    std::function<void(int row, std::span<const int> columns, float* to)> cost;
 
-    const float* row(int person) const {
-        return costs.data() + static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow);
+    const float* valuesOf(int row) const {
+        return costs.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(perRow);
     }
-    float* row(int person) {
-        return costs.data() + static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow);
+    float* valuesOf(int row) {
+        return costs.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(perRow);
     }
     bool bounded() const { return static_cast<bool>(cost); }
-    /// The cost at one place of a row of bounds, which is put there in the bound's place.
-    float known(int person, int place) {
-        float& entry = row(person)[place];
+    /// The cost at one place of a row of bounds, where it takes the place of the bound.
+    float known(int row, int place) {
+        float& entry = valuesOf(row)[place];
         if (std::signbit(entry))
-            cost(person, {&place, 1}, &entry);
+            cost(row, {&place, 1}, &entry);
         return entry;
     }
-    int object(int person, int place) const {
+    int column(int row, int place) const {
         return choices.empty() ? place
-                               : choices[static_cast<std::size_t>(person) * static_cast<std::size_t>(perRow) +
+                               : choices[static_cast<std::size_t>(row) * static_cast<std::size_t>(perRow) +
                                          static_cast<std::size_t>(place)];
     }
-    /// The place of an object in a person's row, or −1.
-    int place(int person, int object) const {
+    /// The place of a column among those of a row, or −1.
+    int place(int row, int column) const {
         if (choices.empty())
-            return object;
-        const auto begin = choices.begin() + static_cast<std::ptrdiff_t>(person) * perRow;
-        const auto found = std::find(begin, begin + perRow, object);
+            return column;
+        const auto begin = choices.begin() + static_cast<std::ptrdiff_t>(row) * perRow;
+        const auto found = std::find(begin, begin + perRow, column);
         return found == begin + perRow ? -1 : static_cast<int>(found - begin);
     }
 };

@@ -43,14 +43,14 @@ void lowestOfCells(const float* costs, const float* prices, int count, float* to
     }
 }
 
-/// The sums of one person's costs and prices, where bounds give way to costs, several at a time.
+/// The sums of one row's costs and the prices, where bounds give way to costs, several at a time.
 class Row {
 public:
-    Row(AssignmentCosts& costs, int person, const float* prices)
-        : m_costs(costs), m_row(costs.row(person)), m_person(person), m_prices(prices),
+    Row(AssignmentCosts& costs, int row, const float* prices)
+        : m_costs(costs), m_values(costs.valuesOf(row)), m_row(row), m_prices(prices),
           m_lowest(static_cast<std::size_t>(Cell::countFor(costs.perRow))) {
         const int whole = costs.perRow / Cell::kSpan * Cell::kSpan;
-        lowestOfCells(m_row, m_prices, whole, m_lowest.data());
+        lowestOfCells(m_values, m_prices, whole, m_lowest.data());
         for (int cell = Cell::countFor(whole); cell < cells(); ++cell)
             refresh(cell);
     }
@@ -72,7 +72,9 @@ public:
                 });
         return two;
     }
-    float value(int place) const { return place < 0 ? kInfinite : std::abs(m_row[place]) + m_prices[place]; }
+    float value(int place) const {
+        return place < 0 ? kInfinite : std::abs(m_values[place]) + m_prices[place];
+    }
     /// Asks for what is lowest in each of several parts of the row, where it is less than `limit`: the best
     /// is soon found then.
     void askHere(float limit) {
@@ -107,7 +109,7 @@ public:
         answer();
     }
     void ask(int place) {
-        if (!std::signbit(m_row[place]))
+        if (!std::signbit(m_values[place]))
             return add(place);
         m_asked[static_cast<std::size_t>(m_count++)] = place;
         if (m_count == kMost)
@@ -116,10 +118,10 @@ public:
     void answer() {
         std::array<float, kMost> values;
         if (m_count > 0)
-            m_costs.cost(m_person, {m_asked.data(), static_cast<std::size_t>(m_count)}, values.data());
+            m_costs.cost(m_row, {m_asked.data(), static_cast<std::size_t>(m_count)}, values.data());
         for (int i = 0; i < m_count; ++i) {
             const int place = m_asked[static_cast<std::size_t>(i)];
-            m_row[place] = values[static_cast<std::size_t>(i)];
+            m_values[place] = values[static_cast<std::size_t>(i)];
             refresh(Cell::of(place));
             add(place);
         }
@@ -146,8 +148,8 @@ private:
     }
 
     AssignmentCosts& m_costs;
-    float* m_row;
-    int m_person;
+    float* m_values;
+    int m_row;
     const float* m_prices;
     std::vector<float> m_lowest; ///< of each cell
     std::array<int, kMost> m_asked{};
@@ -157,30 +159,30 @@ private:
 
 } // namespace
 
-BestTwo<float> bestTwo(AssignmentCosts& costs, int person, const float* prices, float slack) {
+BestTwo<float> bestTwo(AssignmentCosts& costs, int row, const float* prices, float slack) {
     if (!costs.bounded())
-        return bestTwo(costs.row(person), prices, costs.perRow);
-    Row row(costs, person, prices);
-    const auto [first, next] = row.lowestTwo();
+        return bestTwo(costs.valuesOf(row), prices, costs.perRow);
+    Row sums(costs, row, prices);
+    const auto [first, next] = sums.lowestTwo();
     if (first >= 0)
-        row.ask(first);
-    row.answer();
-    BestTwo<float> two = row.best();
-    two.second = row.value(next);
+        sums.ask(first);
+    sums.answer();
+    BestTwo<float> two = sums.best();
+    two.second = sums.value(next);
     if (two.best > two.second + slack) {
-        row.askHere(two.best - slack);
-        row.askBelow([&] { return row.best().best - slack; });
-        two = row.best();
-        const auto [lowest, second] = row.lowestTwo();
-        two.second = row.value(lowest == two.place ? second : lowest);
+        sums.askHere(two.best - slack);
+        sums.askBelow([&] { return sums.best().best - slack; });
+        two = sums.best();
+        const auto [lowest, second] = sums.lowestTwo();
+        two.second = sums.value(lowest == two.place ? second : lowest);
     }
     return two;
 }
 
-bool anyBelow(AssignmentCosts& costs, int person, const float* prices, float limit) {
-    Row row(costs, person, prices);
-    const auto found = [&] { return row.best().best < limit; };
-    row.askBelow([&] { return found() ? -kInfinite : limit; });
+bool anyBelow(AssignmentCosts& costs, int row, const float* prices, float limit) {
+    Row sums(costs, row, prices);
+    const auto found = [&] { return sums.best().best < limit; };
+    sums.askBelow([&] { return found() ? -kInfinite : limit; });
     return found();
 }
 

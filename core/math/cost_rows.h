@@ -84,11 +84,11 @@ template <class T> BestTwo<T> bestTwo(const float* costs, const T* prices, int c
     return result;
 }
 
-/// An object whose cost and price sum to at most `slack` more than the best of one person's, with that sum,
-/// and what no other sum is less than. Bounds that may hide better ones give way to costs.
-BestTwo<float> bestTwo(AssignmentCosts& costs, int person, const float* prices, float slack);
+/// A column whose cost and price sum to at most `slack` more than the best of the row, with that sum, and
+/// what no other sum is less than. Bounds that may hide better ones give way to costs.
+BestTwo<float> bestTwo(AssignmentCosts& costs, int row, const float* prices, float slack);
 
-/// Whether any of one person's costs and its price sum to less than `limit`.
-bool anyBelow(AssignmentCosts& costs, int person, const float* prices, float limit);
+/// Whether any cost of the row and the column's price sum to less than `limit`.
+bool anyBelow(AssignmentCosts& costs, int row, const float* prices, float limit);
 
 } // namespace texloom

@@ -2,21 +2,13 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/methods/registry.h"
+#include "core/io/model_file.h"
 
-#include <algorithm>
 #include <array>
 
 namespace texloom {
 
 namespace {
-
-/// Refuses an unknown word, and asks whether the known one that is most like it was meant, if any is like it.
-[[noreturn]] void refuseUnknown(const Message& sentence, std::string_view word,
-                                const std::vector<std::string>& known) {
-    const std::string near = nearest(word, known);
-    throw UsageError(near.empty() ? sentence : message("{} Did you mean {}?", sentence, near));
-}
 
 Message idsOf(const std::vector<Port>& ports) {
     std::vector<std::string> ids;
@@ -25,11 +17,21 @@ Message idsOf(const std::vector<Port>& ports) {
     return listOf(ids);
 }
 
-/// A picture of a port has the size that the port's extent wants.
-void checkExtent(const Port& port, const Image& image, Size size, const Message& like) {
-    if (image.size() != size)
+/// A picture of a port has the size that the port's extent wants, if it is there yet: what the method before
+/// makes is not while a run is planned.
+void checkExtent(const Port& port, const Asset& asset, Size size, const Message& like) {
+    const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset);
+    if (image && *image && (*image)->size() != size)
         failUsage("The picture for “{}” is {} × {} px, but {} is {} × {} px; it must be of that size.",
-                  Message(port.title), image.width(), image.height(), like, size.width, size.height);
+                  Message(port.title), (*image)->width(), (*image)->height(), like, size.width, size.height);
+}
+
+/// A port that takes a model takes the kind that its id says.
+void checkModel(const MethodInfo& info, const Port& port, const Asset& asset) {
+    const auto* model = std::get_if<std::shared_ptr<const Model>>(&asset);
+    if (model && *model && (*model)->kind != port.id)
+        failUsage("The input {} of {} takes a model of its own kind, and was given one of the kind {}.",
+                  port.id, Message(info.title), (*model)->kind);
 }
 
 /// Kinds and numbers of what was given to one port.
@@ -41,9 +43,11 @@ void checkPort(const MethodInfo& info, const Port& port, const std::vector<Asset
     if (count > port.most)
         failUsage("{} takes {} for its input {}, but {} were given.", Message(info.title), port.most, port.id,
                   count);
-    for (const Asset& asset : given)
+    for (const Asset& asset : given) {
         if (!isOf(port.kind, asset))
             failUsage("The input {} of {} takes {}.", port.id, Message(info.title), kindText(port.kind));
+        checkModel(info, port, asset);
+    }
 }
 
 /// Everything that was given goes into a port that there is.
@@ -73,8 +77,7 @@ void checkExemplar(const MethodInfo& info, const Request& request, const Exempla
             continue;
         checkPort(info, port, exemplar.inputs.at(port.id));
         for (const Asset& asset : exemplar.inputs.at(port.id))
-            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
-                checkExtent(port, **image, size, Message::verbatim(exemplar.name));
+            checkExtent(port, asset, size, Message::verbatim(exemplar.name));
     }
 }
 
@@ -103,8 +106,7 @@ void checkInputs(const MethodInfo& info, const Request& request) {
         if (port.extent != Extent::Output)
             continue;
         for (const Asset& asset : request.inputs.at(port.id))
-            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
-                checkExtent(port, **image, request.size, TR("the output"));
+            checkExtent(port, asset, request.size, TR("the output"));
     }
     if (const Image* initial = request.initial(); initial && initial->channels() != request.channels())
         failUsage("The image to start from has {} channels, the output {}; they need the same number.",
@@ -136,27 +138,15 @@ std::vector<Size> Request::exemplarSizes() const {
 }
 
 const Param& Method::param(std::string_view name) const {
-    std::vector<std::string> known;
-    for (const Param& param : m_params) {
-        if (param.name() == name)
-            return param;
-        known.push_back(param.name());
-    }
-    refuseUnknown(message("{} has no parameter {}; it has {}.", m_id, name, listOf(known)), name, known);
+    return paramNamed(m_params, m_id, name);
 }
 
 Values Method::defaults(Size exemplar) const {
-    Values values;
-    for (const Param& param : m_params)
-        values[param.name()] = param.defaultFor(exemplar.shorterSide());
-    return values;
+    return defaultsOf(m_params, exemplar.shorterSide());
 }
 
 Values Method::resolved(const Values& settings, Size exemplar) const {
-    Values values = defaults(exemplar);
-    for (const auto& [name, value] : settings)
-        values[name] = param(name).checked(value);
-    return values;
+    return resolvedValues(m_params, m_id, settings, exemplar.shorterSide());
 }
 
 void Method::check(const Request& request, const Values& settings) const {
@@ -207,29 +197,6 @@ Method named(std::string id, Method method) {
     if (method.m_info.input(kExemplarPort) && !method.m_info.input(kCompanionPort))
         method.m_info.takes.push_back(ports::companions());
     return method;
-}
-
-std::vector<const Method*> methodsByCategory() {
-    std::vector<const Method*> sorted;
-    for (const Method& method : methods())
-        sorted.push_back(&method);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Method* a, const Method* b) {
-        return a->info().category < b->info().category;
-    });
-    return sorted;
-}
-
-const Method& findMethod(std::string_view id) {
-    std::vector<std::string> known;
-    for (const Method& method : methods()) {
-        if (method.id() == id)
-            return method;
-        known.push_back(method.id());
-    }
-    for (const AbsentMethod& absent : absentMethods())
-        if (absent.id == id)
-            failUsage("{} is not part of this build. {}", id, Message(absent.reason));
-    refuseUnknown(message("There is no method {}; the methods are {}.", id, listOf(known)), id, known);
 }
 
 } // namespace texloom

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/base/param.h"
+#include "core/base/settings.h"
 #include "core/job/job_context.h"
 #include "core/methods/synthesis.h"
 
@@ -121,15 +121,6 @@ private:
     std::function<Estimate(const Request&, const Values&, int)> m_estimate;
     std::function<Synthesis(const Request&, const Values&, JobContext&)> m_run;
 };
-
-/// A settings struct filled from checked values.
-template <class Settings> Settings settingsFrom(const std::vector<Param>& params, const Values& values) {
-    Settings settings;
-    for (const Param& param : params)
-        if (const auto it = values.find(param.name()); it != values.end())
-            param.assign(&settings, it->second);
-    return settings;
-}
 
 /// Declares a method. @param info what it is; @param params one field() per member of Settings;
 /// @param run does the work; @param check throws where a request cannot be run with these settings;

@@ -5,6 +5,7 @@
 #include "core/io/file_name_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
+#include "core/session/run/asset_file.h"
 #include "core/session/run/exemplar_use.h"
 
 #include <fmt/format.h>
@@ -37,6 +38,42 @@ bool flagFrom(const JsonField& field) {
     if (!field.json().is_boolean())
         field.wrong(TR("true or false"));
     return field.json().get<bool>();
+}
+
+/// What a port of this id takes, as one of the methods says; an image where none of them is known.
+AssetKind kindOf(const std::vector<RecipeStep>& steps, const std::string& port) {
+    for (const RecipeStep& step : steps)
+        for (const Method& method : methods())
+            if (const Port* found = method.id() == step.method ? method.info().input(port) : nullptr)
+                return found->kind;
+    return AssetKind::Image;
+}
+
+/// The kinds of the files that are no pictures.
+std::map<fs::path, AssetKind> kindsOf(const Recipe& settings) {
+    std::map<fs::path, AssetKind> kinds;
+    for (const auto& [port, files] : settings.inputs)
+        for (const RecipeFile& file : files)
+            kinds[file.path] = kindOf(settings.steps, port);
+    return kinds;
+}
+
+/// A folder for copies of files that belong together, so that they keep their names: one that is not there,
+/// or holds the same already.
+fs::path placeForSet(const std::vector<fs::path>& files, const fs::path& folder) {
+    std::error_code error;
+    const auto others = [&](const fs::path& place) {
+        return std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+            const fs::path copy = place / file.filename();
+            return fs::exists(copy, error) &&
+                   (!fs::is_regular_file(copy, error) || fileHash(copy) != fileHash(file));
+        });
+    };
+    const std::string name = files.front().stem().string();
+    fs::path place = folder / name;
+    for (int copy = 2; others(place) || (fs::exists(place, error) && !fs::is_directory(place, error)); ++copy)
+        place = folder / fmt::format("{}_{}", name, copy);
+    return place;
 }
 
 /// Where a copy of `file` goes in `folder`: a name that no other file of the session has taken, and no file
@@ -74,6 +111,20 @@ void leaveOut(RecipeInputs& inputs, const fs::path& file) {
 bool liesIn(const fs::path& file, const fs::path& folder) {
     const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
     return !relative.empty() && *relative.begin() != "..";
+}
+
+/// Copies what is several files, such as a volume, and notes where each that is named went.
+void copySets(const Recipe& settings, const fs::path& folder, const fs::path& only,
+              std::map<fs::path, fs::path>& places) {
+    for (const auto& [path, kind] : kindsOf(settings)) {
+        const std::vector<fs::path> files = filesOf(kind, path);
+        if (files.size() == 1 || places.contains(path) || !(only.empty() || liesIn(path, only)))
+            continue;
+        const fs::path place = placeForSet(files, folder);
+        for (const fs::path& file : files)
+            copyTo(place / file.filename(), file);
+        places[path] = place / path.filename();
+    }
 }
 
 } // namespace
@@ -157,6 +208,7 @@ Session packSession(const fs::path& path, Session session, const fs::path& only)
             taken.insert(file->path);
             places[file->path] = file->path;
         }
+    copySets(session.settings, folder, only, places);
     for (RecipeFile* file : session.settings.files()) {
         const auto [place, isNew] = places.try_emplace(file->path, file->path);
         if (isNew && (only.empty() || liesIn(file->path, only))) {
@@ -183,8 +235,10 @@ std::vector<fs::path> missingFiles(const Session& session) {
 SessionFiles checkFiles(const Session& session) {
     SessionFiles files{missingFiles(session), {}};
     std::set<fs::path> seen(files.missing.begin(), files.missing.end());
+    std::map<fs::path, AssetKind> kinds = kindsOf(session.settings); // an image where it says nothing
     for (const RecipeFile* file : session.settings.files())
-        if (seen.insert(file->path).second && !file->hash.empty() && fileHash(file->path) != file->hash)
+        if (seen.insert(file->path).second && !file->hash.empty() &&
+            assetHash(kinds[file->path], file->path) != file->hash)
             files.changed.push_back(file->path);
     return files;
 }

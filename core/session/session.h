@@ -60,7 +60,7 @@ SessionFiles checkFiles(const Session& session);
 /// Only the files that are gone; quick.
 std::vector<std::filesystem::path> missingFiles(const Session& session);
 
-/// Takes up that a file was moved, and looks for other missing files in the same place relative to it.
+/// Notes that a file was moved, and looks for other missing files in the same place relative to it.
 void relocate(Session& session, const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Goes on without a file: without the exemplar whose image it is, or without the mask, companion map or

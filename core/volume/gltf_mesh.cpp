@@ -4,6 +4,7 @@
 #include "core/volume/mesh_formats.h"
 
 #include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -318,6 +319,22 @@ tinygltf::Model parsed(const fs::path& path, const std::string& bytes) {
 
 void readGltf(const fs::path& path, const std::string& bytes, MeshBuilder& builder) {
     Reader(path.string(), parsed(path, bytes), builder).read();
+}
+
+std::vector<fs::path> buffersOfGltf(const fs::path& path, const std::string& bytes) {
+    const auto json = nlohmann::json::parse(bytes, nullptr, false);
+    std::vector<fs::path> files;
+    if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array())
+        return files;
+    for (const auto& buffer : json["buffers"]) {
+        if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
+            continue;
+        const fs::path name = buffer["uri"].get<std::string>();
+        std::error_code error;
+        if (name == name.filename() && fs::is_regular_file(path.parent_path() / name, error))
+            files.push_back(path.parent_path() / name);
+    }
+    return files;
 }
 
 } // namespace texloom

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace texloom {
 
@@ -13,5 +14,8 @@ namespace texloom {
 void readObj(const std::filesystem::path& path, const std::string& bytes, MeshBuilder& builder);
 void readPly(const std::filesystem::path& path, const std::string& bytes, MeshBuilder& builder);
 void readGltf(const std::filesystem::path& path, const std::string& bytes, MeshBuilder& builder);
+
+/// The files in its own folder that a .gltf names as its buffers.
+std::vector<std::filesystem::path> buffersOfGltf(const std::filesystem::path& path, const std::string& bytes);
 
 } // namespace texloom

@@ -167,6 +167,15 @@ void writeRawVolume(const fs::path& path, const VolumeSource& source, const Box&
     head.commit();
 }
 
+std::vector<fs::path> filesOfRawVolume(const fs::path& path) {
+    try {
+        const Head head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestHead)));
+        return {path, path.parent_path() / head.data};
+    } catch (const Error&) {
+        return {path};
+    }
+}
+
 LoadedVolume readRawVolume(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
     const Head head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestHead)));
     const VolumeSize size = head.box.size;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "core/volume/volume_file.h"
+#include "core/volume/volume_options.h"
+
+#include <filesystem>
 
 namespace texloom {
 
@@ -9,5 +11,6 @@ void writeRawVolume(const std::filesystem::path& path, const VolumeSource& sourc
                     const VolumeWriteOptions& options, JobContext& context);
 LoadedVolume readRawVolume(const std::filesystem::path& path, JobContext& context,
                            const VolumeReadOptions& options);
+std::vector<std::filesystem::path> filesOfRawVolume(const std::filesystem::path& path);
 
 } // namespace texloom

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <map>
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostDigits = 9;
+constexpr std::size_t kFewestDigits = 4, kMostDigits = 9;
 constexpr const char* kPeriodAttribute = "texloom:period";
 
 /// A name such as bark-0042.png in its parts: "bark-", "0042", ".png".
@@ -123,10 +124,19 @@ bool sameKind(const ImageFileInfo& a, const ImageFileInfo& b) {
 
 } // namespace
 
+std::vector<fs::path> sliceFiles(const fs::path& path, int depth) {
+    const std::size_t digits = std::max(kFewestDigits, std::to_string(depth - 1).size());
+    std::vector<fs::path> files;
+    for (int z = 0; z < depth; ++z)
+        files.push_back(path.parent_path() / fmt::format("{}-{:0{}}{}", path.stem().string(), z, digits,
+                                                         path.extension().string()));
+    return files;
+}
+
 void writeSlices(const fs::path& path, const VolumeSource& source, const Box& box,
                  const VolumeWriteOptions& options, JobContext& context) {
     checkWritable(path, source.channels(), options.depth);
-    const std::vector<fs::path> files = volumeFiles(path, box.size.depth);
+    const std::vector<fs::path> files = sliceFiles(path, box.size.depth);
     checkNoneBehind(files);
     WriteOptions each;
     each.depth = options.depth;
@@ -140,6 +150,19 @@ void writeSlices(const fs::path& path, const VolumeSource& source, const Box& bo
         writeImage(series.add(files[static_cast<std::size_t>(z)]), picture, each);
     });
     series.commit();
+}
+
+std::vector<fs::path> filesOfSlices(const fs::path& path) {
+    const std::optional<SliceName> name = splitName(path);
+    std::vector<fs::path> files;
+    try {
+        if (name)
+            for (const auto& [number, file] : seriesOf(path, *name))
+                files.push_back(file);
+    } catch (const Error&) { // two have one number: no volume
+        files.clear();
+    }
+    return files.empty() ? std::vector<fs::path>{path} : files;
 }
 
 LoadedVolume readSlices(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {

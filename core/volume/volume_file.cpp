@@ -3,18 +3,15 @@
 #include "core/volume/raw_volume.h"
 #include "core/volume/slice_series.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 namespace texloom {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t kFewestDigits = 4;
 
 bool isRaw(const fs::path& path) {
     std::string extension = path.extension().string();
@@ -28,12 +25,11 @@ bool isRaw(const fs::path& path) {
 std::vector<fs::path> volumeFiles(const fs::path& path, int depth) {
     if (isRaw(path))
         return {path, fs::path(path).replace_extension(".raw")};
-    const std::size_t digits = std::max(kFewestDigits, std::to_string(depth - 1).size());
-    std::vector<fs::path> files;
-    for (int z = 0; z < depth; ++z)
-        files.push_back(path.parent_path() / fmt::format("{}-{:0{}}{}", path.stem().string(), z, digits,
-                                                         path.extension().string()));
-    return files;
+    return sliceFiles(path, depth);
+}
+
+std::vector<fs::path> filesOfVolume(const fs::path& path) {
+    return isRaw(path) ? filesOfRawVolume(path) : filesOfSlices(path);
 }
 
 void writeVolume(const fs::path& path, const VolumeSource& source, const Box& box,

@@ -25,6 +25,8 @@ SHOWN_ON = {
     "regular-tile": "solar_cells_blue.jpg",
     "texture-optimization": "crazy_paving.png",
 }
+# Methods that need a target follow a texture of this exemplar.
+TARGETS = {"texture-transfer": "crazy_paving.png"}
 SIDE = 384
 EXAMPLE = HERE.parent.parent / "tests/methods/examples/mirror_tile.cpp"
 GUIDE = HERE.parent.parent / "CONTRIBUTING.md"
@@ -34,10 +36,20 @@ def write_pages(cli, folder):
     subprocess.run([cli, "methods", "--markdown", folder], check=True)
 
 
+def synthesise(cli, method, exemplar, output, *options):
+    subprocess.run([cli, "synth", method, EXEMPLARS / exemplar, "--size", str(SIDE), "--seed", "1", "--quiet",
+                    "--no-sidecar", "-o", output, *options], check=True)
+
+
 def make_picture(cli, method):
-    exemplar = EXEMPLARS / SHOWN_ON.get(method, "soil_clods.png")
-    subprocess.run([cli, "synth", method, exemplar, "--size", str(SIDE), "--seed", "1", "--quiet", "--no-sidecar",
-                    "-o", HERE / "picture" / f"{method}.jpg"], check=True)
+    output = HERE / "picture" / f"{method}.jpg"
+    with tempfile.TemporaryDirectory() as folder:
+        options = []
+        if method in TARGETS:
+            target = pathlib.Path(folder) / "target.png"
+            synthesise(cli, "quilting", TARGETS[method], target)
+            options = ["--input", f"target={target}"]
+        synthesise(cli, method, SHOWN_ON.get(method, "soil_clods.png"), output, *options)
 
 
 def check(cli):

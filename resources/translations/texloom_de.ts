@@ -2757,6 +2757,86 @@
         <source>{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.</source>
         <translation>{} ist beschädigt: ein Eintrag des Kopfs soll {} Bytes haben, aber die Datei hat {}.</translation>
     </message>
+    <message>
+        <source>A picture of the exemplar to compare with the target, such as its height or its labels; without one, the blurred luminance of both is compared.</source>
+        <translation>Ein Bild der Vorlage, das mit dem Ziel verglichen wird, etwa ihre Höhe oder ihre Kennfarben; ohne eines wird die weichgezeichnete Helligkeit beider verglichen.</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Weichzeichnung</translation>
+    </message>
+    <message>
+        <source>Correspondence</source>
+        <translation>Entsprechung</translation>
+    </message>
+    <message>
+        <source>Gives the target&apos;s luminance the mean and the contrast of the exemplar&apos;s, so that dark targets, too, find patches of all tones.</source>
+        <translation>Gibt der Helligkeit des Ziels Mittelwert und Kontrast der Vorlage, damit auch dunkle Ziele Flicken aller Töne finden.</translation>
+    </message>
+    <message>
+        <source>How much luminance is blurred before it is compared: larger heeds only broad light and dark.</source>
+        <translation>Wie stark die Helligkeit vor dem Vergleich weichgezeichnet wird: mehr achtet nur auf großes Hell und Dunkel.</translation>
+    </message>
+    <message>
+        <source>How much the joins count in the first pass; the target has the rest. 1 is plain quilting.</source>
+        <translation>Wie viel die Anschlüsse im ersten Durchgang zählen; der Rest gehört dem Ziel. 1 ist gewöhnliches Quilting.</translation>
+    </message>
+    <message>
+        <source>How much the joins, and the pass before, count in the last pass; the target has the rest.</source>
+        <translation>Wie viel die Anschlüsse und der Durchgang davor im letzten Durchgang zählen; der Rest gehört dem Ziel.</translation>
+    </message>
+    <message>
+        <source>How often the output is quilted over, each time with smaller patches: more follow the target more closely.</source>
+        <translation>Wie oft die Ausgabe überarbeitet wird, jedes Mal mit kleineren Flicken: mehr folgen dem Ziel genauer.</translation>
+    </message>
+    <message>
+        <source>Match tones</source>
+        <translation>Töne angleichen</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Preparing the correspondence</source>
+        <translation>Entsprechung vorbereiten</translation>
+    </message>
+    <message>
+        <source>Shows a target picture in the exemplar&apos;s material: patches are quilted that follow the target&apos;s light and dark, with smaller patches in each pass.</source>
+        <translation>Zeigt ein Zielbild im Material der Vorlage: Es werden Flicken gesetzt, die dem Hell und Dunkel des Ziels folgen, in jedem Durchgang kleinere.</translation>
+    </message>
+    <message>
+        <source>Side of the patches in the first pass; each further pass takes two thirds of it. Larger shows more of the material, smaller more of the target.</source>
+        <translation>Seite der Flicken im ersten Durchgang; jeder weitere nimmt zwei Drittel davon. Größere zeigen mehr vom Material, kleinere mehr vom Ziel.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Texture in the first pass</source>
+        <translation>Textur im ersten Durchgang</translation>
+    </message>
+    <message>
+        <source>Texture in the last pass</source>
+        <translation>Textur im letzten Durchgang</translation>
+    </message>
+    <message>
+        <source>Texture transfer</source>
+        <translation>Texturübertragung</translation>
+    </message>
+    <message>
+        <source>The picture that the result is to look like from afar, of the output&apos;s size.</source>
+        <translation>Das Bild, dem das Ergebnis von weitem gleichen soll, in der Größe der Ausgabe.</translation>
+    </message>
+    <message>
+        <source>The target has {} channels, but the picture that corresponds to it for {} has {}; they are compared channel by channel, so give pictures of one kind.</source>
+        <translation>Das Ziel hat {} Kanäle, aber das Bild, das ihm bei {} entspricht, hat {}; sie werden Kanal für Kanal verglichen, bitte Bilder einer Art geben.</translation>
+    </message>
+    <message>
+        <source>{} has no picture that corresponds to the target, but another exemplar has; give one for each or for none.</source>
+        <translation>{} hat kein Bild, das dem Ziel entspricht, aber eine andere Vorlage hat eines; bitte jeder eines geben oder keiner.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

@@ -2757,6 +2757,86 @@
         <source>{} is damaged: an entry of its header says that it has {} bytes, but the file has {}.</source>
         <translation>{} est endommagé : une entrée de l’en-tête dit avoir {} octets, mais le fichier en a {}.</translation>
     </message>
+    <message>
+        <source>A picture of the exemplar to compare with the target, such as its height or its labels; without one, the blurred luminance of both is compared.</source>
+        <translation>Une image de l’exemplaire à comparer à la cible, comme sa hauteur ou ses étiquettes ; sans elle, les luminances floutées des deux sont comparées.</translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Flou</translation>
+    </message>
+    <message>
+        <source>Correspondence</source>
+        <translation>Correspondance</translation>
+    </message>
+    <message>
+        <source>Gives the target&apos;s luminance the mean and the contrast of the exemplar&apos;s, so that dark targets, too, find patches of all tones.</source>
+        <translation>Donne à la luminance de la cible la moyenne et le contraste de celle de l’exemplaire, pour que les cibles sombres trouvent aussi des morceaux de tous les tons.</translation>
+    </message>
+    <message>
+        <source>How much luminance is blurred before it is compared: larger heeds only broad light and dark.</source>
+        <translation>Combien la luminance est floutée avant la comparaison : plus grand ne suit que les larges clairs et sombres.</translation>
+    </message>
+    <message>
+        <source>How much the joins count in the first pass; the target has the rest. 1 is plain quilting.</source>
+        <translation>Combien comptent les raccords à la première passe ; le reste revient à la cible. 1 donne un quilting ordinaire.</translation>
+    </message>
+    <message>
+        <source>How much the joins, and the pass before, count in the last pass; the target has the rest.</source>
+        <translation>Combien comptent les raccords et la passe précédente à la dernière passe ; le reste revient à la cible.</translation>
+    </message>
+    <message>
+        <source>How often the output is quilted over, each time with smaller patches: more follow the target more closely.</source>
+        <translation>Combien de fois la sortie est recousue, chaque fois avec des morceaux plus petits : davantage suivent mieux la cible.</translation>
+    </message>
+    <message>
+        <source>Match tones</source>
+        <translation>Accorder les tons</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Passes</translation>
+    </message>
+    <message>
+        <source>Preparing the correspondence</source>
+        <translation>Préparation de la correspondance</translation>
+    </message>
+    <message>
+        <source>Shows a target picture in the exemplar&apos;s material: patches are quilted that follow the target&apos;s light and dark, with smaller patches in each pass.</source>
+        <translation>Montre une image cible dans la matière de l’exemplaire : des morceaux sont cousus qui suivent les clairs et les sombres de la cible, plus petits à chaque passe.</translation>
+    </message>
+    <message>
+        <source>Side of the patches in the first pass; each further pass takes two thirds of it. Larger shows more of the material, smaller more of the target.</source>
+        <translation>Côté des morceaux à la première passe ; chaque passe suivante en prend les deux tiers. Plus grand montre mieux la matière, plus petit la cible.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Texture in the first pass</source>
+        <translation>Texture à la première passe</translation>
+    </message>
+    <message>
+        <source>Texture in the last pass</source>
+        <translation>Texture à la dernière passe</translation>
+    </message>
+    <message>
+        <source>Texture transfer</source>
+        <translation>Transfert de texture</translation>
+    </message>
+    <message>
+        <source>The picture that the result is to look like from afar, of the output&apos;s size.</source>
+        <translation>L’image à laquelle le résultat doit ressembler de loin, de la taille de la sortie.</translation>
+    </message>
+    <message>
+        <source>The target has {} channels, but the picture that corresponds to it for {} has {}; they are compared channel by channel, so give pictures of one kind.</source>
+        <translation>La cible a {} canaux, mais l’image qui lui correspond pour {} en a {} ; elles sont comparées canal par canal, donnez des images de même nature.</translation>
+    </message>
+    <message>
+        <source>{} has no picture that corresponds to the target, but another exemplar has; give one for each or for none.</source>
+        <translation>{} n’a pas d’image qui corresponde à la cible, mais un autre exemplaire en a une ; donnez-en une à chacun ou à aucun.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

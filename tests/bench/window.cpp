@@ -46,15 +46,15 @@ qint64 firstPreview(MainWindow& window, Size output) {
     window.inspector()->output()->setOutputSize(output);
     QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
     QSignalSpy finished(window.desk()->controller(), &RunController::finished);
-    QSignalSpy stopped(window.desk()->controller(), &RunController::stopped);
+    QSignalSpy cancelled(window.desk()->controller(), &RunController::cancelled);
     QElapsedTimer clock;
     clock.start();
     window.startRun(false);
     if (!previewed.wait(kPatience))
         qFatal("no preview came");
     const qint64 taken = clock.elapsed();
-    window.desk()->stop();
-    while (stopped.isEmpty() && finished.isEmpty())
+    window.desk()->cancel();
+    while (cancelled.isEmpty() && finished.isEmpty())
         QTest::qWait(5);
     return taken;
 }

@@ -1,6 +1,7 @@
 // Methods of kinds that no shipped method has, through the command line.
 
 #include "core/io/image_file.h"
+#include "core/io/model_file.h"
 #include "core/session/run/checkpoint_file.h"
 #include "tests/cli/program.h"
 #include "tests/support/textures.h"
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <set>
 #include <thread>
 
 namespace texloom::test {
@@ -89,6 +91,94 @@ TEST_F(Doors, WhatTakesNothingUpCannotFollow) {
                   {"Slow diffusion", "Image quilting"});
 }
 
+TEST_F(Doors, AModelIsSavedTakenUpAndInTheRecipe) {
+    EXPECT_THAT(run({"methods", "learn-moments"}), HasSubstr("--save moments=FILE"));
+    const std::string told = run({"synth", "learn-moments", "bark.png", "-o", "learned.png", "--save",
+                                  "moments=bark.safetensors", "--report", "report.json"});
+    EXPECT_THAT(told, HasSubstr("bark.safetensors: Colour moments, 12 numbers, 96 B"));
+    EXPECT_EQ(json("report.json").at("outputs").at(0).at("output"), "moments");
+    EXPECT_EQ(json("learned.json").at("outputs").at(1).at("file"), "bark.safetensors");
+    run({"synth", "draw-moments", "bark.png", "--input", "moments=bark.safetensors", "--size", "40x30", "-o",
+         "drawn.exr"});
+    const Json input = json("drawn.json").at("inputs").at("moments").at(0);
+    EXPECT_EQ(input.at("file"), "bark.safetensors");
+    EXPECT_EQ(input.at("sha1"), fileHash(m_folder / "bark.safetensors"));
+    run({"run", "drawn.json", "-o", "again.exr"});
+    EXPECT_TRUE(samePixels(image("drawn.exr"), image("again.exr")));
+    run({"synth", "learn-moments", "bark.png", "--then", "draw-moments", "-o", "both.exr", "--save",
+         "moments=both.safetensors"});
+    EXPECT_EQ(readModel(m_folder / "both.safetensors").arrays,
+              readModel(m_folder / "bark.safetensors").arrays);
+}
+
+TEST_F(Doors, AVolumeIsSavedAndTakenUp) {
+    const std::vector<std::string> noise = {"synth", "solid-noise", "bark.png", "--size", "20x16"};
+    const auto with = [](std::vector<std::string> all, std::vector<std::string> more) {
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    run(with(noise, {"-o", "noise.exr", "--save", "volume=block.json"}));
+    EXPECT_EQ(json("block.json").at("size"), (Json{20, 16, 16}));
+    EXPECT_EQ(json("block.json").at("recipe").at("method"), "solid-noise");
+    run(with(noise, {"-o", "noise.exr", "--save", "volume=block.tif"}));
+    EXPECT_TRUE(fs::exists(m_folder / "block-0015.tif"));
+    const std::vector<std::string> bend = {"synth", "bend-by-volume", "bark.png", "--size", "20x16"};
+    run(with(bend, {"--input", "volume=block.json", "-o", "bent.png"}));
+    run(with(noise, {"--then", "bend-by-volume", "-o", "both.png"}));
+    EXPECT_TRUE(samePixels(image("bent.png"), image("both.png")));
+    run({"run", "bent.json", "-o", "again.png"});
+    EXPECT_TRUE(samePixels(image("bent.png"), image("again.png")));
+    expectRefusal({"synth", "bend-by-volume", "bark.png", "--size", "20x17", "--input", "volume=block.json",
+                   "-o", "out.png"},
+                  {"y 0 to 15", "y 0 to 16"});
+}
+
+TEST_F(Doors, WhatCannotBeSavedIsRefusedBeforeTheRun) {
+    const auto learn = [](const std::string& save) {
+        return std::vector<std::string>{"synth",   "learn-moments", "bark.png", "-o",
+                                        "out.png", "--save",        save};
+    };
+    expectRefusal(learn("model=m.safetensors"), {"model", "moments"});
+    expectRefusal(learn("moments=m.png"), {"m.png", ".safetensors"});
+    expectRefusal(learn("moments"), {"NAME=FILE"});
+    expectRefusal({"synth", "quilting", "bark.png", "-o", "out.png", "--save", "volume=v.json"},
+                  {"Image quilting", "volume"});
+    expectRefusal({"synth", "solid-noise", "bark.png", "-o", "out.png", "--save", "volume=out.json"},
+                  {"out.json", "recipe"});
+    EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+}
+
+TEST_F(Doors, ModelsThatDoNotFitAreRefusedAndNothingIsWritten) {
+    const auto draw = [](const std::vector<std::string>& inputs) {
+        std::vector<std::string> all = {"synth", "draw-moments", "bark.png", "-o", "out.png"};
+        for (const std::string& input : inputs)
+            all.insert(all.end(), {"--input", "moments=" + input});
+        return all;
+    };
+    Model model;
+    model.kind = "something-else";
+    writeModel(m_folder / "other.safetensors", model);
+    expectRefusal(draw({}), {"Draw colour moments", "moments"});
+    expectRefusal(draw({"other.safetensors"}), {"other.safetensors", "something-else", "moments"});
+    const Ended picture = ended(draw({"bark.png"}));
+    EXPECT_EQ(picture.status, 1);
+    EXPECT_THAT(picture.err, HasSubstr("bark.png is damaged or no model"));
+    run({"synth", "learn-moments", "bark.png", "-o", "learned.png", "--save", "moments=m.safetensors"});
+    expectRefusal(draw({"m.safetensors", "m.safetensors"}), {"Draw colour moments", "1", "2"});
+    EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+}
+
+TEST_F(Doors, EachIsListedAsOthersAre) {
+    std::set<std::string> ids;
+    for (const Json& method : Json::parse(run({"methods", "--json"})))
+        ids.insert(method.at("id").get<std::string>());
+    for (const char* id : {"mirror-tile", "stipple", "learn-moments", "solid-noise"})
+        EXPECT_TRUE(ids.contains(id)) << id;
+    run({"methods", "--markdown", "pages"});
+    EXPECT_THAT(readText(m_folder / "pages" / "learn-moments.md"), HasSubstr("--save moments=FILE"));
+    run({"synth", "mirror-tile", "bark.png", "--wrap", "xy", "-o", "out.png"});
+}
+
 TEST_F(Doors, ARunThatWasKilledGoesOnAsThoughItHadNotBeen) {
     const std::vector<std::string> whole = {"synth", "slow-diffusion", "bark.png", "--size",
                                             "64",    "--set",          "rounds=40"};
@@ -118,6 +208,27 @@ TEST_F(Doors, ADamagedCheckpointOrAnotherFileOfItsNameIsLeftAlone) {
     writeText(m_folder / "out.exr.checkpoint", "my notes");
     expectRefusal(arguments, {"out.exr.checkpoint", "damaged"});
     EXPECT_EQ(readText(m_folder / "out.exr.checkpoint"), "my notes");
+}
+
+TEST_F(Doors, AToolEditsExemplars) {
+    const Json ripple = Json::parse(run({"tools", "ripple", "--json"})).front();
+    EXPECT_EQ(ripple.at("actsOn"), "image-mask-and-companions");
+    EXPECT_THAT(run({"tools"}), HasSubstr("--edit ripple=…"));
+    const std::vector<std::string> arguments = {"synth",   "quilting", "bark.png", "-o",
+                                                "out.exr", "--set",    "patch=8",  "--size",
+                                                "40x40",   "--quiet",  "--edit",   "ripple=3 length=12"};
+    run(arguments);
+    const Json edits = json("out.json").at("exemplars").at(0).at("edits");
+    EXPECT_EQ(edits, Json::parse(R"([{"length": 12, "ripple": 3.0}])"));
+    run({"run", "out.json", "-o", "again.exr"});
+    EXPECT_TRUE(samePixels(image("out.exr"), image("again.exr")));
+    std::vector<std::string> wrong = arguments;
+    wrong.back() = "ripple=9";
+    expectRefusal(wrong, {"ripple = 9: Height goes from 0 to 8 px."});
+    wrong.back() = "riple=3";
+    expectRefusal(wrong, {"riple", "Did you mean ripple?"});
+    wrong.back() = "3:ripple=3";
+    expectRefusal(wrong, {"3:ripple=3", "1"});
 }
 
 } // namespace texloom::test

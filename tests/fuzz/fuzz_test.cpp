@@ -7,6 +7,7 @@
 #include "core/session/batch/batch.h"
 #include "core/volume/mesh_file.h"
 #include "core/volume/volume_file.h"
+#include "tests/core/tools/sample_edits.h"
 #include "tests/fuzz/damage.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temporary_folder.h"
@@ -174,8 +175,8 @@ TEST(Fuzz, RecipesAreReadOrRefused) {
     recipe.steps.front().parameters = {
         {"patch", 40}, {"overlap", 0.25}, {"stitch", std::string("cut")}, {"on", true}};
     recipe.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, RecipeFile{"/a/mask.png", "raw", ""}, {}}};
-    recipe.exemplars.front().edits = {CropEdit{{1, 2, {30, 40}}}, RotateEdit{-12.5},
-                                      RectifyEdit{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}}, {}}, FlattenEdit{}};
+    recipe.exemplars.front().edits = {crop(1, 2, 30, 40), turn(-12.5),
+                                      rectify({{0, 0}, {20, 0}, {20, 20}, {0, 20}}), flatten("smooth")};
     recipe.size = {512, 256};
     recipe.seed = 18446744073709551615ULL;
     const std::vector<std::string> originals = {

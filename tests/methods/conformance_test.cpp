@@ -1,9 +1,14 @@
-// The promises that every registered method keeps. A new method is tested here by being registered.
+// The promises that every registered method keeps, as they are kept by what the window and the command line
+// run. A new method is tested here by being registered.
 
 #include "core/base/error.h"
+#include "core/io/model_file.h"
 #include "core/job/job.h"
-#include "core/methods/method.h"
+#include "core/session/run/run.h"
+#include "core/volume/mesh.h"
+#include "core/volume/volume_source.h"
 #include "tests/methods/every_method.h"
+#include "tests/methods/made_up_ports.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
 #include "tests/support/time_limit.h"
@@ -14,7 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <thread>
 
 namespace texloom::test {
@@ -36,19 +41,6 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed 
     return request;
 }
 
-/// Something made up for every port that the method cannot do without.
-void fillPorts(const MethodInfo& info, Request& request) {
-    for (const Port& port : info.takes) {
-        if (port.least == 0 || port.id == kExemplarPort)
-            continue;
-        for (Exemplar& exemplar : request.exemplars)
-            if (port.extent == Extent::Exemplar && exemplar.inputs.at(port.id).empty())
-                exemplar.inputs.set(port.id, shared(blobs(exemplar.image->size(), request.channels(), 3)));
-        if (port.extent != Extent::Exemplar && request.inputs.at(port.id).empty())
-            request.inputs.set(port.id, shared(blobs(request.size, request.channels(), 3)));
-    }
-}
-
 /// The defaults, but with no more than three iterations: they are alike in all that is asked here.
 Values briefSettings(const Method& method, const Request& request) {
     Values settings = method.resolved({}, request.exemplars.front().image->size());
@@ -58,24 +50,97 @@ Values briefSettings(const Method& method, const Request& request) {
     return settings;
 }
 
+ExemplarFile madeUp(const std::shared_ptr<const Image>& image) {
+    ExemplarFile file;
+    file.path = "made up";
+    file.image = image;
+    return file;
+}
+
+InputFiles filesOf(const Assets& assets) {
+    InputFiles files;
+    for (const auto& [port, given] : assets.byPort())
+        for (const Asset& asset : given) {
+            InputFile file;
+            if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset))
+                file.file = madeUp(*image);
+            file.asset = asset;
+            files[port].push_back(std::move(file));
+        }
+    return files;
+}
+
+/// What the window and the command line would have for this request.
+RunInput inputFor(const Method& method, const Request& request, const Values& settings) {
+    RunInput input;
+    input.steps.front() = {method.id(), settings};
+    for (const Exemplar& exemplar : request.exemplars) {
+        RunExemplar& given = input.exemplars.emplace_back();
+        given.image = madeUp(exemplar.image);
+        given.inputs = filesOf(exemplar.inputs);
+        if (const auto mask = given.inputs.find(std::string(kMaskPort)); mask != given.inputs.end()) {
+            given.mask = mask->second.front().file;
+            given.inputs.erase(mask);
+        }
+        given.weight = exemplar.weight;
+    }
+    input.inputs = filesOf(request.inputs);
+    input.size = request.size;
+    input.wrap = request.wrap;
+    input.seed = request.seed;
+    input.region = request.region;
+    input.judged = false;
+    return input;
+}
+
+/// The plan of a run, however much memory this machine has. @param threads 0: one per core
+RunPlan planFor(const Method& method, const Request& request, const Values& settings, int threads = 0) {
+    RunInput input = inputFor(method, request, settings);
+    input.threads = threads;
+    return planRun(input, std::numeric_limits<std::uint64_t>::max());
+}
+
 Synthesis runWith(const Method& method, Request request, int threads) {
     if (!request.size.empty() && request.size.longerSide() <= kLargestSide)
         fillPorts(method.info(), request);
-    const Values settings = briefSettings(method, request);
-    method.check(request, settings);
-    Job<Synthesis> job({request.seed, threads, false},
-                       [&](JobContext& context) { return method.run(request, settings, context); });
-    Outcome<Synthesis> outcome = job.take();
+    const auto job = startRun(planFor(method, request, briefSettings(method, request), threads), false);
+    Outcome<Result> outcome = job->take();
     if (const auto* failure = std::get_if<Failure>(&outcome))
         throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return std::get<Result>(std::move(outcome)).synthesis;
 }
 
-/// A request that keeps nearly every method busy for seconds, so that it can be watched and stopped.
-Request longRequest(const MethodInfo& info) {
+/// A run that keeps nearly every method busy for seconds, so that it can be watched and stopped.
+RunPlan longPlan(const Method& method) {
     Request request = requestFor({256, 256}, 3, {4096, 4096});
-    fillPorts(info, request);
-    return request;
+    fillPorts(method.info(), request);
+    return planFor(method, request, {});
+}
+
+/// The voxels of a box, on so many threads.
+Volume sampled(const VolumeSource& source, const Box& box, int threads = 2) {
+    JobMonitor monitor;
+    JobContext context(
+        {0, threads, false}, [] { return false; }, monitor);
+    return source.sample(box, context);
+}
+
+/// A box that a source has.
+Box boxOf(const VolumeSource& source) {
+    return source.bounds().value_or(Box{-5, 3, -2, {12, 10, 9}});
+}
+
+void expectSameAsset(const Asset& a, const Asset& b) {
+    ASSERT_EQ(a.index(), b.index());
+    if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&a)) {
+        EXPECT_EQ(**model, *std::get<std::shared_ptr<const Model>>(b));
+    } else if (const auto* volume = std::get_if<std::shared_ptr<const VolumeSource>>(&a)) {
+        const Box box = boxOf(**volume);
+        EXPECT_TRUE(sameVoxels(sampled(**volume, box, 1),
+                               sampled(*std::get<std::shared_ptr<const VolumeSource>>(b), box, 5)));
+    } else if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&a)) {
+        EXPECT_TRUE(samePixels(**image, *std::get<std::shared_ptr<const Image>>(b)));
+    }
 }
 
 class Conformance : public testing::TestWithParam<std::string> {
@@ -84,6 +149,11 @@ protected:
     void expectSame(const Synthesis& a, const Synthesis& b) const {
         EXPECT_TRUE(samePixels(a.image, b.image));
         EXPECT_EQ(a.map, b.map);
+        for (const auto& [port, assets] : a.outputs.byPort()) {
+            ASSERT_EQ(assets.size(), b.outputs.at(port).size()) << port;
+            for (std::size_t i = 0; i < assets.size(); ++i)
+                expectSameAsset(assets[i], b.outputs.at(port)[i]);
+        }
     }
 };
 
@@ -108,16 +178,15 @@ TEST_P(Conformance, anotherSeedMattersAsTheMethodSays) {
 }
 
 TEST_P(Conformance, cancelAnswersAtOnce) {
-    const Request request = longRequest(method().info());
-    const Values settings = method().resolved({}, request.exemplars.front().image->size());
+    const RunPlan plan = longPlan(method());
     const auto timeToCancel = [&]() -> std::chrono::nanoseconds {
-        Job<Synthesis> job({}, [&](JobContext& context) { return method().run(request, settings, context); });
+        const auto job = startRun(plan, false);
         const auto begun = Clock::now();
-        while (job.monitor().progress() < 0.02 && !job.finished() && Clock::now() - begun < 3s)
+        while (job->monitor().progress() < 0.02 && !job->finished() && Clock::now() - begun < 3s)
             std::this_thread::sleep_for(1ms);
         const auto asked = Clock::now();
-        job.cancel();
-        EXPECT_TRUE(std::holds_alternative<Cancelled>(job.take()));
+        job->cancel();
+        EXPECT_TRUE(std::holds_alternative<Cancelled>(job->take()));
         return Clock::now() - asked;
     };
     const auto limit = limitNow(method().info().cancelsWithin);
@@ -129,20 +198,19 @@ TEST_P(Conformance, cancelAnswersAtOnce) {
 TEST_P(Conformance, progressNeverFallsAndEndsAtOne) {
     Request request = requestFor({64, 64}, 3, {512, 512});
     fillPorts(method().info(), request);
-    const Values settings = briefSettings(method(), request);
-    Job<Synthesis> job({}, [&](JobContext& context) { return method().run(request, settings, context); });
+    const auto job = startRun(planFor(method(), request, briefSettings(method(), request)), false);
     double last = 0;
     bool named = false;
-    while (!job.finished()) {
-        const double now = job.monitor().progress();
+    while (!job->finished()) {
+        const double now = job->monitor().progress();
         EXPECT_GE(now, last);
         last = now;
-        named = named || !job.monitor().stage().empty();
+        named = named || !job->monitor().stage().empty();
         std::this_thread::yield();
     }
-    EXPECT_EQ(job.monitor().progress(), 1);
+    EXPECT_EQ(job->monitor().progress(), 1);
     EXPECT_TRUE(named);
-    job.take();
+    EXPECT_TRUE(std::holds_alternative<Result>(job->take()));
 }
 
 TEST_P(Conformance, stagesMakeUpTheWhole) {
@@ -151,25 +219,23 @@ TEST_P(Conformance, stagesMakeUpTheWhole) {
         if (method().info().canWrap())
             request.wrap = wrap;
         fillPorts(method().info(), request);
+        const RunPlan plan = planFor(method(), request, briefSettings(method(), request));
         JobMonitor monitor;
         JobContext context(
             {request.seed, 2, false}, [] { return false; }, monitor);
         context.step(0, 0.5); // half of a run, so that more than the whole would show, too
-        method().run(request, briefSettings(method(), request), context);
+        method().run(plan.requestFor(0, method().info()), plan.steps.front().settings, context);
         context.stage(0, "what follows");
         EXPECT_NEAR(monitor.progress(), 0.5, 1e-6) << "half the sum of the stages' weights";
     }
 }
 
 TEST_P(Conformance, previewsComeWhileItRuns) {
-    const Request request = longRequest(method().info());
-    const Values settings = method().resolved({}, request.exemplars.front().image->size());
-    Job<Synthesis> job({0, 0, true},
-                       [&](JobContext& context) { return method().run(request, settings, context); });
+    const auto job = startRun(longPlan(method()), true);
     int previews = 0;
     const auto start = Clock::now();
-    while (previews < 3 && !job.finished()) {
-        if (const auto preview = job.monitor().takePreview()) {
+    while (previews < 3 && !job->finished()) {
+        if (const auto preview = job->monitor().takePreview()) {
             ++previews;
             EXPECT_EQ((preview->fullSize.width + preview->step - 1) / preview->step, preview->image.width());
         }
@@ -196,6 +262,53 @@ TEST_P(Conformance, givesWhatItSays) {
         EXPECT_NE(method().info().output(id), nullptr) << id << " is not declared";
 }
 
+TEST_P(Conformance, modelsAreOfTheKindThatTheirPortSays) {
+    const Synthesis result = runWith(method(), requestFor({50, 61}, 3, {97, 80}), 2);
+    for (const Port& port : method().info().gives)
+        if (port.kind == AssetKind::Model) {
+            ASSERT_NE(result.outputs.first<Model>(port.id), nullptr) << port.id;
+            EXPECT_EQ(result.outputs.first<Model>(port.id)->kind, port.id);
+        }
+    for (const Port& port : method().info().takes) {
+        if (port.kind != AssetKind::Model)
+            continue;
+        Request request = requestFor({50, 61}, 3, {97, 80});
+        auto other = std::make_shared<Model>();
+        other->kind = "another";
+        request.inputs.set(port.id, std::shared_ptr<const Model>(other));
+        try {
+            runWith(method(), request, 1);
+            ADD_FAILURE() << "a model of another kind was taken";
+        } catch (const UsageError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(port.id));
+            EXPECT_THAT(error.what(), HasSubstr("another"));
+        }
+    }
+}
+
+TEST_P(Conformance, boxesOfVolumesEqualThatPartOfLargerOnes) {
+    const Synthesis result = runWith(method(), requestFor({50, 61}, 3, {97, 80}), 2);
+    for (const auto& [port, assets] : result.outputs.byPort()) {
+        const auto source = result.outputs.first<VolumeSource>(port);
+        if (!source)
+            continue;
+        const Box whole = boxOf(*source);
+        const Volume all = sampled(*source, whole);
+        const Box part{whole.x + whole.size.width / 3,
+                       whole.y + whole.size.height / 2,
+                       whole.z + whole.size.depth / 4,
+                       {whole.size.width / 2, whole.size.height / 3, whole.size.depth / 2}};
+        const Volume alone = sampled(*source, part);
+        for (int c = 0; c < all.channels(); ++c)
+            for (int z = 0; z < part.size.depth; ++z)
+                for (int y = 0; y < part.size.height; ++y)
+                    for (int x = 0; x < part.size.width; ++x)
+                        ASSERT_EQ(alone(x, y, z, c), all(static_cast<int>(part.x - whole.x) + x,
+                                                         static_cast<int>(part.y - whole.y) + y,
+                                                         static_cast<int>(part.z - whole.z) + z, c));
+    }
+}
+
 TEST_P(Conformance, whatHasNoPortIsRefusedByName) {
     Request request = requestFor({50, 61}, 3, {97, 80});
     request.inputs.set("nonesuch", shared(constant({97, 80}, 3, 0.5F)));
@@ -208,24 +321,15 @@ TEST_P(Conformance, whatHasNoPortIsRefusedByName) {
 }
 
 TEST_P(Conformance, stopsEarlyWithWhatItHas) {
-    const Request request = longRequest(method().info());
-    const Values settings = method().resolved({}, request.exemplars.front().image->size());
-    std::optional<PartialWork> kept;
-    Job<Synthesis> job({0, 0, false}, [&](JobContext& context) {
-        try {
-            return method().run(request, settings, context);
-        } catch (const StoppedEarly&) {
-            kept = context.takePartial();
-            return Synthesis();
-        }
-    });
-    job.stopAndKeep();
-    const Outcome<Synthesis> outcome = job.take();
-    ASSERT_TRUE(std::holds_alternative<Synthesis>(outcome)) << "stopping early is not a failure";
-    if (kept) {
-        EXPECT_EQ(kept->image.channels(), request.channels());
-        EXPECT_FALSE(kept->image.empty());
-    }
+    const RunPlan plan = longPlan(method());
+    const auto job = startRun(plan, false);
+    job->stopAndKeep();
+    const Outcome<Result> outcome = job->take();
+    ASSERT_TRUE(std::holds_alternative<Result>(outcome)) << "stopping early is not a failure";
+    const auto& result = std::get<Result>(outcome);
+    EXPECT_EQ(result.synthesis.image.channels(), plan.request.resultChannels());
+    EXPECT_EQ(result.synthesis.image.size(), plan.request.size);
+    EXPECT_LT(result.stoppedAt.value_or(0), 1);
 }
 
 TEST_P(Conformance, exactMapGivesTheResult) {
@@ -316,14 +420,15 @@ TEST_P(Conformance, regionsEqualTheCropOfTheWhole) {
 TEST_P(Conformance, memoryStaysWithinTheEstimate) {
     if (kSanitized)
         GTEST_SKIP() << "skipped: a sanitizer's own memory is not the method's";
-    const Request request = requestFor({200, 180}, 3, {1500, 1400});
-    const Values settings = briefSettings(method(), request);
-    const Estimate estimate = method().estimate(request, settings, 2);
+    Request request = requestFor({200, 180}, 3, {1500, 1400});
+    fillPorts(method().info(), request);
+    const std::uint64_t bytes =
+        planFor(method(), request, briefSettings(method(), request), 2).estimate.bytes;
     const auto growth = peakGrowth([&] { runWith(method(), request, 2); });
     if (!growth)
         GTEST_SKIP() << "skipped: the kernel does not let the peak be reset";
-    EXPECT_GT(*growth, estimate.bytes / 20) << "the estimate has nothing to do with the run";
-    EXPECT_LE(*growth, estimate.bytes);
+    EXPECT_GT(*growth, bytes / 20) << "the estimate has nothing to do with the run";
+    EXPECT_LE(*growth, bytes);
 }
 
 TEST_P(Conformance, valuesOutOfRangeAreRefusedByNameAndLimit) {

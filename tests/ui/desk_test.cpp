@@ -134,23 +134,38 @@ private Q_SLOTS:
         QCOMPARE(desk.last().key, desk.history()->entries().back().key);
     }
 
-    void aStoppedRunLeavesTheWayBack() {
+    void aCancelledRunLeavesWhatWasBefore() {
         RunDesk desk(m_folder.filePath(QStringLiteral("stopped")));
         desk.run(runOf(1), false);
         QTRY_VERIFY_WITH_TIMEOUT(desk.resultShown(), kPatience);
-        QSignalSpy stopped(&desk, &RunDesk::stopped), previewed(&desk, &RunDesk::previewed);
+        QSignalSpy cancelled(&desk, &RunDesk::cancelled), previewed(&desk, &RunDesk::previewed);
         desk.run(longRun(2), false);
         QTRY_VERIFY_WITH_TIMEOUT(!previewed.isEmpty(), kPatience);
         QVERIFY(!desk.resultShown() && desk.running());
         QCOMPARE(desk.shownPlan()->request.seed, 2U);
-        desk.stop();
-        QVERIFY(stopped.wait(kPatience));
-        QVERIFY(!desk.running() && !desk.resultShown());
+        desk.cancel();
+        QVERIFY(cancelled.wait(kPatience));
+        QVERIFY(!desk.running() && desk.resultShown());
         QCOMPARE(desk.result()->plan.request.seed, 1U);
-        desk.showLast();
-        QVERIFY(desk.resultShown());
         QCOMPARE(desk.shownPlan()->request.seed, 1U);
         QCOMPARE(desk.history()->rowCount(), 1);
+    }
+
+    void aStoppedRunIsKeptAndTheNextBegins() {
+        RunDesk desk(m_folder.filePath(QStringLiteral("stopped")));
+        QSignalSpy previewed(&desk, &RunDesk::previewed), kept(&desk, &RunDesk::kept);
+        desk.run(longRun(2), false);
+        QTRY_VERIFY_WITH_TIMEOUT(!previewed.isEmpty(), kPatience);
+        desk.enqueue(runOf(3));
+        desk.stopAndKeep();
+        QTRY_COMPARE_WITH_TIMEOUT(kept.size(), 2, kPatience);
+        const std::vector<ResultEntry>& entries = desk.history()->entries();
+        QVERIFY(entries.front().stoppedAt && *entries.front().stoppedAt < 1 && !entries.back().stoppedAt);
+        QCOMPARE(desk.result()->plan.request.seed, 2U);
+        QCOMPARE(desk.result()->stoppedAt, entries.front().stoppedAt);
+        QVERIFY(expectedSeconds(planRun(runOf(3)), entries).has_value());
+        QVERIFY2(!expectedSeconds(planRun(longRun(2)), entries),
+                 "a part tells nothing of how long all takes");
     }
 
     void whatCannotBeRunIsRefusedOnce() {

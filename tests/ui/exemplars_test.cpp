@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "core/io/image_file.h"
 #include "core/session/export/export.h"
 #include "tests/ui/window_fixture.h"
@@ -204,6 +205,26 @@ private Q_SLOTS:
         QCOMPARE(m_window->inspector()->output()->seed(), seed);
         QVERIFY(m_window->inspector()->output()->outputSize() == size);
         QCOMPARE(m_window->store()->current()->file().name(), std::string("source"));
+    }
+
+    void aRecipeOfAnotherBuildSaysSo() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("source.png"), {64, 64})));
+        ExportOptions options;
+        options.image = toPath(m_folder.filePath(QStringLiteral("made.png")));
+        exportResult(*m_window->desk()->result(), options);
+        const QString recipe = m_folder.filePath(QStringLiteral("made.json"));
+        for (const bool other : {false, true}) {
+            if (other) {
+                QString text = QString::fromStdString(readText(toPath(recipe)));
+                text.replace(QLatin1String(kVersion), QStringLiteral("0.0.9+abc"));
+                writeText(toPath(recipe), text.toStdString());
+            }
+            m_window->openFiles({recipe});
+            QSignalSpy replaced(m_window->store(), &ExemplarStore::replaced);
+            child<QPushButton>(*m_window, "messageAction")->click();
+            QVERIFY(replaced.wait());
+            QTRY_COMPARE(m_window->messages()->text().contains(QStringLiteral("0.0.9+abc")), other);
+        }
     }
 
     void bundledExemplarsAreOnTheStartPage() {

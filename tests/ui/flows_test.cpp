@@ -87,7 +87,7 @@ int beVictim(const QString& folder) {
     if (!openAndFinish(window, folder + QStringLiteral("/bark.png")))
         return 1;
     window.desk()->history()->waitForDisk();
-    window.store()->setEdits(window.store()->current()->id, {RotateEdit{90}}, {});
+    window.store()->setEdits(window.store()->current()->id, {{{"rotate", 90.0}}}, {});
     window.inspector()->setValues({{"patch", 16}});
     window.inspector()->output()->setOutputSize({4096, 4000});
     QSignalSpy previewed(window.desk()->controller(), &RunController::previewed);
@@ -220,7 +220,7 @@ private Q_SLOTS:
         auto* box = child<QMessageBox>(window, "recoveryDialog");
         child<QPushButton>(*box, "recover")->click();
         QTRY_COMPARE(window.store()->entries().size(), 1U);
-        QVERIFY((window.store()->current()->exemplar.edits == ExemplarEdits{RotateEdit{90}}));
+        QVERIFY((window.store()->current()->exemplar.edits == ExemplarEdits{{{"rotate", 90.0}}}));
         QVERIFY((window.inspector()->output()->outputSize() == Size{4096, 4000}));
         QVERIFY(window.inspector()->rows().front()->value() == Value(16));
     }
@@ -247,9 +247,8 @@ private Q_SLOTS:
             QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
             check(window);
             child<QAction>(window, "editExemplar")->trigger();
-            for (const auto tool :
-                 {EditCanvas::Tool::Crop, EditCanvas::Tool::Rectify, EditCanvas::Tool::Hide}) {
-                window.exemplarEditor()->setTool(tool);
+            for (const char* mode : {"crop", "rectify", "hide"}) {
+                window.exemplarEditor()->setMode(QLatin1String(mode));
                 check(window);
             }
             child<QAction>(window, "editExemplar")->trigger();
@@ -327,8 +326,8 @@ private Q_SLOTS:
 private:
     static void rectify(MainWindow& window) {
         child<QAction>(window, "editExemplar")->trigger();
-        window.exemplarEditor()->setTool(EditCanvas::Tool::Rectify);
-        child<QPushButton>(window, "applyRectify")->click();
+        window.exemplarEditor()->setMode(QStringLiteral("rectify"));
+        child<QPushButton>(window, "apply-rectify")->click();
         QTRY_COMPARE(window.store()->current()->exemplar.edits.size(), 1U);
         child<QPushButton>(window, "editDone")->click();
     }

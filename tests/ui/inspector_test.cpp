@@ -35,6 +35,10 @@ Value otherValue(const Param& param) {
     case Param::Type::Choice:
         return param.choices().front().id == std::get<std::string>(usual) ? param.choices().back().id
                                                                           : param.choices().front().id;
+    case Param::Type::Area:
+    case Param::Type::Size:
+    case Param::Type::Points:
+        break; // of tools alone
     }
     return usual;
 }

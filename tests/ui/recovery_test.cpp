@@ -68,7 +68,7 @@ private Q_SLOTS:
         openBark();
         m_window->inspector()->output()->setSeed(9);
         QVERIFY(m_window->document()->mayClose()); // its settings are with its result
-        m_window->store()->setEdits(m_window->store()->current()->id, {RotateEdit{90}}, {});
+        m_window->store()->setEdits(m_window->store()->current()->id, {{{"rotate", 90.0}}}, {});
         QTRY_VERIFY((current() == Size{48, 64}));
         QString asked;
         const auto answer = [&](QMessageBox::StandardButton button) {
@@ -87,7 +87,7 @@ private Q_SLOTS:
 
     void aSaveThatFailsIsKnownBeforeTheWindowCloses() {
         openBark();
-        m_window->store()->setEdits(m_window->store()->current()->id, {RotateEdit{90}}, {});
+        m_window->store()->setEdits(m_window->store()->current()->id, {{{"rotate", 90.0}}}, {});
         QTRY_VERIFY((current() == Size{48, 64}));
         m_window->document()->saveTo(m_folder->filePath(QStringLiteral("gone/work.texloom")), false);
         bool asked = false;

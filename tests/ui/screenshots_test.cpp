@@ -1,9 +1,12 @@
+#include "core/session/run/checkpoint_file.h"
+#include "core/tools/edits.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/blend/blend_window.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/language.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/text.h"
 #include "ui/common/value_editor.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/wipe_viewer.h"
@@ -20,6 +23,7 @@
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
+#include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
 #include "ui/window/drop_targets.h"
 
@@ -84,6 +88,36 @@ private Q_SLOTS:
         showManyRuns(window);
     }
 
+    void workWorthKeeping_data() { everyState_data(); }
+
+    void workWorthKeeping() {
+        QFETCH(int, appearance);
+        applyAppearance(static_cast<Appearance>(appearance));
+        MainWindow window;
+        window.resize(1280, 800);
+        window.show();
+        QVERIFY(openAndFinish(window, bundledNamed("crazy_paving")));
+        auto* method = child<QComboBox>(window, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("texture-optimization")));
+        window.inspector()->output()->setOutputSize({512, 512});
+        auto* figures = child<QDockWidget>(window, "figureDock");
+        figures->raise();
+        window.resizeDocks({figures}, {window.height() * 2 / 5}, Qt::Vertical);
+        QSignalSpy grew(window.desk()->controller(), &RunController::curvesGrew);
+        QSignalSpy finished(window.desk()->controller(), &RunController::finished);
+        window.startRun(false);
+        QTRY_VERIFY_WITH_TIMEOUT(grew.size() > 3, 60'000);
+        shoot(window, "figures-live");
+        child<QDockWidget>(window, "jobDock")->raise();
+        shoot(window, "jobs");
+        child<QAction>(window, "stop")->trigger();
+        QVERIFY(finished.wait(60'000));
+        child<QDockWidget>(window, "resultDock")->raise();
+        workers().waitForDone();
+        shoot(window, "kept");
+        showBrokenRun(window);
+    }
+
     void otherLanguages_data() {
         QTest::addColumn<QString>("language");
         QTest::newRow("de") << QStringLiteral("de_DE");
@@ -141,8 +175,8 @@ private:
         for (int i = 0; i < 12 && window.desk()->running(); ++i)
             progressed.wait(1000);
         shoot(window, "running");
-        window.desk()->stop();
-        QTRY_VERIFY(!window.desk()->running());
+        window.desk()->stopAndKeep();
+        QTRY_VERIFY_WITH_TIMEOUT(!window.desk()->running(), 60'000);
         QCoreApplication::processEvents();
         shoot(window, "stopped");
         window.messages()->dismiss();
@@ -241,7 +275,7 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(queue->waiting() <= 3, 120'000);
         shoot(window, "try-all");
         queue->clear();
-        window.desk()->stop();
+        window.desk()->cancel();
         QTRY_VERIFY(!window.desk()->running());
         child<QDockWidget>(window, "logDock")->raise();
         shoot(window, "log");
@@ -334,13 +368,13 @@ private:
         child<QComboBox>(*blend, "blendSecond")->setCurrentIndex(3);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend");
-        child<QComboBox>(*blend, "blendShape")->setCurrentIndex(2);
+        child<ValueEditor>(*blend, "blend-curve")->findChild<QComboBox*>()->setCurrentIndex(2);
         child<QCheckBox>(*blend, "blendWay0")->setChecked(false);
         child<QCheckBox>(*blend, "blendWay3")->setChecked(false);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend-circular");
         child<QCheckBox>(*blend, "blendWay4")->setChecked(true);
-        child<QSpinBox>(*blend, "blendBand")->setValue(400);
+        child<ValueEditor>(*blend, "blend-band")->findChild<QSpinBox*>()->setValue(400);
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend-wide-band");
         blend->close();
@@ -366,24 +400,24 @@ private:
         ExemplarEditor* const editor = window.exemplarEditor();
         const int id = window.store()->current()->id;
         child<QAction>(window, "editExemplar")->trigger();
-        editor->setTool(EditCanvas::Tool::Crop);
+        editor->setMode(QStringLiteral("crop"));
         shoot(window, "edit-crop");
-        editor->setTool(EditCanvas::Tool::Rectify);
+        editor->setMode(QStringLiteral("rectify"));
         QTest::keyClick(editor->canvas(), Qt::Key_N);
         QTest::keyClick(editor->canvas(), Qt::Key_Left, Qt::ControlModifier);
         shoot(window, "edit-rectify");
-        window.store()->setEdits(id, {RotateEdit{8}, FlattenEdit{}}, {});
+        window.store()->setEdits(id, {{{"rotate", 8.0}}, {{"flatten", std::string("smooth")}}}, {});
         const Size size = window.store()->current()->file().image->size();
-        Image stroke(sizeAfter(RotateEdit{8}, size), 1);
+        Image stroke(sizeAfter(ExemplarEdit{{"rotate", 8.0}}, size), 1);
         for (int y = stroke.height() / 5; y < stroke.height() / 2; ++y)
             for (int x = stroke.width() / 4; x < stroke.width() * 2 / 3; ++x)
                 stroke(x, y, 0) = 1;
         window.store()->paintMask(id, std::move(stroke), true);
         QTRY_VERIFY(window.store()->current()->exemplar.mask);
-        editor->setTool(EditCanvas::Tool::Hide);
+        editor->setMode(QStringLiteral("hide"));
         shoot(window, "edit-mask");
         auto* targets = child<DropTargets>(window, "dropTargets");
-        targets->open(true, true);
+        targets->open(DropTargets::Dragged::Files, true, window.inspector()->output()->ports());
         shoot(window, "drop-targets");
         targets->hide();
         child<QAction>(window, "editExemplar")->trigger();
@@ -400,6 +434,20 @@ private:
         missing.show();
         QVERIFY(QTest::qWaitForWindowExposed(&missing));
         shoot(missing, "missing-files");
+    }
+
+    static void showBrokenRun(MainWindow& window) {
+        const QTemporaryDir folder;
+        const RunPlan plan = planRun(window.input(false));
+        writeCheckpoint(toPath(folder.filePath(QStringLiteral("one.checkpoint"))), plan.recipe,
+                        {0, 0.43, "state"});
+        window.document()->recovery()->setFolder(folder.path());
+        window.offerRecovery();
+        QTRY_VERIFY(window.findChild<QDialog*>(QStringLiteral("brokenRunDialog")) != nullptr);
+        auto* dialog = child<QDialog>(window, "brokenRunDialog");
+        QVERIFY(QTest::qWaitForWindowExposed(dialog));
+        shoot(*dialog, "broken-run");
+        dialog->reject();
     }
 
     static void showExport(MainWindow& window) {

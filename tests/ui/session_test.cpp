@@ -1,6 +1,7 @@
 #include "core/image/map_role.h"
 #include "core/io/image_file.h"
 #include "core/session/session.h"
+#include "core/tools/edits.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/background.h"
 #include "ui/common/message_bar.h"
@@ -79,15 +80,15 @@ private Q_SLOTS:
         child<QAction>(*m_window, "editExemplar")->trigger();
         auto* editor = m_window->exemplarEditor();
         QVERIFY(editor->isVisible());
-        child<QToolButton>(*editor, "toolCrop")->click();
-        child<QSpinBox>(*editor, "cropX")->setValue(4);
-        child<QSpinBox>(*editor, "cropY")->setValue(2);
-        child<QSpinBox>(*editor, "cropWidth")->setValue(50);
-        child<QSpinBox>(*editor, "cropHeight")->setValue(40);
-        child<QPushButton>(*editor, "applyCrop")->click();
+        child<QToolButton>(*editor, "mode-crop")->click();
+        child<QSpinBox>(*editor, "crop-0")->setValue(4);
+        child<QSpinBox>(*editor, "crop-1")->setValue(2);
+        child<QSpinBox>(*editor, "crop-2")->setValue(50);
+        child<QSpinBox>(*editor, "crop-3")->setValue(40);
+        child<QPushButton>(*editor, "apply-crop")->click();
         QTRY_VERIFY((current() == Size{50, 40}));
-        child<QToolButton>(*editor, "turnRight")->click();
-        child<QToolButton>(*editor, "mirrorAcross")->click(); // before the turn is done
+        child<QToolButton>(*editor, "preset-rotate-1")->click();
+        child<QToolButton>(*editor, "preset-flip-0")->click(); // before the turn is done
         QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 3U);
         QVERIFY((current() == Size{40, 50}));
         QCOMPARE(child<QListWidget>(*editor, "editList")->count(), 3);
@@ -104,12 +105,41 @@ private Q_SLOTS:
         QTRY_VERIFY((current() == Size{50, 40}));
     }
 
+    void everyToolIsUsedFromThePageAndUndone() {
+        openBark(true);
+        child<QAction>(*m_window, "editExemplar")->trigger();
+        auto* editor = m_window->exemplarEditor();
+        const Size whole = current();
+        for (const Tool& tool : tools()) {
+            if (tool.joins())
+                continue;
+            const QString id = QString::fromStdString(tool.id());
+            if (auto* frame = editor->findChild<QToolButton*>(QStringLiteral("mode-") + id)) {
+                frame->click();
+                editor->findChild<QPushButton*>(QStringLiteral("apply-") + id)->click();
+            } else if (auto* preset =
+                           editor->findChild<QToolButton*>(QStringLiteral("preset-%1-0").arg(id))) {
+                preset->click();
+            } else {
+                editor->findChild<QGroupBox*>(QStringLiteral("tool-") + id)->setChecked(true);
+            }
+            QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
+            const RunExemplar& made = m_window->store()->current()->exemplar;
+            QVERIFY2(&toolOf(made.edits.front()) == &tool, qPrintable(id));
+            QVERIFY(made.companions.front().image->size() == made.image.image->size());
+            QCOMPARE(child<QListWidget>(*editor, "editList")->count(), 1);
+            child<QAction>(*m_window, "undo")->trigger();
+            QTRY_VERIFY2(m_window->store()->current()->exemplar.edits.empty(), qPrintable(id));
+            QVERIFY(current() == whole);
+        }
+    }
+
     void aCornerIsDraggedOrMovedByKeys() {
         openBark(false);
         child<QAction>(*m_window, "editExemplar")->trigger();
         auto* editor = m_window->exemplarEditor();
         EditCanvas* const canvas = editor->canvas();
-        editor->setTool(EditCanvas::Tool::Rectify);
+        editor->setMode(QStringLiteral("rectify"));
         const PlanePoint before = canvas->corners()[1];
         const QPoint from = canvas->view().toWidget({before.x, before.y}).toPoint();
         QTest::mousePress(canvas, Qt::LeftButton, {}, from);
@@ -122,10 +152,10 @@ private Q_SLOTS:
         QTest::keyClick(canvas, Qt::Key_Up, Qt::ControlModifier);
         QCOMPARE(canvas->corners()[2].x, next.x - 1);
         QCOMPARE(canvas->corners()[2].y, next.y - 10);
-        QCOMPARE(child<QSpinBox>(*editor, "corner2x")->value(), static_cast<int>(std::lround(next.x - 1)));
-        child<QPushButton>(*editor, "applyRectify")->click();
+        QCOMPARE(child<QSpinBox>(*editor, "rectify-4")->value(), static_cast<int>(std::lround(next.x - 1)));
+        child<QPushButton>(*editor, "apply-rectify")->click();
         QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
-        QVERIFY(std::holds_alternative<RectifyEdit>(m_window->store()->current()->exemplar.edits.front()));
+        QVERIFY(m_window->store()->current()->exemplar.edits.front().contains("rectify"));
     }
 
     void lightAndAngleAreOneStepEach() {
@@ -133,16 +163,16 @@ private Q_SLOTS:
         child<QAction>(*m_window, "editExemplar")->trigger();
         auto* editor = m_window->exemplarEditor();
         const int steps = m_window->undoHistory()->stack()->count();
-        child<QGroupBox>(*editor, "editLight")->setChecked(true);
+        child<QGroupBox>(*editor, "tool-flatten")->setChecked(true);
         QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 1U);
-        auto* angle = child<ValueEditor>(*editor, "edit-angle");
+        auto* angle = child<ValueEditor>(*editor, "edit-rotate");
         for (const double degrees : {1.0, 2.0, 3.5}) {
             angle->setValue(degrees);
             Q_EMIT angle->edited();
         }
         QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(), 2U);
-        QTRY_COMPARE(std::get<RotateEdit>(m_window->store()->current()->exemplar.edits[0]).degrees, 3.5);
-        QVERIFY(std::holds_alternative<FlattenEdit>(m_window->store()->current()->exemplar.edits[1]));
+        QTRY_VERIFY(m_window->store()->current()->exemplar.edits[0] == (ExemplarEdit{{"rotate", 3.5}}));
+        QVERIFY(m_window->store()->current()->exemplar.edits[1].contains("flatten"));
         QCOMPARE(m_window->undoHistory()->stack()->count(), steps + 2);
         angle->setValue(0.0);
         Q_EMIT angle->edited();
@@ -153,7 +183,7 @@ private Q_SLOTS:
         openBark(false);
         child<QAction>(*m_window, "editExemplar")->trigger();
         auto* editor = m_window->exemplarEditor();
-        editor->setTool(EditCanvas::Tool::Hide);
+        editor->setMode(QStringLiteral("hide"));
         editor->canvas()->setBrushSize(24);
         const QPoint from = editor->canvas()->view().toWidget({0, 24}).toPoint();
         const QPoint to = editor->canvas()->view().toWidget({20, 24}).toPoint();
@@ -206,7 +236,7 @@ private Q_SLOTS:
         m_window->openFiles({writeTexture(*m_folder, QStringLiteral("moss.png"), {50, 50}, 9)});
         QTRY_COMPARE(m_window->store()->entries().size(), 2U);
         const int bark = m_window->store()->entries().front().id;
-        m_window->store()->setEdits(bark, {RotateEdit{90}}, {});
+        m_window->store()->setEdits(bark, {{{"rotate", 90.0}}}, {});
         QTRY_COMPARE(m_window->store()->find(bark)->exemplar.edits.size(), 1U);
         m_window->store()->setChecked(bark, false);
         m_window->inspector()->setValues({{"patch", 9}});
@@ -293,7 +323,7 @@ private Q_SLOTS:
         auto* targets = child<DropTargets>(*m_window, "dropTargets");
         QVERIFY(targets->isVisible());
         const auto drop = [&](DropTargets::Target target) {
-            targets->open(true, true);
+            targets->open(DropTargets::Dragged::Files, true);
             QDragEnterEvent over(targets->placeOf(target).center(), Qt::CopyAction, &data, Qt::LeftButton,
                                  Qt::NoModifier);
             QApplication::sendEvent(targets, &over);
@@ -309,7 +339,7 @@ private Q_SLOTS:
         drop(DropTargets::Target::Exemplar);
         QTRY_VERIFY(m_window->store()->current()->file().name() == "any");
         QTRY_COMPARE(m_window->store()->entries().size(), 1U);
-        targets->open(false, true); // a picture without a file can be no map
+        targets->open(DropTargets::Dragged::Picture, true); // a picture without a file can be no map
         QVERIFY(!targets->targetAt(targets->placeOf(DropTargets::Target::Mask).center()));
         QVERIFY(targets->targetAt(targets->placeOf(DropTargets::Target::Add).center()));
     }
@@ -375,7 +405,7 @@ private Q_SLOTS:
             QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(-9),
                                      QFileDevice::FileModificationTime));
         }
-        removeOldMasks({m_window->session().settings}, m_folder->filePath(QStringLiteral("recovery")));
+        removeOldFiles({m_window->session().settings}, m_folder->filePath(QStringLiteral("recovery")));
         QVERIFY(QFile::exists(named));
         QVERIFY(!QFile::exists(old));
     }

@@ -2,6 +2,7 @@
 
 #include "core/io/image_file.h"
 #include "core/job/random.h"
+#include "tests/support/time_limit.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
@@ -96,6 +97,16 @@ QStringList namelessControls(const QWidget& window) {
                                                     widget->objectName());
     }
     return nameless;
+}
+
+bool inTime(qint64 taken, std::chrono::milliseconds promised) {
+    const auto limit = test::limitNow(promised);
+    if (!limit)
+        qInfo("%s", test::kTooBusy);
+    else if (taken > limit->count())
+        qWarning("%lld ms, more than the %lld that this machine may take now", taken,
+                 static_cast<long long>(limit->count()));
+    return !limit || taken <= limit->count();
 }
 
 } // namespace texloom::ui

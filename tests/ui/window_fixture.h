@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -32,6 +33,11 @@ QString cutText(const QWidget& window);
 
 /// Names of the widgets in a window that take the focus but that a screen reader could not tell.
 QStringList namelessControls(const QWidget& window);
+
+/// Whether something that took so many milliseconds kept to what is promised for a machine that does nothing
+/// else: longer is allowed where others compute as well, and where they leave no room to tell, it is said and
+/// passed over.
+bool inTime(qint64 taken, std::chrono::milliseconds promised);
 
 /// The child of this type and name. The test ends if there is none.
 template <class Widget> Widget* child(const QObject& parent, const char* name) {

@@ -1,17 +1,19 @@
+#include "core/analysis/lattice_values.h"
 #include "core/analysis/map_pictures.h"
 #include "core/analysis/map_usage.h"
 #include "core/io/image_file.h"
+#include "core/match/blend.h"
 #include "tests/support/lattices.h"
 #include "tests/support/textures.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/blend/blend_window.h"
 #include "ui/common/text.h"
+#include "ui/common/value_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
-#include "ui/lattice/lattice_values.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/plots/stress_dialog.h"
@@ -35,6 +37,8 @@ using namespace texloom::ui;
 namespace {
 
 constexpr int kPatience = 60'000;
+constexpr std::size_t kCut = 0, kPoisson = 1, kLinear = 2,
+                      kProgressive = 3; ///< ways of blending, as declared
 const Lattice kBricks{{40.5, 0}, {20.25, 21}};
 
 bool near(const Lattice& a, const Lattice& b, double tolerance) {
@@ -43,6 +47,13 @@ bool near(const Lattice& a, const Lattice& b, double tolerance) {
 
 double number(const MainWindow& window, const char* name) {
     return std::get<double>(window.inspector()->values().at(name));
+}
+
+/// Sets a number as someone would who types it.
+void setReal(const QWidget& window, const char* editor, double value) {
+    auto* edited = child<ValueEditor>(window, editor);
+    edited->setValue(value);
+    Q_EMIT edited->edited();
 }
 
 /// The window with the lattice of a texture found and shown.
@@ -85,7 +96,7 @@ private Q_SLOTS:
 
         child<QPushButton>(tool, "useLattice")->click();
         QCOMPARE(window.inspector()->method()->id(), std::string("near-regular"));
-        const auto given = givenLattice(*window.inspector()->method(), window.inspector()->values());
+        const auto given = givenLattice(window.inspector()->method()->params(), window.inspector()->values());
         QVERIFY(given && *given == *tool.lattice());
         QCOMPARE(number(window, "origin-x"), 0.0);
         QVERIFY2(tool.useText().contains(QStringLiteral("uses this lattice")), qPrintable(tool.useText()));
@@ -161,7 +172,7 @@ private Q_SLOTS:
         const LatticeTool& tool = *window.lattice();
         child<QPushButton>(tool, "useLattice")->click();
         const auto given = [&] {
-            return givenLattice(*window.inspector()->method(), window.inspector()->values());
+            return givenLattice(window.inspector()->method()->params(), window.inspector()->values());
         };
         QVERIFY(given());
         const int bricks = window.store()->current()->id;
@@ -344,44 +355,49 @@ private Q_SLOTS:
         const std::vector<NamedImage> images = {imageOf(m_bricks), imageOf(m_other)};
         BlendWindow window(images);
         window.show();
-        for (const auto way : {BlendWindow::CutWay, BlendWindow::PoissonWay, BlendWindow::LinearWay,
-                               BlendWindow::ProgressiveWay})
+        QVERIFY(window.tool().id() == "blend");
+        for (const std::size_t way : {kCut, kPoisson, kLinear, kProgressive})
             QTRY_VERIFY_WITH_TIMEOUT(window.viewer(way)->picture(), kPatience);
-        QVERIFY(samePixels(window.viewer(BlendWindow::CutWay)->picture()->values(), cut(images, 0.5)));
-        child<QDoubleSpinBox>(window, "blendPosition")->setValue(25);
+        QVERIFY(samePixels(window.viewer(kCut)->picture()->values(), cut(images, 0.5)));
+        setReal(window, "blend-position", 0.25);
         QVERIFY(window.blending());
         QTRY_VERIFY_WITH_TIMEOUT(!window.blending(), kPatience);
-        QVERIFY(samePixels(window.viewer(BlendWindow::CutWay)->picture()->values(), cut(images, 0.25)));
-        QCOMPARE(child<QSpinBox>(window, "blendBand")->maximum(), 100); // of 220 × 200 px
+        QVERIFY(samePixels(window.viewer(kCut)->picture()->values(), cut(images, 0.25)));
+        QCOMPARE(child<ValueEditor>(window, "blend-band")->findChild<QSpinBox*>()->maximum(),
+                 100); // of 220 × 200 px
 
-        CurveViewer* const viewer = window.viewer(BlendWindow::LinearWay);
+        CurveViewer* const viewer = window.viewer(kLinear);
         const auto point = [&](double y) { return viewer->view().toWidget({110, y}).toPoint(); };
         QTest::mousePress(viewer, Qt::LeftButton, {}, point(50));
         QTest::mouseMove(viewer, point(150));
         QTest::mouseRelease(viewer, Qt::LeftButton, {}, point(150));
-        QVERIFY(std::abs(child<QDoubleSpinBox>(window, "blendPosition")->value() - 75) < 3);
+        QVERIFY(std::abs(std::get<double>(child<ValueEditor>(window, "blend-position")->value()) - 0.75) <
+                0.03);
 
         child<QCheckBox>(window, "blendWay0")->setChecked(false);
-        QVERIFY(!window.viewer(BlendWindow::CutWay)->isVisible());
+        QVERIFY(!window.viewer(kCut)->isVisible());
         QTRY_VERIFY_WITH_TIMEOUT(!window.blending(), kPatience);
         const QString path = m_folder.filePath(QStringLiteral("blend.png"));
-        window.save(BlendWindow::PoissonWay, path);
+        window.save(kPoisson, path);
         QTRY_VERIFY(child<QPushButton>(window, "blendUse")->isVisible());
         QVERIFY((readImage(toPath(path)).info.size == Size{220, 200}));
     }
 
-    void imagesOfTwoSizesAreNotBlended() {
-        BlendWindow window({imageOf(m_bricks), imageOf(m_grain)});
+    void imagesOfTwoSizesAreCroppedToWhatBothHave() {
+        const std::vector<NamedImage> images = {imageOf(m_bricks), imageOf(m_grain)};
+        BlendWindow window(images);
         window.show();
-        QTRY_VERIFY2(window.message().contains(QStringLiteral("crop one to the size")),
-                     qPrintable(window.message()));
-        QVERIFY(!window.viewer(BlendWindow::CutWay)->picture());
-        QVERIFY(!child<QPushButton>(window, "blendSave")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(window.viewer(kCut)->picture(), kPatience);
+        const Size a = images[0].file.image->size(), b = images[1].file.image->size();
+        const Size common{std::min(a.width, b.width), std::min(a.height, b.height)};
+        QVERIFY(a != b && window.viewer(kCut)->picture()->size() == common);
+        QVERIFY2(window.message().contains(sizeText(common)), qPrintable(window.message()));
         child<QComboBox>(window, "blendSecond")->setCurrentIndex(0);
         QTRY_VERIFY2(window.message().contains(QStringLiteral("Both images are")),
                      qPrintable(window.message()));
         BlendWindow empty({});
         QTRY_VERIFY(empty.message().contains(QStringLiteral("Open two images")));
+        QVERIFY(!child<QPushButton>(empty, "blendSave")->isEnabled());
     }
 
     void earlierResultsAreFetchedToBeBlended() {
@@ -397,10 +413,8 @@ private Q_SLOTS:
                  qPrintable(first->itemText(earlier)));
         first->setCurrentIndex(earlier);
         child<QComboBox>(*blend, "blendSecond")->setCurrentIndex(1); // the result that is shown
-        QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(BlendWindow::LinearWay)->picture() && !blend->blending(),
-                                 kPatience);
-        QVERIFY(blend->viewer(BlendWindow::CutWay)->picture()->size() ==
-                window.desk()->result()->synthesis.image.size());
+        QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(kLinear)->picture() && !blend->blending(), kPatience);
+        QVERIFY(blend->viewer(kCut)->picture()->size() == window.desk()->result()->synthesis.image.size());
     }
 
     void patchVarianceIsPlottedAsTheAnalysisHasIt() {
@@ -483,7 +497,7 @@ private:
         JobContext context(
             {}, [] { return false; }, monitor);
         const auto curve = BlendCurve::at(BlendCurve::Shape::Horizontal, position, first.size());
-        return blend(first, *images[1].file.image, curve, {BlendMethod::Cut, 32, {}}, context);
+        return blendAlong(first, *images[1].file.image, curve, {BlendMethod::Cut, 32, {}}, context);
     }
 
     QTemporaryDir m_folder;

@@ -1,32 +1,25 @@
 #include "ui/blend/blend_window.h"
 
-#include "core/base/error.h"
-#include "core/base/text.h"
-#include "core/job/memory.h"
 #include "core/session/export/export.h"
 #include "ui/common/text.h"
+#include "ui/common/value_editors.h"
 #include "ui/exemplar/files.h"
 #include "ui/jobs/task_bar.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
-#include <QGroupBox>
 #include <QLabel>
 #include <QMenu>
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
-#include <QSlider>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace texloom::ui {
@@ -35,24 +28,16 @@ namespace {
 
 constexpr std::chrono::milliseconds kPause{150};
 constexpr int kWidth = 150, kLines = 44; ///< of the window, in widths and lines of text
-constexpr int kPositionSteps = 1000;
-constexpr int kLargestBand = 4096;
+constexpr std::size_t kShownFirst = 4;   ///< ways that are shown at first
 const QString kFolder = QStringLiteral("folders/blend");
 
-QString titleOf(BlendWindow::Way way) {
-    switch (way) {
-    case BlendWindow::CutWay:
-        return BlendWindow::tr("Minimum-error cut");
-    case BlendWindow::PoissonWay:
-        return BlendWindow::tr("Poisson editing");
-    case BlendWindow::LinearWay:
-        return BlendWindow::tr("Midway, linear");
-    case BlendWindow::ProgressiveWay:
-        return BlendWindow::tr("Midway, progressive");
-    case BlendWindow::EdgeWay:
-        break;
-    }
-    return BlendWindow::tr("Not blended");
+/// The tools that join two pictures.
+std::vector<const Tool*> joiningTools() {
+    std::vector<const Tool*> joining;
+    for (const Tool& tool : tools())
+        if (tool.joins())
+            joining.push_back(&tool);
+    return joining;
 }
 
 void share(ImageViewer* from, ImageViewer* to) {
@@ -66,18 +51,16 @@ void share(ImageViewer* from, ImageViewer* to) {
 } // namespace
 
 BlendWindow::BlendWindow(const std::vector<NamedImage>& images, QWidget* parent)
-    : QDialog(parent), m_shape(new QComboBox), m_position(new QDoubleSpinBox),
-      m_slider(new QSlider(Qt::Horizontal)), m_band(new QSpinBox), m_color(new QComboBox),
-      m_showCurve(new QCheckBox(tr("Show the cur&ve and its band"))), m_grid(new QGridLayout),
-      m_message(new QLabel), m_bar(new TaskBar), m_save(new QPushButton(tr("&Save"))),
-      m_use(new QPushButton(tr("Open as e&xemplar"))) {
+    : QDialog(parent), m_tool(joiningTools().front()), m_tools(new QComboBox),
+      m_showCurve(new QCheckBox(tr("Show the cur&ve and its band"))), m_ways(new QWidget),
+      m_grid(new QGridLayout), m_message(new QLabel), m_bar(new TaskBar),
+      m_save(new QPushButton(tr("&Save"))), m_use(new QPushButton(tr("Open as e&xemplar"))) {
     setObjectName(QStringLiteral("blendWindow"));
     setWindowTitle(tr("Blend two images"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     m_soon.setSingleShot(true);
     m_soon.setInterval(kPause);
     connect(&m_soon, &QTimer::timeout, this, &BlendWindow::blendNow);
-    makeCells();
     auto* content = new QHBoxLayout;
     content->addWidget(makeOptions());
     content->addLayout(m_grid, 1);
@@ -91,8 +74,7 @@ BlendWindow::BlendWindow(const std::vector<NamedImage>& images, QWidget* parent)
     for (QComboBox* choice : m_choice)
         connect(choice, &QComboBox::currentIndexChanged, this, &BlendWindow::changed);
     resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
-    arrange();
-    changed();
+    setTool(*m_tool);
 }
 
 QWidget* BlendWindow::makeOptions() {
@@ -104,41 +86,64 @@ QWidget* BlendWindow::makeOptions() {
     qobject_cast<QLabel*>(form->labelForField(m_choice[0]->parentWidget()))->setBuddy(m_choice[0]);
     form->addRow(tr("S&econd"), makeImageRow(1));
     qobject_cast<QLabel*>(form->labelForField(m_choice[1]->parentWidget()))->setBuddy(m_choice[1]);
-    m_shape->setObjectName(QStringLiteral("blendShape"));
-    m_shape->addItems({tr("Horizontal"), tr("Vertical"), tr("Circular")});
-    m_shape->setToolTip(tr("The first image lies above, left of or outside the curve; circles go around the "
-                           "bottom right corner."));
-    form->addRow(tr("&Curve"), m_shape);
-    form->addRow(tr("&Position"), makePositionRow());
-    qobject_cast<QLabel*>(form->labelForField(m_position->parentWidget()))->setBuddy(m_position);
-    m_band->setObjectName(QStringLiteral("blendBand"));
-    m_band->setRange(2, kLargestBand);
-    m_band->setValue(BlendOptions{}.band);
-    m_band->setSuffix(tr(" px"));
-    m_band->setToolTip(tr("How far from the curve, on either side, pixels may change: up to half the images' "
-                          "shorter side."));
-    form->addRow(tr("&Band"), m_band);
-    m_color->setObjectName(QStringLiteral("blendColor"));
-    m_color->addItem(tr("As they are (RGB)"), static_cast<int>(BlendColor::Rgb));
-    m_color->addItem(tr("Cosine axes (DCT)"), static_cast<int>(BlendColor::Dct));
-    m_color->addItem(tr("Principal axes (PCA)"), static_cast<int>(BlendColor::Pca));
-    m_color->setCurrentIndex(1);
-    m_color->setToolTip(tr("The colour axes that midway blending treats one by one."));
-    form->addRow(tr("Co&lours"), m_color);
-    auto* shown = new QVBoxLayout;
-    for (const Cell& cell : m_cells)
-        shown->addWidget(cell.shown);
-    form->addRow(tr("Show"), shown);
+    m_tools->setObjectName(QStringLiteral("blendTool"));
+    for (const Tool* tool : joiningTools())
+        m_tools->addItem(translated(tool->info().title));
+    form->addRow(tr("&Tool"), m_tools);
+    form->setRowVisible(m_tools, m_tools->count() > 1);
+    auto* rows = new QWidget(options);
+    m_rowForm = new QFormLayout(rows);
+    m_rowForm->setContentsMargins(0, 0, 0, 0);
+    m_rowForm->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(rows);
+    new QVBoxLayout(m_ways);
+    m_ways->layout()->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Show"), m_ways);
     m_showCurve->setChecked(true);
     form->addRow(QString(), m_showCurve);
-    connect(m_shape, &QComboBox::currentIndexChanged, this, &BlendWindow::changed);
-    connect(m_band, &QSpinBox::valueChanged, this, &BlendWindow::changed);
-    connect(m_color, &QComboBox::currentIndexChanged, this, &BlendWindow::changed);
-    connect(m_showCurve, &QCheckBox::toggled, this, [this](bool on) {
-        for (const Cell& cell : m_cells)
-            cell.viewer->setCurveShown(on);
-    });
+    connect(m_tools, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setTool(*joiningTools().at(static_cast<std::size_t>(index))); });
+    connect(m_showCurve, &QCheckBox::toggled, this, &BlendWindow::showCurve);
     return options;
+}
+
+void BlendWindow::setTool(const Tool& tool) {
+    m_tool = &tool;
+    m_task.cancel();
+    const std::vector<const Tool*> joining = joiningTools();
+    const QSignalBlocker blocker(m_tools);
+    m_tools->setCurrentIndex(
+        static_cast<int>(std::find(joining.begin(), joining.end(), m_tool) - joining.begin()));
+    m_tools->setToolTip(translated(tool.info().summary));
+    makeRows();
+    makeCells();
+    fillSaveMenu();
+    m_showCurve->setVisible(tool.info().handle == ToolHandle::Curve);
+    arrange();
+    changed();
+}
+
+/// An editor for each parameter that no way sets.
+void BlendWindow::makeRows() {
+    m_rows.clear();
+    while (m_rowForm->rowCount() > 0)
+        m_rowForm->removeRow(0);
+    const std::vector<ToolPreset>& ways = m_tool->info().presets;
+    for (const Param& param : m_tool->params()) {
+        if (std::any_of(ways.begin(), ways.end(),
+                        [&](const ToolPreset& way) { return way.values.contains(param.name()); }))
+            continue;
+        ValueEditor* const editor = makeValueEditor(param, m_rowForm->parentWidget());
+        editor->setObjectName(QStringLiteral("blend-%1").arg(QString::fromStdString(param.name())));
+        editor->setAccessibleName(translated(param.title()));
+        editor->setToolTip(translated(param.help()));
+        editor->setValue(param.defaultFor(0));
+        auto* label = new QLabel(translated(param.title()));
+        label->setBuddy(editor);
+        m_rowForm->addRow(label, editor);
+        m_rows.push_back({&param, editor});
+        connect(editor, &ValueEditor::edited, this, &BlendWindow::changed);
+    }
 }
 
 QWidget* BlendWindow::makeImageRow(int which) {
@@ -160,58 +165,40 @@ QWidget* BlendWindow::makeImageRow(int which) {
     return row;
 }
 
-QWidget* BlendWindow::makePositionRow() {
-    auto* row = new QWidget;
-    m_position->setObjectName(QStringLiteral("blendPosition"));
-    m_position->setAccessibleName(tr("Position of the curve"));
-    m_position->setRange(0, 100);
-    m_position->setDecimals(1);
-    m_position->setValue(50);
-    m_position->setSuffix(tr(" %"));
-    m_slider->setRange(0, kPositionSteps);
-    m_slider->setValue(kPositionSteps / 2);
-    m_slider->setAccessibleName(tr("Position of the curve"));
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_slider, 1);
-    layout->addWidget(m_position);
-    connect(m_slider, &QSlider::valueChanged, this,
-            [this](int at) { m_position->setValue(100.0 * at / kPositionSteps); });
-    connect(m_position, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
-        const QSignalBlocker blocker(m_slider);
-        m_slider->setValue(static_cast<int>(std::lround(percent * kPositionSteps / 100)));
-        changed();
-    });
-    return row;
-}
-
 void BlendWindow::makeCells() {
-    const std::array<std::pair<BlendMethod, Propagation>, kWays> ways = {
-        {{BlendMethod::Cut, Propagation::Linear},
-         {BlendMethod::Poisson, Propagation::Linear},
-         {BlendMethod::Midway, Propagation::Linear},
-         {BlendMethod::Midway, Propagation::Progressive},
-         {BlendMethod::Edge, Propagation::Linear}}};
-    for (std::size_t i = 0; i < kWays; ++i) {
-        const QString title = titleOf(static_cast<Way>(i));
-        auto* viewer = new CurveViewer(this);
-        viewer->setAccessibleName(title);
-        viewer->setPlaceholder(tr("Choose two images of one size."));
-        auto* shown = new QCheckBox(title, this);
-        shown->setObjectName(QStringLiteral("blendWay%1").arg(i));
-        shown->setChecked(i != EdgeWay);
-        m_cells[i] = {ways[i].first, ways[i].second, viewer, shown};
-        connect(shown, &QCheckBox::toggled, this, [this] {
-            arrange();
-            changed();
-        });
-        connect(viewer, &CurveViewer::positionDragged, this,
-                [this](double position) { m_position->setValue(100 * position); });
+    for (const Cell& cell : m_cells) {
+        delete cell.viewer;
+        delete cell.shown;
     }
+    m_cells.clear();
+    for (const ToolPreset& way : m_tool->info().presets)
+        addCell(translated(way.title), translated(way.help), way.values);
+    if (m_cells.empty())
+        addCell(translated(m_tool->info().title), translated(m_tool->info().summary), {});
     for (const Cell& from : m_cells)
         for (const Cell& to : m_cells)
             if (from.viewer != to.viewer)
                 share(from.viewer, to.viewer);
+}
+
+void BlendWindow::addCell(const QString& title, const QString& help, const Values& values) {
+    auto* viewer = new CurveViewer(this);
+    viewer->setAccessibleName(title);
+    viewer->setPlaceholder(tr("Choose two images."));
+    auto* shown = new QCheckBox(title, m_ways);
+    shown->setToolTip(help);
+    shown->setObjectName(QStringLiteral("blendWay%1").arg(m_cells.size()));
+    shown->setChecked(m_cells.size() < kShownFirst);
+    m_ways->layout()->addWidget(shown);
+    connect(shown, &QCheckBox::toggled, this, [this] {
+        arrange();
+        changed();
+    });
+    connect(viewer, &CurveViewer::positionDragged, this, [this](double position) {
+        editorOf("position")->setValue(position);
+        changed();
+    });
+    m_cells.push_back({title, values, viewer, shown});
 }
 
 QWidget* BlendWindow::makeBottom() {
@@ -219,17 +206,7 @@ QWidget* BlendWindow::makeBottom() {
     m_message->setWordWrap(true);
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_save->setObjectName(QStringLiteral("blendSave"));
-    auto* menu = new QMenu(m_save);
-    for (std::size_t i = 0; i < kWays; ++i) {
-        const Way way = static_cast<Way>(i);
-        QAction* const action =
-            menu->addAction(tr("%1…").arg(titleOf(way)), this, [this, way] { saveAs(way); });
-        connect(menu, &QMenu::aboutToShow, action, [this, action, way] {
-            action->setVisible(m_cells[way].shown->isChecked());
-            action->setEnabled(viewer(way)->picture() != nullptr);
-        });
-    }
-    m_save->setMenu(menu);
+    m_save->setMenu(new QMenu(m_save));
     m_use->setObjectName(QStringLiteral("blendUse"));
     m_use->hide();
     connect(m_use, &QPushButton::clicked, this, [this] { Q_EMIT exemplarWanted(m_written); });
@@ -240,7 +217,7 @@ QWidget* BlendWindow::makeBottom() {
     connect(m_bar, &TaskBar::cancelled, this, [this] {
         m_task.cancel();
         m_bar->end();
-        say(tr("Stopped. The pictures are those of earlier settings; any change begins anew."));
+        say(tr("Stopped. The pictures are those of earlier settings; any change starts again."));
     });
     auto* bottom = new QWidget(this);
     auto* row = new QHBoxLayout(bottom);
@@ -251,6 +228,19 @@ QWidget* BlendWindow::makeBottom() {
     row->addWidget(m_save);
     row->addWidget(close);
     return bottom;
+}
+
+void BlendWindow::fillSaveMenu() {
+    QMenu* const menu = m_save->menu();
+    menu->clear();
+    for (std::size_t way = 0; way < m_cells.size(); ++way) {
+        QAction* const action =
+            menu->addAction(tr("%1…").arg(m_cells[way].title), this, [this, way] { saveAs(way); });
+        connect(menu, &QMenu::aboutToShow, action, [this, action, way] {
+            action->setVisible(m_cells[way].shown->isChecked());
+            action->setEnabled(viewer(way)->picture() != nullptr);
+        });
+    }
 }
 
 void BlendWindow::addImage(const NamedImage& image) {
@@ -308,13 +298,17 @@ bool BlendWindow::fetched() {
     return true;
 }
 
-BlendOptions BlendWindow::optionsOf(const Cell& cell) const {
-    BlendOptions options;
-    options.method = cell.method;
-    options.band = m_band->value();
-    options.midway.propagation = cell.propagation;
-    options.midway.color = static_cast<BlendColor>(m_color->currentData().toInt());
-    return options;
+ValueEditor* BlendWindow::editorOf(std::string_view name) const {
+    const auto row = std::find_if(m_rows.begin(), m_rows.end(),
+                                  [&](const Row& known) { return known.param->name() == name; });
+    return row == m_rows.end() ? nullptr : row->editor;
+}
+
+Values BlendWindow::settingsOf(const Cell& cell) const {
+    Values values = cell.values;
+    for (const Row& row : m_rows)
+        values[row.param->name()] = row.editor->value();
+    return m_tool->resolved(values);
 }
 
 void BlendWindow::arrange() {
@@ -329,20 +323,32 @@ void BlendWindow::arrange() {
     const int columns = shown.size() > 4 ? 3 : shown.size() > 1 ? 2 : 1;
     for (std::size_t i = 0; i < shown.size(); ++i)
         m_grid->addWidget(shown[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
-    const bool midway = m_cells[LinearWay].shown->isChecked() || m_cells[ProgressiveWay].shown->isChecked();
-    m_color->setEnabled(midway);
+    // A parameter that matters to no picture shown is greyed.
+    for (const Row& row : m_rows)
+        row.editor->setEnabled(std::any_of(m_cells.begin(), m_cells.end(), [&](const Cell& cell) {
+            return cell.shown->isChecked() && row.param->applies(settingsOf(cell));
+        }));
     offerToSave();
 }
 
 void BlendWindow::showCurve() {
-    const auto shape = static_cast<BlendCurve::Shape>(m_shape->currentIndex());
-    for (const Cell& cell : m_cells)
-        cell.viewer->setCurve(shape, m_position->value() / 100, m_band->value());
+    if (m_tool->info().handle != ToolHandle::Curve)
+        return;
+    const Values settings = settingsOf(m_cells.front());
+    const std::vector<Choice>& shapes = m_tool->param("curve").choices();
+    const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const Choice& choice) {
+        return choice.id == std::get<std::string>(settings.at("curve"));
+    });
+    for (const Cell& cell : m_cells) {
+        cell.viewer->setCurve(static_cast<BlendCurve::Shape>(shape - shapes.begin()),
+                              std::get<double>(settings.at("position")), std::get<int>(settings.at("band")));
+        cell.viewer->setCurveShown(m_showCurve->isChecked());
+    }
 }
 
-void BlendWindow::limitBand(int shorterSide) {
-    const QSignalBlocker blocker(m_band);
-    m_band->setMaximum(std::max(m_band->minimum(), shorterSide / 2));
+void BlendWindow::limitRows(int shorterSide) {
+    for (const Row& row : m_rows)
+        row.editor->setLargest(row.param->largestFor(shorterSide));
     showCurve();
 }
 
@@ -352,72 +358,77 @@ void BlendWindow::changed() {
     m_soon.start();
 }
 
-void BlendWindow::blendNow() {
+bool BlendWindow::twoChosen() {
     const NamedImage* const first = chosen(0);
     const NamedImage* const second = chosen(1);
     if (first == nullptr || second == nullptr) {
-        say(tr("Open two images of one size to blend."));
-        return;
+        say(tr("Open two images to blend."));
+        return false;
     }
     if (first == second) {
         m_task.cancel();
-        take({});
-        say(tr("Both images are “%1”. Open or choose another one of its size to blend it with.")
-                .arg(first->title));
-        return;
+        take({}, tr("Both images are “%1”. Open or choose another one to blend it with.").arg(first->title));
+        return false;
     }
-    if (!fetched())
+    return true;
+}
+
+void BlendWindow::blendNow() {
+    if (!twoChosen() || !fetched())
         return;
-    limitBand(std::min(first->file.image->size().shorterSide(), second->file.image->size().shorterSide()));
-    std::vector<std::pair<std::size_t, BlendOptions>> wanted;
-    for (std::size_t i = 0; i < kWays; ++i)
+    Shared first = chosen(0)->file.image, second = chosen(1)->file.image;
+    const Size common{std::min(first->width(), second->width()), std::min(first->height(), second->height())};
+    limitRows(common.shorterSide());
+    std::vector<std::pair<std::size_t, Values>> wanted;
+    for (std::size_t i = 0; i < m_cells.size(); ++i)
         if (m_cells[i].shown->isChecked())
-            wanted.emplace_back(i, optionsOf(m_cells[i]));
+            wanted.emplace_back(i, settingsOf(m_cells[i]));
     if (wanted.empty()) {
         say(tr("Tick at least one way to show."));
         return;
     }
-    const auto shape = static_cast<BlendCurve::Shape>(m_shape->currentIndex());
-    const auto work = [a = first->file.image, b = second->file.image, shape, wanted,
-                       position = m_position->value() / 100](JobContext& context) {
-        Pictures pictures;
+    QString note;
+    const bool crops = m_tool->joinsSameSize() && first->size() != second->size();
+    if (crops)
+        note = tr("“%1” is %2 px, “%3” is %4 px: both are cropped to %5 px from the top left.")
+                   .arg(chosen(0)->title, sizeText(first->size()), chosen(1)->title, sizeText(second->size()),
+                        sizeText(common));
+    const auto work = [tool = m_tool, first, second, crops, common, wanted,
+                       count = m_cells.size()](JobContext& context) {
+        const ImageView a = crops ? first->view().crop(0, 0, common) : first->view();
+        const ImageView b = crops ? second->view().crop(0, 0, common) : second->view();
+        Pictures pictures(count);
         std::uint32_t number = 0;
-        for (const auto& [index, options] : wanted) {
+        for (const auto& [index, settings] : wanted) {
             context.step(number++, 1.0 / static_cast<double>(wanted.size()));
-            const std::uint64_t bytes = blendBytesFor(a->size(), a->channels(), options);
-            if (const std::uint64_t free = availableMemory(); bytes > free)
-                fail("Blending takes {}, of which only {} are free; use smaller images.", byteText(bytes),
-                     byteText(free));
-            auto made = std::make_shared<const Image>(
-                blend(*a, *b, BlendCurve::at(shape, position, a->size()), options, context));
-            pictures[index] = std::make_shared<const DisplayPicture>(std::move(made));
+            pictures[index] = std::make_shared<const DisplayPicture>(
+                std::make_shared<const Image>(tool->joined(a, b, settings, context)));
         }
         return pictures;
     };
     m_task.start(
-        {}, work, [this](const Pictures& pictures) { take(pictures); },
-        [this](const QString& why) {
-            take({});
-            say(why);
-        });
+        {}, work, [this, note](const Pictures& pictures) { take(pictures, note); },
+        [this](const QString& why) { take({}, why); });
     m_message->hide();
     m_bar->begin(tr("Blending…"), [this] { return m_task.progress(); });
 }
 
-void BlendWindow::take(const Pictures& pictures) {
+/// @param pictures by way; none to clear them all.
+void BlendWindow::take(const Pictures& pictures, const QString& note) {
     m_bar->end();
-    say({});
     const CurveViewer* reference = nullptr;
-    for (std::size_t i = 0; i < kWays; ++i) {
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
         CurveViewer* const viewer = m_cells[i].viewer;
-        viewer->setPicture(pictures[i]);
-        viewer->setBadge(titleOf(static_cast<Way>(i)));
-        if (pictures[i] && reference == nullptr)
+        const std::shared_ptr<const DisplayPicture> picture = i < pictures.size() ? pictures[i] : nullptr;
+        viewer->setPicture(picture);
+        viewer->setBadge(m_cells[i].title);
+        if (picture && reference == nullptr)
             reference = viewer;
-        else if (pictures[i])
+        else if (picture)
             viewer->setView(reference->view(), reference->fitted());
     }
     offerToSave();
+    say(note);
 }
 
 void BlendWindow::offerToSave() {
@@ -435,7 +446,7 @@ QString BlendWindow::message() const {
     return m_message->text();
 }
 
-void BlendWindow::saveAs(Way way) {
+void BlendWindow::saveAs(std::size_t way) {
     const NamedImage* const first = chosen(0);
     const NamedImage* const second = chosen(1);
     const QString name = tr("%1 and %2.png").arg(first->title, second->title);
@@ -448,7 +459,7 @@ void BlendWindow::saveAs(Way way) {
     save(way, path);
 }
 
-void BlendWindow::save(Way way, const QString& path) {
+void BlendWindow::save(std::size_t way, const QString& path) {
     const NamedImage* const first = chosen(0);
     const std::shared_ptr<const DisplayPicture> picture = viewer(way)->picture();
     if (first == nullptr || !picture)

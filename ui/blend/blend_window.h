@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/match/blend.h"
+#include "core/tools/tool.h"
 #include "ui/blend/curve_viewer.h"
 #include "ui/exemplar/named_image.h"
 #include "ui/jobs/task.h"
@@ -10,89 +10,99 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
+class QFormLayout;
 class QGridLayout;
 class QLabel;
-class QMenu;
 class QPushButton;
-class QSlider;
-class QSpinBox;
 
 namespace texloom::ui {
 
 class TaskBar;
+class ValueEditor;
 
-/// Joins two images along a curve in several ways side by side (Raad, thesis 2016, figures 4.17 to 4.20). The
-/// pictures follow every change in the background.
+/// Joins two images by a tool, in all the ways that it declares side by side (as Raad, thesis 2016,
+/// figures 4.17 to 4.20). The pictures follow every change in the background.
 class BlendWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// The ways that can stand side by side.
-    enum Way { CutWay, PoissonWay, LinearWay, ProgressiveWay, EdgeWay };
-    static constexpr std::size_t kWays = 5;
-
     /// @param images to choose from, beside files; the first two are chosen.
     explicit BlendWindow(const std::vector<NamedImage>& images, QWidget* parent = nullptr);
 
     /// Adds an image to both lists and chooses it in one. @param which 0 or 1.
     void choose(int which, const NamedImage& image);
-    CurveViewer* viewer(Way way) const { return m_cells[way].viewer; }
+    /// Takes another tool that joins.
+    void setTool(const Tool& tool);
+    const Tool& tool() const { return *m_tool; }
+    /// The picture of one of the tool's ways, by number.
+    CurveViewer* viewer(std::size_t way) const { return m_cells.at(way).viewer; }
     /// What went wrong, or what to do first; empty if all is well.
     QString message() const;
     bool blending() const { return m_task.running() || m_soon.isActive(); }
     /// Writes one of the pictures. @param path its extension is the format.
-    void save(Way way, const QString& path);
+    void save(std::size_t way, const QString& path);
 
 Q_SIGNALS:
     /// A picture was written that is wanted as an exemplar.
     void exemplarWanted(const QString& path);
 
 private:
+    /// One way of the tool: its title, what it sets, and where its picture is.
     struct Cell {
-        BlendMethod method;
-        Propagation propagation;
+        QString title;
+        Values values;
         CurveViewer* viewer;
         QCheckBox* shown;
     };
-    using Pictures = std::array<std::shared_ptr<const DisplayPicture>, kWays>;
+    /// A parameter that is the same for all ways.
+    struct Row {
+        const Param* param;
+        ValueEditor* editor;
+    };
+    using Pictures = std::vector<std::shared_ptr<const DisplayPicture>>;
+    using Shared = std::shared_ptr<const Image>;
 
     QWidget* makeOptions();
     QWidget* makeImageRow(int which);
-    QWidget* makePositionRow();
+    void makeRows();
     void makeCells();
+    void addCell(const QString& title, const QString& help, const Values& values);
     QWidget* makeBottom();
+    void fillSaveMenu();
     void addImage(const NamedImage& image);
     void openFile(int which);
     const NamedImage* chosen(int which) const;
+    bool twoChosen();
     /// Whether both images are at hand; asks for one that is not.
     bool fetched();
-    BlendOptions optionsOf(const Cell& cell) const;
+    ValueEditor* editorOf(std::string_view name) const;
+    Values settingsOf(const Cell& cell) const;
     void showCurve();
-    /// Keeps the band within what images with this shorter side allow.
-    void limitBand(int shorterSide);
+    /// Keeps values within what images with this shorter side allow.
+    void limitRows(int shorterSide);
     void changed();
     void arrange();
     void offerToSave();
     void blendNow();
-    void take(const Pictures& pictures);
+    void take(const Pictures& pictures, const QString& note);
     void say(const QString& text);
-    void saveAs(Way way);
+    void saveAs(std::size_t way);
 
+    const Tool* m_tool;
     std::vector<std::unique_ptr<NamedImage>> m_images;
     std::array<QComboBox*, 2> m_choice{};
-    QComboBox* m_shape;
-    QDoubleSpinBox* m_position;
-    QSlider* m_slider;
-    QSpinBox* m_band;
-    QComboBox* m_color;
+    QComboBox* m_tools;
+    QFormLayout* m_rowForm = nullptr;
+    std::vector<Row> m_rows;
     QCheckBox* m_showCurve;
+    QWidget* m_ways;
     QGridLayout* m_grid;
-    std::array<Cell, kWays> m_cells{};
+    std::vector<Cell> m_cells;
     QLabel* m_message;
     TaskBar* m_bar;
     QPushButton* m_save;

@@ -12,8 +12,7 @@ ActionButton::ActionButton(QAction* action, QWidget* parent) : QPushButton(paren
 }
 
 void ActionButton::follow() {
-    QString plain = m_action->text();
-    setText(plain.remove(QLatin1Char('&')));
+    setText(m_action->iconText());
     setIcon(m_action->icon());
     setToolTip(m_action->toolTip());
     setEnabled(m_action->isEnabled());

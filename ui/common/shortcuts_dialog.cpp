@@ -136,7 +136,7 @@ void ShortcutsDialog::rowChosen() {
         widget->setEnabled(action != nullptr);
     m_reset->setEnabled(action != nullptr && !hasOwnShortcut(action));
     say(action != nullptr ? QString()
-                          : tr("These keys belong to the place they work in and stay as they are."));
+                          : tr("These keys work only in the place that is named, and cannot be changed."));
 }
 
 void ShortcutsDialog::take() {

@@ -40,4 +40,8 @@ QString percentText(double fraction) {
     return QCoreApplication::translate("text", "%1 %").arg(static_cast<int>(std::floor(fraction * 100)));
 }
 
+QString stoppedText(double fraction) {
+    return QCoreApplication::translate("text", "stopped at %1").arg(percentText(fraction));
+}
+
 } // namespace texloom::ui

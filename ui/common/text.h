@@ -27,5 +27,7 @@ QString sizeText(Size size);
 
 /// "43 %" from 0.43.
 QString percentText(double fraction);
+/// "stopped at 43 %" from 0.43: what marks the result of a run that did not come to its end.
+QString stoppedText(double fraction);
 
 } // namespace texloom::ui

@@ -4,8 +4,6 @@
 
 #include <QWidget>
 
-#include <memory>
-
 namespace texloom::ui {
 
 /// Edits one value of a parameter's type.
@@ -18,13 +16,12 @@ public:
     virtual Value value() const = 0;
     /// Shows a value without saying that it was edited.
     virtual void setValue(const Value& value) = 0;
+    /// Lets no number be larger; only of editors of one number.
+    virtual void setLargest(double /*largest*/) {}
 
 Q_SIGNALS:
     /// The user changed the value.
     void edited();
 };
-
-/// The editor that suits a parameter: a slider with a spin box in step, a check box, or a list of choices.
-ValueEditor* makeValueEditor(const Param& param, QWidget* parent);
 
 } // namespace texloom::ui

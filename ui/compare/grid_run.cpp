@@ -1,6 +1,7 @@
 #include "ui/compare/grid_run.h"
 
 #include "ui/common/background.h"
+#include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ GridRun::GridRun(RunDesk* desk, CompareView* view, QObject* parent)
             [this](const QueuedJob& job, const std::string& key, const RunPictures& pictures) {
                 keep(job.id, key, pictures);
             });
-    connect(m_queue, &JobQueue::stopped, this, [this](const QueuedJob& job) {
-        say(job.id, tr("Stopped."));
+    connect(m_queue, &JobQueue::cancelled, this, [this](const QueuedJob& job) {
+        say(job.id, tr("Cancelled."));
         m_open.erase(job.id);
     });
 }
@@ -122,6 +123,8 @@ void GridRun::keep(int id, const std::string& key, const RunPictures& pictures) 
     CompareItem item = m_view->items()[static_cast<std::size_t>(cell)];
     item.picture = pictures.result;
     item.key = key;
+    if (pictures.run->stoppedAt)
+        item.label = tr("%1 · %2").arg(item.label, stoppedText(*pictures.run->stoppedAt));
     m_view->setItem(cell, item);
     m_open.erase(id);
 }

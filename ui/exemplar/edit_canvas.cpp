@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace texloom::ui {
 
@@ -27,8 +28,8 @@ EditCanvas::EditCanvas(QWidget* parent) : ImageViewer(parent) {
     setObjectName(QStringLiteral("editCanvas"));
 }
 
-void EditCanvas::setTool(Tool tool) {
-    m_tool = tool;
+void EditCanvas::setMode(Mode mode) {
+    m_mode = mode;
     m_moving = false;
     m_stroke = {};
     m_brushAt.reset();
@@ -36,38 +37,58 @@ void EditCanvas::setTool(Tool tool) {
     update();
 }
 
+void EditCanvas::setFrameFor(const Param& param) {
+    const bool area = param.type() == Param::Type::Area;
+    setMode(area ? Mode::Area : Mode::Points);
+    m_corners.resize(area ? 4 : param.pointCount());
+    resetFrames();
+}
+
 void EditCanvas::resetFrames() {
     if (!picture())
         return;
     const Size size = picture()->size();
     const double x = std::floor(kFirstMargin * size.width), y = std::floor(kFirstMargin * size.height);
-    m_corners = {
-        PlanePoint{x, y}, {size.width - x, y}, {size.width - x, size.height - y}, {x, size.height - y}};
+    const double width = size.width - 2 * x, height = size.height - 2 * y;
+    if (m_corners.size() == 4)
+        m_corners = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+    for (std::size_t i = 0; m_corners.size() != 4 && i < m_corners.size(); ++i) {
+        const double angle =
+            2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(m_corners.size());
+        m_corners[i] = {x + 0.5 * width * (1 + std::sin(angle)), y + 0.5 * height * (1 - std::cos(angle))};
+    }
     m_active = 0;
     m_moving = false;
     update();
     Q_EMIT frameMoved();
 }
 
-QRect EditCanvas::cropFrame() const {
+Value EditCanvas::frame() const {
+    if (m_mode != Mode::Area)
+        return m_corners;
     const auto whole = [](double value) { return static_cast<int>(std::lround(value)); };
     const int left = whole(std::min(m_corners[0].x, m_corners[2].x));
     const int top = whole(std::min(m_corners[0].y, m_corners[2].y));
-    return {left, top, std::max(1, whole(std::max(m_corners[0].x, m_corners[2].x)) - left),
-            std::max(1, whole(std::max(m_corners[0].y, m_corners[2].y)) - top)};
+    return Wholes{left, top, std::max(1, whole(std::max(m_corners[0].x, m_corners[2].x)) - left),
+                  std::max(1, whole(std::max(m_corners[0].y, m_corners[2].y)) - top)};
 }
 
-void EditCanvas::setCropFrame(const QRect& frame) {
-    const double right = frame.x() + frame.width(), bottom = frame.y() + frame.height();
-    setCorners({PlanePoint{double(frame.x()), double(frame.y())},
-                {right, double(frame.y())},
-                {right, bottom},
-                {double(frame.x()), bottom}});
-}
-
-void EditCanvas::setCorners(const std::array<PlanePoint, 4>& corners) {
-    m_corners = corners;
+void EditCanvas::setFrame(const Value& frame) {
+    if (!picture())
+        return;
+    if (const auto* area = std::get_if<Wholes>(&frame))
+        setArea(*area);
+    else
+        m_corners = std::get<PlanePoints>(frame);
     update();
+}
+
+void EditCanvas::setArea(const Wholes& area) {
+    const Size size = picture()->size();
+    const int x = std::clamp(area[0], 0, size.width - 1), y = std::clamp(area[1], 0, size.height - 1);
+    const double left = x, top = y, right = x + std::clamp(area[2], 1, size.width - x),
+                 bottom = y + std::clamp(area[3], 1, size.height - y);
+    m_corners = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
 void EditCanvas::setBrushSize(int pixels) {
@@ -79,7 +100,7 @@ int EditCanvas::cornerAt(QPointF point) const {
     const double reach = fontMetrics().height();
     int nearest = -1;
     double best = reach * reach;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < std::ssize(m_corners); ++i) {
         const QPointF away = view().toWidget(toQt(m_corners[static_cast<std::size_t>(i)])) - point;
         if (const double distance = QPointF::dotProduct(away, away); distance <= best) {
             best = distance;
@@ -94,7 +115,7 @@ void EditCanvas::moveCorner(int corner, PlanePoint to) {
     to.x = std::clamp(to.x, 0.0, static_cast<double>(size.width));
     to.y = std::clamp(to.y, 0.0, static_cast<double>(size.height));
     const auto at = static_cast<std::size_t>(corner);
-    if (m_tool == Tool::Crop) {
+    if (m_mode == Mode::Area) {
         to = {std::round(to.x), std::round(to.y)};
         // The neighbours share a side with it: 0 and 1 the top, 1 and 2 the right one, and so on.
         const bool even = corner % 2 == 0;
@@ -177,7 +198,7 @@ void EditCanvas::keyPressEvent(QKeyEvent* event) {
         {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, -1}}, {Qt::Key_Down, {0, 1}}};
     if (picture() && framing() && !(event->modifiers() & Qt::ShiftModifier)) {
         if (event->key() == Qt::Key_N) {
-            m_active = (m_active + 1) % 4;
+            m_active = (m_active + 1) % static_cast<int>(m_corners.size());
             m_moving = true;
             return update();
         }
@@ -251,7 +272,7 @@ void EditCanvas::paintFrame(QPainter& painter) const {
         painter.setPen(QPen(color, width * share, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(Qt::NoBrush);
         painter.drawPath(inside);
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < polygon.size(); ++i) {
             // The active corner is a filled square, the others are rings.
             const QPointF at = polygon[i];
             painter.setBrush(i == m_active ? QBrush(Qt::white) : QBrush(Qt::NoBrush));
@@ -304,7 +325,7 @@ void EditCanvas::paintStroke(QPainter& painter) const {
         QPainter tint(&tinted);
         tint.setCompositionMode(QPainter::CompositionMode_SourceIn);
         tint.fillRect(tinted.rect(),
-                      m_tool == Tool::Hide ? QColor(0, 0, 0, 150) : QColor(255, 255, 255, 120));
+                      m_mode == Mode::Hide ? QColor(0, 0, 0, 150) : QColor(255, 255, 255, 120));
         tint.end();
         painter.drawImage(image, tinted);
     }

@@ -1,43 +1,44 @@
 #pragma once
 
-#include "core/image/exemplar_edit.h"
+#include "core/base/param.h"
 #include "ui/viewers/image_viewer.h"
 
 #include <QImage>
 #include <QPointF>
-#include <QRect>
 
-#include <array>
+#include <optional>
 
 namespace texloom::ui {
 
-/// The viewer on which an exemplar is cropped, rectified and masked. Frames have four corners: drag them, or
-/// choose one with N (the next) and move it with the arrow keys, by ten pixels with Ctrl; a loupe shows the
-/// corner that moves. The brush paints where the mouse drags, or with the space bar at the cursor that Shift
-/// and the arrow keys move. The middle button pans in every tool.
+/// The viewer on which an exemplar gets a frame or a mask. A frame is an area, or points joined by lines:
+/// drag its corners, or choose one with N (the next) and move it with the arrow keys, by ten pixels with
+/// Ctrl; a loupe shows the corner that moves. The brush paints where the mouse drags, or with the space bar
+/// at the cursor that Shift and the arrow keys move. The middle button always pans.
 class EditCanvas : public ImageViewer {
     Q_OBJECT
 
 public:
-    enum class Tool { Look, Crop, Rectify, Hide, Show };
+    enum class Mode { Look, Area, Points, Hide, Show };
 
     explicit EditCanvas(QWidget* parent = nullptr);
 
-    void setTool(Tool tool);
-    Tool tool() const { return m_tool; }
-    /// The frame of the crop, in whole pixels of the picture; not empty, within it.
-    QRect cropFrame() const;
-    void setCropFrame(const QRect& frame);
-    /// Top left, top right, bottom right, bottom left; kept within the picture.
-    const std::array<PlanePoint, 4>& corners() const { return m_corners; }
-    void setCorners(const std::array<PlanePoint, 4>& corners);
+    /// Looks, hides or shows.
+    void setMode(Mode mode);
+    /// Puts a frame for a parameter, an area or points, where it starts: a little within the picture.
+    void setFrameFor(const Param& param);
+    Mode mode() const { return m_mode; }
+    /// The frame as the parameter's value: an area in whole pixels, not empty, or points, within the picture.
+    Value frame() const;
+    void setFrame(const Value& frame);
+    /// Its corners: of an area top left, top right, bottom right, bottom left.
+    const PlanePoints& corners() const { return m_corners; }
     /// Diameter in pixels of the picture.
     void setBrushSize(int pixels);
     /// Puts frames back to where they start: a little within the picture.
     void resetFrames();
 
 Q_SIGNALS:
-    /// The crop's frame or a corner was moved here.
+    /// The frame or a corner of it was moved here.
     void frameMoved();
     /// A brush stroke ended: white where it went, of the picture's size.
     void painted(const QImage& stroke);
@@ -51,8 +52,9 @@ protected:
     void paintOver(QPainter& painter) const override;
 
 private:
-    bool framing() const { return m_tool == Tool::Crop || m_tool == Tool::Rectify; }
-    bool brushing() const { return m_tool == Tool::Hide || m_tool == Tool::Show; }
+    bool framing() const { return m_mode == Mode::Area || m_mode == Mode::Points; }
+    bool brushing() const { return m_mode == Mode::Hide || m_mode == Mode::Show; }
+    void setArea(const Wholes& area);
     int cornerAt(QPointF point) const;
     void moveCorner(int corner, PlanePoint to);
     void dab(QPointF from, QPointF to);
@@ -62,8 +64,8 @@ private:
     void paintLoupe(QPainter& painter) const;
     void paintStroke(QPainter& painter) const;
 
-    Tool m_tool = Tool::Look;
-    std::array<PlanePoint, 4> m_corners{};
+    Mode m_mode = Mode::Look;
+    PlanePoints m_corners = PlanePoints(4);
     int m_active = 0;      ///< the corner that keys move
     bool m_moving = false; ///< whether the mouse or keys move it now
     int m_brush = 32;

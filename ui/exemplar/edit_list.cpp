@@ -1,75 +1,108 @@
 #include "ui/exemplar/edit_list.h"
 
+#include "core/tools/edits.h"
 #include "ui/common/text.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
-#include <cmath>
-#include <utility>
+#include <algorithm>
 
 namespace texloom::ui {
 
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("texloom::ui::EditText", text);
+    return QCoreApplication::translate("texloom::ui", text);
 }
 
-struct EditText {
-    QString operator()(const CropEdit& edit) const {
-        return tr("Cropped to %1 at %2, %3").arg(sizeText(edit.area.size)).arg(edit.area.x).arg(edit.area.y);
-    }
-    QString operator()(const RotateEdit& edit) const { return tr("Turned by %1°").arg(edit.degrees); }
-    QString operator()(const FlipEdit& edit) const {
-        return edit.axis == FlipEdit::Axis::Horizontal ? tr("Mirrored left to right")
-                                                       : tr("Mirrored top to bottom");
-    }
-    QString operator()(const RectifyEdit&) const { return tr("Rectified by four corners"); }
-    QString operator()(const FlattenEdit& edit) const {
-        return tr("Light evened out by %1 %").arg(std::lround(edit.strength * 100));
-    }
-};
+QString withUnit(const Param& param, const QString& text) {
+    return param.unit().empty() ? text : text + QLatin1Char(' ') + translated(param.unit());
+}
 
-ExemplarEdits::iterator beforeLight(ExemplarEdits& edits) {
-    return lightOf(edits) != nullptr ? edits.end() - 1 : edits.end();
+/// Empty for points, which say nothing in words.
+QString valueText(const Param& param, const Value& value) {
+    switch (param.type()) {
+    case Param::Type::Toggle:
+        return std::get<bool>(value) ? tr("on") : tr("off");
+    case Param::Type::Choice:
+        for (const Choice& choice : param.choices())
+            if (choice.id == std::get<std::string>(value))
+                return translated(choice.title);
+        return {};
+    case Param::Type::Area: {
+        const auto& area = std::get<Wholes>(value);
+        return tr("%1 at %2, %3").arg(sizeText({area[2], area[3]})).arg(area[0]).arg(area[1]);
+    }
+    case Param::Type::Size: {
+        const auto& size = std::get<Wholes>(value);
+        return sizeText({size[0], size[1]});
+    }
+    case Param::Type::Points:
+        return {};
+    case Param::Type::Integer:
+    case Param::Type::Real:
+        break;
+    }
+    return withUnit(param, QString::fromStdString(toText(value)));
+}
+
+/// Where the colours at the end of the list begin.
+std::size_t firstColour(const ExemplarEdits& edits) {
+    const auto moves = std::find_if(edits.rbegin(), edits.rend(),
+                                    [](const ExemplarEdit& edit) { return toolOf(edit).warps(); });
+    return static_cast<std::size_t>(edits.rend() - moves);
+}
+
+bool isPreset(const Tool& tool, const ExemplarEdit& edit) {
+    const std::vector<ToolPreset>& presets = tool.info().presets;
+    return std::any_of(presets.begin(), presets.end(),
+                       [&](const ToolPreset& preset) { return resolved(preset.values) == resolved(edit); });
 }
 
 } // namespace
 
 QString editText(const ExemplarEdit& edit) {
-    return std::visit(EditText{}, edit);
+    const Tool& tool = toolOf(edit);
+    const ExemplarEdit shown = resolved(edit);
+    QStringList values;
+    for (const Param& param : tool.params()) {
+        const auto value = shown.find(param.name());
+        const bool first = &param == &tool.params().front();
+        if (value == shown.end() || (!first && value->second == param.defaultFor(0)))
+            continue;
+        const QString text = valueText(param, value->second);
+        if (!text.isEmpty())
+            values += first ? text : tr("%1 %2").arg(translated(param.title()), text);
+    }
+    const QString title = translated(tool.info().title);
+    return values.isEmpty() ? title : tr("%1: %2").arg(title, values.join(QStringLiteral(", ")));
 }
 
-const FlattenEdit* lightOf(const ExemplarEdits& edits) {
-    return edits.empty() ? nullptr : std::get_if<FlattenEdit>(&edits.back());
-}
-
-double angleOf(const ExemplarEdits& edits) {
-    const std::size_t light = lightOf(edits) != nullptr ? 1 : 0;
-    if (edits.size() <= light)
-        return 0;
-    const auto* rotation = std::get_if<RotateEdit>(&edits[edits.size() - 1 - light]);
-    return rotation != nullptr && std::fmod(rotation->degrees, 90) != 0 ? rotation->degrees : 0;
+std::optional<std::size_t> standingEdit(const ExemplarEdits& edits, const Tool& tool) {
+    const std::size_t colours = firstColour(edits);
+    const std::size_t begin = tool.warps() ? std::max<std::size_t>(colours, 1) - 1 : colours;
+    const std::size_t end = tool.warps() ? colours : edits.size();
+    for (std::size_t i = begin; i < end; ++i)
+        if (&toolOf(edits[i]) == &tool && !isPreset(tool, edits[i]))
+            return i;
+    return std::nullopt;
 }
 
 ExemplarEdits withEdit(ExemplarEdits edits, const ExemplarEdit& edit) {
-    edits.insert(beforeLight(edits), edit);
+    const std::size_t at = toolOf(edit).warps() ? firstColour(edits) : edits.size();
+    edits.insert(edits.begin() + static_cast<std::ptrdiff_t>(at), edit);
     return edits;
 }
 
-ExemplarEdits withAngle(ExemplarEdits edits, double degrees) {
-    if (angleOf(edits) != 0)
-        edits.erase(beforeLight(edits) - 1);
-    if (degrees != 0)
-        edits.insert(beforeLight(edits), RotateEdit{degrees});
-    return edits;
-}
-
-ExemplarEdits withLight(ExemplarEdits edits, const std::optional<FlattenEdit>& light) {
-    if (lightOf(edits) != nullptr)
-        edits.pop_back();
-    if (light)
-        edits.emplace_back(*light);
+ExemplarEdits withStanding(ExemplarEdits edits, const Tool& tool, const std::optional<ExemplarEdit>& edit) {
+    const std::optional<std::size_t> at = standingEdit(edits, tool);
+    if (!at)
+        return edit ? withEdit(std::move(edits), *edit) : edits;
+    if (edit)
+        edits[*at] = *edit;
+    else
+        edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(*at));
     return edits;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/image/exemplar_edit.h"
+#include "core/base/exemplar_edit.h"
+#include "core/tools/tool.h"
 
 #include <QString>
 
@@ -8,23 +9,19 @@
 
 namespace texloom::ui {
 
-/// What the editing page keeps true of a list of edits: the light, of which there is at most one, comes last,
-/// and before it the turn that the slider of the angle stands for.
+/// What the editing page keeps true of a list of edits: those that change colours come last, since they suit
+/// the pixels they were set for; and the form of a tool that adjusts stands for the edit of that tool that it
+/// can reach without moving another: among the colours, or as the last that moves pixels.
 
-/// "Turned by 12.5°": one edit in words.
+/// "Turn: 12.5 °": one edit in words.
 QString editText(const ExemplarEdit& edit);
 
-/// The evening out of the light among the edits; null if there is none.
-const FlattenEdit* lightOf(const ExemplarEdits& edits);
-/// The angle that the slider stands for, in degrees: of a turn that is no quarter, last but for the light; 0
-/// without one.
-double angleOf(const ExemplarEdits& edits);
+/// The edit that the form of a tool stands for, as its place in the list. Presets stand for themselves.
+std::optional<std::size_t> standingEdit(const ExemplarEdits& edits, const Tool& tool);
 
-/// The edits with one more, before the light.
+/// The edits with one more, in its place.
 ExemplarEdits withEdit(ExemplarEdits edits, const ExemplarEdit& edit);
-/// The edits with another angle of the slider.
-ExemplarEdits withAngle(ExemplarEdits edits, double degrees);
-/// The edits with another light, or none.
-ExemplarEdits withLight(ExemplarEdits edits, const std::optional<FlattenEdit>& light);
+/// The edits with the one that the tool's form stands for changed, added, or taken out.
+ExemplarEdits withStanding(ExemplarEdits edits, const Tool& tool, const std::optional<ExemplarEdit>& edit);
 
 } // namespace texloom::ui

@@ -1,14 +1,14 @@
 #include "ui/exemplar/exemplar_editor.h"
 
+#include "core/base/text.h"
 #include "core/session/run/edited_exemplar.h"
 #include "ui/common/background.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/text.h"
-#include "ui/common/value_editor.h"
-#include "ui/exemplar/edit_fields.h"
+#include "ui/common/value_editors.h"
 #include "ui/exemplar/edit_list.h"
-#include "ui/exemplar/frame_pages.h"
-#include "ui/exemplar/light_group.h"
+#include "ui/exemplar/frame_page.h"
+#include "ui/exemplar/tool_form.h"
 
 #include <QButtonGroup>
 #include <QFormLayout>
@@ -27,9 +27,28 @@
 
 namespace texloom::ui {
 
+namespace {
+
+struct Brush {
+    int width = 32;
+};
+
+const Param& brushWidth() {
+    static const Param width = field(&Brush::width, "brush", TR("Brush")).range(1, 512).unit("px");
+    return width;
+}
+
+QLabel* noteLabel(const QString& text) {
+    auto* note = new QLabel(text);
+    note->setWordWrap(true);
+    return note;
+}
+
+} // namespace
+
 ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     : QWidget(parent), m_store(store), m_canvas(new EditCanvas(this)), m_title(new ElidedLabel(this)),
-      m_tools(new QButtonGroup(this)) {
+      m_buttons(new QButtonGroup(this)) {
     setObjectName(QStringLiteral("exemplarEditor"));
     m_canvas->setAccessibleName(tr("Exemplar being edited"));
     QFont bold = font();
@@ -39,11 +58,11 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     auto* tools = new QWidget;
     auto* column = new QVBoxLayout(tools);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(makeToolRow());
-    column->addWidget(makeToolPages());
-    column->addWidget(makeTurnGroup());
-    m_light = new LightGroup(tools);
-    column->addWidget(m_light);
+    auto* row = new QWidget(tools);
+    column->addWidget(row);
+    column->addWidget(makePages());
+    makeModes(row);
+    makeForms(column);
     column->addWidget(makeListGroup(), 1);
     auto* scroll = new QScrollArea(this);
     scroll->setWidgetResizable(true);
@@ -68,79 +87,81 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     whole->addLayout(top);
     whole->addLayout(middle, 1);
 
-    connect(m_light, &LightGroup::edited, this, [this] {
-        set(withLight(edits(), m_light->light()), tr("Even out the light"), QStringLiteral("light"));
-    });
-    connect(m_light, &LightGroup::beforeToggled, this, &ExemplarEditor::showCurrent);
-    connect(m_canvas, &EditCanvas::painted, this, [this](const QImage& stroke) {
-        Image painted({stroke.width(), stroke.height()}, 1);
-        for (int y = 0; y < stroke.height(); ++y)
-            for (int x = 0; x < stroke.width(); ++x)
-                painted(x, y, 0) = stroke.constScanLine(y)[x] != 0 ? 1.0F : 0.0F;
-        m_store->paintMask(m_shownId, std::move(painted), m_canvas->tool() == EditCanvas::Tool::Hide);
-    });
+    connect(m_canvas, &EditCanvas::painted, this, &ExemplarEditor::hidePainted);
     connect(m_store, &ExemplarStore::changed, this, &ExemplarEditor::showCurrent);
     connect(m_store, &ExemplarStore::currentChanged, this, &ExemplarEditor::showCurrent);
-    setTool(EditCanvas::Tool::Look);
+    setMode(QStringLiteral("look"));
     showCurrent();
 }
 
-QWidget* ExemplarEditor::makeToolRow() {
-    auto* row = new QWidget(this);
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    const std::tuple<EditCanvas::Tool, QString, QString, const char*> tools[] = {
-        {EditCanvas::Tool::Look, tr("&Look"), tr("Zoom and pan"), "toolLook"},
-        {EditCanvas::Tool::Crop, tr("&Crop"), tr("Keep a rectangle of the exemplar"), "toolCrop"},
-        {EditCanvas::Tool::Rectify, tr("Re&ctify"),
-         tr("Make a rectangle of a surface that was photographed at a slant"), "toolRectify"},
-        {EditCanvas::Tool::Hide, tr("&Hide"), tr("Paint over what is never copied"), "toolHide"},
-        {EditCanvas::Tool::Show, tr("&Unhide"), tr("Paint over what may be copied again"), "toolShow"}};
-    for (const auto& [tool, text, help, name] : tools) {
-        auto* button = new QToolButton(row);
-        button->setText(text);
-        button->setToolTip(help);
-        button->setObjectName(QLatin1String(name));
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        m_tools->addButton(button, static_cast<int>(tool));
-        layout->addWidget(button, 1);
-    }
-    connect(m_tools, &QButtonGroup::idClicked, this,
-            [this](int id) { setTool(static_cast<EditCanvas::Tool>(id)); });
-    return row;
+void ExemplarEditor::hidePainted(const QImage& stroke) {
+    Image painted({stroke.width(), stroke.height()}, 1);
+    for (int y = 0; y < stroke.height(); ++y)
+        for (int x = 0; x < stroke.width(); ++x)
+            painted(x, y, 0) = stroke.constScanLine(y)[x] != 0 ? 1.0F : 0.0F;
+    m_store->paintMask(m_shownId, std::move(painted), m_canvas->mode() == EditCanvas::Mode::Hide);
 }
 
-QWidget* ExemplarEditor::makeToolPages() {
+void ExemplarEditor::addMode(QWidget* row, const QString& title, const QString& help, Mode mode) {
+    auto* button = new QToolButton(row);
+    button->setText(title);
+    button->setToolTip(help);
+    button->setObjectName(QStringLiteral("mode-%1").arg(mode.name));
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    m_buttons->addButton(button, static_cast<int>(m_modes.size()));
+    row->layout()->addWidget(button);
+    m_modes.push_back(std::move(mode));
+}
+
+/// A button for looking, one for each tool with a frame, and two for the mask, with their pages.
+void ExemplarEditor::makeModes(QWidget* row) {
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    addMode(row, tr("&Look"), tr("Zoom and pan"),
+            {QStringLiteral("look"), nullptr, EditCanvas::Mode::Look, m_pages->addWidget(makeLookPage())});
+    for (const Tool& tool : tools()) {
+        if (!FramePage::suits(tool))
+            continue;
+        auto* page = new FramePage(tool, m_canvas, m_pages);
+        connect(page, &FramePage::applied, this, [this](const Values& edit) {
+            append(edit);
+            setMode(QStringLiteral("look"));
+        });
+        addMode(row, translated(tool.info().title), translated(tool.info().summary),
+                {QString::fromStdString(tool.id()), &tool, EditCanvas::Mode::Look, m_pages->addWidget(page)});
+    }
+    const int mask = m_pages->addWidget(makeMaskPage());
+    addMode(row, tr("&Hide"), tr("Paint over what is never copied"),
+            {QStringLiteral("hide"), nullptr, EditCanvas::Mode::Hide, mask});
+    addMode(row, tr("&Unhide"), tr("Paint over what may be copied again"),
+            {QStringLiteral("show"), nullptr, EditCanvas::Mode::Show, mask});
+    connect(m_buttons, &QButtonGroup::idClicked, this,
+            [this](int id) { setMode(m_modes.at(static_cast<std::size_t>(id)).name); });
+}
+
+QWidget* ExemplarEditor::makePages() {
     m_pages = new QStackedWidget(this);
-    auto* look =
-        new QLabel(tr("The wheel zooms, dragging moves. Choose a tool above, or turn, mirror and even "
-                      "out the light below. Files stay as they are."),
-                   m_pages);
-    look->setWordWrap(true);
-    look->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_pages->addWidget(look);
-    auto* crop = new CropPage(m_canvas, m_pages);
-    auto* corners = new CornersPage(m_canvas, m_pages);
-    connect(crop, &CropPage::applied, this, [this] {
-        const QRect frame = m_canvas->cropFrame();
-        applyFrame(CropEdit{{frame.x(), frame.y(), {frame.width(), frame.height()}}});
-    });
-    connect(corners, &CornersPage::applied, this, [this] {
-        applyFrame(RectifyEdit{m_canvas->corners(), {}});
-    });
-    m_pages->addWidget(crop);
-    m_pages->addWidget(corners);
-    m_pages->addWidget(makeMaskPage());
     return m_pages;
+}
+
+QWidget* ExemplarEditor::makeLookPage() {
+    QLabel* const look =
+        noteLabel(tr("The wheel zooms, dragging moves. Choose a tool above, or turn, mirror and even "
+                     "out the light below. Files stay as they are."));
+    look->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    return look;
 }
 
 QWidget* ExemplarEditor::makeMaskPage() {
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     form->setContentsMargins(0, 0, 0, 0);
-    m_brush = editorFor("brush", page);
-    addEditorRow(form, "brush", m_brush);
+    m_brush = makeValueEditor(brushWidth(), page);
+    m_brush->setObjectName(QStringLiteral("edit-brush"));
+    m_brush->setAccessibleName(translated(brushWidth().title()));
+    m_brush->setValue(brushWidth().defaultFor(0));
+    form->addRow(translated(brushWidth().title()), m_brush);
     form->addRow(
         noteLabel(tr("Hatched = never copied. Shift and the arrow keys move the brush, the space bar "
                      "dabs.")));
@@ -155,34 +176,19 @@ QWidget* ExemplarEditor::makeMaskPage() {
     return page;
 }
 
-QWidget* ExemplarEditor::makeTurnGroup() {
-    auto* group = new QGroupBox(tr("Turn and mirror"), this);
-    auto* form = new QFormLayout(group);
-    m_angle = editorFor("angle", group);
-    addEditorRow(form, "angle", m_angle);
-    auto* row = new QWidget(group);
-    auto* layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    const auto add = [&](const QString& text, const QString& help, const char* name, auto onClick) {
-        auto* button = new QToolButton(row);
-        button->setText(text);
-        button->setToolTip(help);
-        button->setAccessibleName(help);
-        button->setObjectName(QLatin1String(name));
-        button->setFocusPolicy(Qt::StrongFocus);
-        connect(button, &QToolButton::clicked, this, onClick);
-        layout->addWidget(button, 1);
-    };
-    add(tr("↺ 90°"), tr("Turn left by 90°"), "turnLeft", [this] { append(RotateEdit{-90}); });
-    add(tr("↻ 90°"), tr("Turn right by 90°"), "turnRight", [this] { append(RotateEdit{90}); });
-    add(tr("↔"), tr("Mirror left to right"), "mirrorAcross",
-        [this] { append(FlipEdit{FlipEdit::Axis::Horizontal}); });
-    add(tr("↕"), tr("Mirror top to bottom"), "mirrorDown",
-        [this] { append(FlipEdit{FlipEdit::Axis::Vertical}); });
-    form->addRow(row);
-    connect(m_angle, &ValueEditor::edited, this,
-            [this] { set(withAngle(edits(), realOf(*m_angle)), tr("Turn"), QStringLiteral("angle")); });
-    return group;
+/// A form for each tool that edits without a frame: those that move pixels first, as in the list of edits.
+void ExemplarEditor::makeForms(QLayout* column) {
+    for (const bool warps : {true, false})
+        for (const Tool& tool : tools()) {
+            if (tool.joins() || tool.warps() != warps || FramePage::suits(tool))
+                continue;
+            auto* form = new ToolForm(tool, column->parentWidget());
+            column->addWidget(form);
+            m_forms.push_back(form);
+            connect(form, &ToolForm::edited, this, [this, form] { adjust(form); });
+            connect(form, &ToolForm::added, this, &ExemplarEditor::append);
+            connect(form, &ToolForm::beforeToggled, this, &ExemplarEditor::showCurrent);
+        }
 }
 
 QWidget* ExemplarEditor::makeListGroup() {
@@ -209,11 +215,15 @@ void ExemplarEditor::showEvent(QShowEvent* event) {
     m_canvas->setFocus();
 }
 
-void ExemplarEditor::setTool(EditCanvas::Tool tool) {
-    m_tools->button(static_cast<int>(tool))->setChecked(true);
-    m_pages->setCurrentIndex(std::min(static_cast<int>(tool), 3));
-    m_canvas->setTool(tool);
-    m_canvas->resetFrames();
+void ExemplarEditor::setMode(const QString& mode) {
+    const auto found =
+        std::find_if(m_modes.begin(), m_modes.end(), [&](const Mode& known) { return known.name == mode; });
+    m_buttons->button(static_cast<int>(found - m_modes.begin()))->setChecked(true);
+    m_pages->setCurrentIndex(found->page);
+    if (found->tool != nullptr)
+        m_canvas->setFrameFor(found->tool->params().front());
+    else
+        m_canvas->setMode(found->canvas);
     m_canvas->setFocus();
 }
 
@@ -241,31 +251,38 @@ void ExemplarEditor::showCurrent() {
         tr("%1 · %2 px")
             .arg(toQString(entry->file().path.filename()), sizeText(entry->file().image->size())));
     const ExemplarEdits& made = entry->exemplar.edits;
-    const bool before = m_light->showsBefore() && lightOf(made) != nullptr;
-    if (before)
-        showBeforeLight();
+    const auto before = std::find_if(m_forms.begin(), m_forms.end(), [&](const ToolForm* form) {
+        return form->showsBefore() && standingEdit(made, form->tool());
+    });
+    ++m_beforeRequest; // what is still being made shows an earlier state
+    if (before != m_forms.end())
+        showWithout(*standingEdit(made, (*before)->tool()));
     else
         m_canvas->setPicture(entry->picture);
-    m_canvas->setBadge(before ? tr("Before") : QString());
+    m_canvas->setBadge(before != m_forms.end() ? tr("Before") : QString());
     m_canvas->setHidden(entry->hidden);
     m_clearMask->setEnabled(entry->exemplar.mask.has_value());
     if (other)
         m_canvas->resetFrames();
     fillList(made);
-    m_light->setLight(lightOf(made));
+    for (ToolForm* form : m_forms) {
+        const std::optional<std::size_t> standing = standingEdit(made, form->tool());
+        if (form->adjusts())
+            form->setEdit(standing ? &made[*standing] : nullptr);
+    }
 }
 
-void ExemplarEditor::showBeforeLight() {
+void ExemplarEditor::showWithout(std::size_t index) {
     const ExemplarEntry* const entry = m_store->current();
     ExemplarEdits without = entry->exemplar.edits;
-    without.pop_back();
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(index));
     inBackground(
         this,
         [exemplar = entry->exemplar, without] {
             return std::make_shared<const DisplayPicture>(edited(exemplar, without).image.image);
         },
-        [this, request = ++m_beforeRequest](const std::shared_ptr<const DisplayPicture>& picture) {
-            if (request == m_beforeRequest && m_light->showsBefore())
+        [this, request = m_beforeRequest](const std::shared_ptr<const DisplayPicture>& picture) {
+            if (request == m_beforeRequest)
                 m_canvas->setPicture(picture);
         },
         [](const QString&) {});
@@ -279,12 +296,12 @@ void ExemplarEditor::fillList(const ExemplarEdits& edits) {
         m_list->addItem(editText(edit));
     m_list->setCurrentRow(std::min(row, m_list->count() - 1));
     m_remove->setEnabled(m_list->currentRow() >= 0);
-    m_angle->setValue(angleOf(edits));
 }
 
-void ExemplarEditor::applyFrame(const ExemplarEdit& edit) {
-    append(edit);
-    setTool(EditCanvas::Tool::Look);
+void ExemplarEditor::adjust(const ToolForm* form) {
+    const Tool& tool = form->tool();
+    set(withStanding(edits(), tool, form->edit()), translated(tool.info().title),
+        QString::fromStdString(tool.id()));
 }
 
 void ExemplarEditor::append(const ExemplarEdit& edit) {

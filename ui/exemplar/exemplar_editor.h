@@ -1,12 +1,16 @@
 #pragma once
 
+#include "core/tools/tool.h"
 #include "ui/exemplar/edit_canvas.h"
 #include "ui/exemplar/exemplar_store.h"
 
 #include <QWidget>
 
+#include <vector>
+
 class QButtonGroup;
 class QLabel;
+class QLayout;
 class QListWidget;
 class QPushButton;
 class QStackedWidget;
@@ -14,11 +18,11 @@ class QStackedWidget;
 namespace texloom::ui {
 
 class ElidedLabel;
-class LightGroup;
+class ToolForm;
 class ValueEditor;
 
-/// The page on which the current exemplar is edited: crop, turn, mirror, rectify, even out the light, hide
-/// parts from methods that copy. Nothing here changes a file; every step shows in a list and can be undone.
+/// The page on which the current exemplar is edited, by every tool there is, and parts of it are hidden from
+/// methods that copy. Nothing here changes a file; every step shows in a list and can be undone.
 class ExemplarEditor : public QWidget {
     Q_OBJECT
 
@@ -26,7 +30,8 @@ public:
     explicit ExemplarEditor(ExemplarStore* store, QWidget* parent = nullptr);
 
     EditCanvas* canvas() const { return m_canvas; }
-    void setTool(EditCanvas::Tool tool);
+    /// Chooses what the mouse does on the canvas: "look", "hide", "show", or the id of a tool with a frame.
+    void setMode(const QString& mode);
     /// Says whether the method uses a mask.
     void setMaskUsed(bool used);
 
@@ -38,30 +43,42 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    QWidget* makeToolRow();
-    QWidget* makeToolPages();
+    /// What the mouse can do on the canvas, with the page of its settings.
+    struct Mode {
+        QString name;
+        const Tool* tool; ///< whose frame it is; else null
+        EditCanvas::Mode canvas;
+        int page;
+    };
+
+    void makeModes(QWidget* row);
+    void addMode(QWidget* row, const QString& title, const QString& help, Mode mode);
+    QWidget* makePages();
+    QWidget* makeLookPage();
     QWidget* makeMaskPage();
-    QWidget* makeTurnGroup();
+    void makeForms(QLayout* column);
     QWidget* makeListGroup();
 
     void showCurrent();
-    void showBeforeLight();
+    void showWithout(std::size_t index);
     void fillList(const ExemplarEdits& edits);
-    void applyFrame(const ExemplarEdit& edit);
     void removeEdit(int index);
     void append(const ExemplarEdit& edit);
+    void adjust(const ToolForm* form);
+    void hidePainted(const QImage& stroke);
     ExemplarEdits edits() const;
     void set(const ExemplarEdits& edits, const QString& what, const QString& key = {});
 
     ExemplarStore* m_store;
     EditCanvas* m_canvas;
     ElidedLabel* m_title;
-    QButtonGroup* m_tools;
+    QButtonGroup* m_buttons;
+    std::vector<Mode> m_modes; ///< by the buttons' ids
     QStackedWidget* m_pages = nullptr;
+    std::vector<ToolForm*> m_forms;
     QLabel* m_maskNote = nullptr;
     QPushButton* m_clearMask = nullptr;
-    ValueEditor *m_angle = nullptr, *m_brush = nullptr;
-    LightGroup* m_light = nullptr;
+    ValueEditor* m_brush = nullptr;
     QListWidget* m_list = nullptr;
     QPushButton* m_remove = nullptr;
     int m_shownId = 0;

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/image/mask_paint.h"
 #include "core/session/run/edited_exemplar.h"
+#include "core/tools/edits.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
@@ -394,7 +395,7 @@ void ExemplarStore::paintMask(int id, Image stroke, bool hide) {
                 const Image* const known = state.original.mask ? state.original.mask->image.get() : nullptr;
                 const Size size = state.original.image.image->size();
                 state.original.mask =
-                    saveMask(paintedMask(known, size, placementOf(state.edits, size), *painted, hide),
+                    saveMask(paintedMask(known, size, warpOf(state.edits, size), *painted, hide),
                              state.original.image.name());
             },
             true});

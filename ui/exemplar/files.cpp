@@ -1,6 +1,7 @@
 #include "ui/exemplar/files.h"
 
 #include "core/base/error.h"
+#include "core/session/run/checkpoint_file.h"
 #include "core/session/session.h"
 #include "ui/common/own_folders.h"
 #include "ui/common/text.h"
@@ -16,14 +17,15 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace texloom::ui {
 
 namespace {
 
 const QString kRecents = QStringLiteral("recentFiles");
-/// Painted masks younger than this may belong to a window that has not written its copy for recovery yet.
-constexpr int kMaskDays = 7;
+/// Files made here that are younger may belong to a window that has not written its copy for recovery yet.
+constexpr int kOwnDays = 7;
 constexpr int kMostRecents = 12;
 
 const QStringList& pictureNames() {
@@ -119,34 +121,64 @@ QString ownFolder() {
     return dataFolder(QStringLiteral("masks"));
 }
 
-ExemplarFile saveMask(const Image& mask, const std::string& exemplar) {
+namespace {
+
+/// A path in ownFolder() that no other file has.
+std::filesystem::path ownPath(const QString& name, const QString& ending) {
     const QDir folder(ownFolder());
-    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
     if (!folder.mkpath(QStringLiteral(".")))
-        fail("The painted mask could not be kept in {}; check that there is room.",
-             folder.path().toStdString());
-    const QString name = QStringLiteral("%1_mask-%2.png").arg(QString::fromStdString(exemplar), stamp);
-    WriteOptions options;
-    options.space = "raw";
-    writeImage(toPath(folder.filePath(name)), mask, options);
-    return loadMask(toPath(folder.filePath(name)));
+        fail("The folder {} cannot be made; check that there is room.", folder.path().toStdString());
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+    return toPath(folder.filePath(QStringLiteral("%1-%2%3").arg(name, stamp, ending)));
 }
 
-void removeOldMasks(const std::vector<Recipe>& recipes, const QString& recovery) {
-    std::set<std::filesystem::path> named;
-    const auto add = [&](const Recipe& recipe) {
-        for (const RecipeExemplar& exemplar : recipe.exemplars)
-            if (exemplar.mask)
-                named.insert(exemplar.mask->path);
-    };
-    std::for_each(recipes.begin(), recipes.end(), add);
+/// The recipes of runs that can still go on.
+std::vector<Recipe> recipesOfCheckpoints(const QString& recovery) {
+    std::vector<Recipe> recipes;
+    for (const QFileInfo& file : QDir(recovery).entryInfoList({QStringLiteral("*.checkpoint")}, QDir::Files))
+        try {
+            recipes.push_back(readCheckpoint(toPath(file.filePath())).recipe);
+        } catch (const Error&) { // damaged: no run goes on from it
+        }
+    return recipes;
+}
+
+} // namespace
+
+ExemplarFile saveMask(const Image& mask, const std::string& exemplar) {
+    const auto path =
+        ownPath(QString::fromStdString(exemplar) + QStringLiteral("_mask"), QStringLiteral(".png"));
+    WriteOptions options;
+    options.space = "raw";
+    writeImage(path, mask, options);
+    return loadMask(path);
+}
+
+QString saveResult(const Image& image, const std::string& name, const std::string& space,
+                   const Recipe& recipe) {
+    const auto path = ownPath(QString::fromStdString(name), QStringLiteral(".exr"));
+    WriteOptions options;
+    options.depth = Depth::Float;
+    options.space = space;
+    options.recipe = recipe.toJson(path.parent_path());
+    writeImage(path, image, options);
+    return toQString(path);
+}
+
+void removeOldFiles(std::vector<Recipe> recipes, const QString& recovery) {
     for (const QFileInfo& copy : QDir(recovery).entryInfoList(QDir::Files))
         if (copy.suffix() == QLatin1String("texloom"))
-            add(readSession(toPath(copy.filePath())).settings);
-    const QDateTime limit = QDateTime::currentDateTime().addDays(-kMaskDays);
-    for (const QFileInfo& mask : QDir(ownFolder()).entryInfoList(QDir::Files))
-        if (mask.lastModified() < limit && !named.contains(toPath(mask.filePath())))
-            QFile::remove(mask.filePath());
+            recipes.push_back(readSession(toPath(copy.filePath())).settings);
+    for (Recipe& recipe : recipesOfCheckpoints(recovery))
+        recipes.push_back(std::move(recipe));
+    std::set<std::filesystem::path> named;
+    for (const Recipe& recipe : recipes)
+        for (const RecipeFile* file : recipe.files())
+            named.insert(file->path);
+    const QDateTime limit = QDateTime::currentDateTime().addDays(-kOwnDays);
+    for (const QFileInfo& own : QDir(ownFolder()).entryInfoList(QDir::Files))
+        if (own.lastModified() < limit && !named.contains(toPath(own.filePath())))
+            QFile::remove(own.filePath());
 }
 
 } // namespace texloom::ui

@@ -36,16 +36,22 @@ QString pastedFolder();
 /// Writes a pasted picture to a file of its own in pastedFolder(). Called on a worker. @throws Error
 QString savePastedPicture(const QImage& picture);
 
-/// The folder for what is made here and has no place of its own: painted masks.
+/// The folder for what is made here and has no place of its own: painted masks, results that are inputs.
 QString ownFolder();
 
 /// Writes a painted mask to a file of its own in ownFolder(). Called on a worker. @throws Error
 ExemplarFile saveMask(const Image& mask, const std::string& exemplar);
 
-/// Removes the masks in ownFolder() that are older than a week and named neither by these recipes nor by a
-/// session in the folder of those to be recovered; saved sessions have copies of their own. Called on a
-/// worker.
+/// Writes a result, bit for bit, to a file of its own in ownFolder(), so that it can be an input or an
+/// exemplar. Called on a worker. @param name the file's begins with it. @param space "srgb", or "raw" for
+/// data. @param recipe that made it. @return its path. @throws Error, UsageError
+QString saveResult(const Image& image, const std::string& name, const std::string& space,
+                   const Recipe& recipe);
+
+/// Removes the files in ownFolder() that are older than a week and named neither by these recipes nor by a
+/// session or a checkpoint in the folder of those to be recovered; saved sessions have copies of their own.
+/// Called on a worker.
 /// @throws Error, UsageError where a session cannot be read; then nothing is removed.
-void removeOldMasks(const std::vector<Recipe>& recipes, const QString& recovery);
+void removeOldFiles(std::vector<Recipe> recipes, const QString& recovery);
 
 } // namespace texloom::ui

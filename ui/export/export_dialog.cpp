@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/color/color_pipeline.h"
+#include "core/session/run/asset_file.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
@@ -195,7 +196,47 @@ QFormLayout* ExportDialog::makeForm() {
     form->addRow(QString(), m_exactMap);
     form->addRow(tr("Also"), m_sidecar);
     form->addRow(QString(), m_companions);
+    addOutputs(form);
     return form;
+}
+
+/// A row for each further output; volumes may be large, and are written only where that is wanted.
+void ExportDialog::addOutputs(QFormLayout* form) {
+    std::map<std::string, std::filesystem::path> all;
+    for (const auto& [port, assets] : m_result->synthesis.outputs.byPort())
+        if (outputPort(m_result->plan, port) != nullptr)
+            all.emplace(port, std::filesystem::path());
+    for (const OutputFile& output : outputFiles(*m_result, all)) {
+        if (!m_outputs.empty() && m_outputs.back().output.port == output.port)
+            continue; // several of one port are written together
+        const bool volume = output.port->kind == AssetKind::Volume;
+        OutputRow row{output, new QCheckBox(translated(output.content()), this)};
+        row.box->setObjectName(QStringLiteral("export_") + QString::fromStdString(output.port->id));
+        row.box->setToolTip(translated(output.port->help));
+        row.box->setChecked(!volume);
+        form->addRow(QString(), row.box);
+        if (volume) {
+            row.format = volumeFormats(output);
+            row.format->setEnabled(false);
+            connect(row.box, &QCheckBox::toggled, row.format, &QWidget::setEnabled);
+            form->addRow(tr("Written as"), row.format);
+        }
+        m_outputs.push_back(row);
+    }
+}
+
+QComboBox* ExportDialog::volumeFormats(const OutputFile& output) {
+    auto* formats = new QComboBox(this);
+    formats->setObjectName(QStringLiteral("format_") + QString::fromStdString(output.port->id));
+    formats->addItem(tr("Raw numbers with JSON"), QStringLiteral(".json"));
+    formats->addItem(tr("Slices as PNG"), QStringLiteral(".png"));
+    formats->addItem(tr("Slices as TIFF"), QStringLiteral(".tif"));
+    formats->addItem(tr("Slices as OpenEXR"), QStringLiteral(".exr"));
+    const AssetWriteOptions write = outputOptions(*m_result, output);
+    const auto source = std::get<std::shared_ptr<const VolumeSource>>(*output.asset);
+    const VolumeSize size = keptBox(*source, write.size, write.mostVoxels).size;
+    formats->setToolTip(tr("%1 voxels are written.").arg(QString::fromStdString(texloom::sizeText(size))));
+    return formats;
 }
 
 void ExportDialog::makeTable() {
@@ -233,7 +274,13 @@ void ExportDialog::connectFields() {
     connect(m_preset, &QComboBox::currentIndexChanged, this, &ExportDialog::presetChosen);
     for (QComboBox* combo : {m_depth, m_space, m_normals})
         connect(combo, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
-    for (QCheckBox* box : {m_stMap, m_exactMap, m_sidecar, m_companions, m_foreign})
+    std::vector<QCheckBox*> boxes = {m_stMap, m_exactMap, m_sidecar, m_companions, m_foreign};
+    for (const OutputRow& row : m_outputs) {
+        boxes.push_back(row.box);
+        if (row.format != nullptr)
+            connect(row.format, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
+    }
+    for (QCheckBox* box : boxes)
         connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
 }
 
@@ -266,6 +313,13 @@ ExportOptions ExportDialog::options() const {
         options.maps.push_back(besideIt("map", ".png"));
     options.companions = m_companions->isChecked();
     options.depths = m_depths;
+    for (const OutputRow& row : m_outputs)
+        if (row.box->isChecked()) {
+            const std::string extension = row.format != nullptr
+                                              ? row.format->currentData().toString().toStdString()
+                                              : usualExtension(row.output.port->kind);
+            options.outputs[row.output.port->id] = besideIt(row.output.port->id.c_str(), extension.c_str());
+        }
     return options;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/session/export/export.h"
+#include "core/session/export/output_files.h"
 
 #include <QDialog>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
@@ -32,7 +35,16 @@ public:
     QString folder() const;
 
 private:
+    /// One of the result's further outputs, such as a model or a volume.
+    struct OutputRow {
+        OutputFile output; ///< without a path
+        QCheckBox* box = nullptr;
+        QComboBox* format = nullptr; ///< of volumes: the extension that they are written with
+    };
+
     void makeChecks();
+    void addOutputs(QFormLayout* form);
+    QComboBox* volumeFormats(const OutputFile& output);
     QFormLayout* makeForm();
     void makeTable();
     QWidget* makeButtons();
@@ -63,6 +75,7 @@ private:
     QCheckBox* m_exactMap;
     QCheckBox* m_sidecar;
     QCheckBox* m_companions;
+    std::vector<OutputRow> m_outputs;
     QTableWidget* m_table;
     QCheckBox* m_foreign; ///< shown where files of others would be replaced
     QLabel* m_problem;

@@ -274,6 +274,19 @@ void OutputGroup::addInput(const std::string& port, InputFile file) {
             return row->add(std::move(file));
 }
 
+void OutputGroup::readInput(const std::string& port, const QString& path) {
+    for (PortRow* row : m_ports)
+        if (row->port().id == port)
+            return row->read(path);
+}
+
+std::vector<Port> OutputGroup::ports() const {
+    std::vector<Port> ports;
+    for (const PortRow* row : m_ports)
+        ports.push_back(row->port());
+    return ports;
+}
+
 void OutputGroup::setPorts(const std::vector<Port>& ports) {
     const InputFiles kept = inputs();
     for (PortRow* row : m_ports)
@@ -285,7 +298,8 @@ void OutputGroup::setPorts(const std::vector<Port>& ports) {
         explain(row, row->toolTip());
         connect(row, &PortRow::edited, this, &OutputGroup::edited);
         connect(row, &PortRow::failed, this, &OutputGroup::failed);
-        connect(row, &PortRow::resultWanted, this, [this, row] { Q_EMIT resultWanted(row->port().id); });
+        connect(row, &PortRow::resultWanted, this,
+                [this, row](const std::string& key) { Q_EMIT resultWanted(row->port().id, key); });
         m_form->insertRow(at++, translated(port.title), row);
         m_ports.push_back(row);
     }

@@ -51,6 +51,10 @@ public:
     void setInputs(const InputFiles& inputs);
     /// Puts a file into a port, as though the user had chosen it.
     void addInput(const std::string& port, InputFile file);
+    /// Reads a file, and puts it into a port.
+    void readInput(const std::string& port, const QString& path);
+    /// The ports that have a row here.
+    std::vector<Port> ports() const;
 
     /// Greys out what the method cannot do, and says so.
     void setMethod(const MethodInfo& info);
@@ -66,8 +70,8 @@ Q_SIGNALS:
     void edited();
     /// A file chosen here could not be read.
     void failed(const QString& sentence);
-    /// The result that is shown is to go into this port.
-    void resultWanted(const std::string& port);
+    /// A result is to go into this port; see PortRow::resultWanted().
+    void resultWanted(const std::string& port, const std::string& key);
     /// What the control that the mouse or the focus came to is for.
     void helpWanted(const QString& html);
 

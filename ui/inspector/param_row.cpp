@@ -2,7 +2,7 @@
 
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
-#include "ui/common/value_editor.h"
+#include "ui/common/value_editors.h"
 #include "ui/inspector/mnemonics.h"
 
 #include <QEvent>

@@ -7,6 +7,7 @@
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/picture/display_picture.h"
+#include "ui/runs/result_history.h"
 
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -23,6 +24,27 @@ namespace {
 
 /// Lines of text that a thumbnail is high.
 constexpr int kThumbnailLines = 2;
+
+/// The filter of a dialog that opens what a port takes.
+QString filterFor(AssetKind kind) {
+    const QString all = PortRow::tr("All files (*)");
+    switch (kind) {
+    case AssetKind::Model:
+        return PortRow::tr("Models (%1)").arg(QStringLiteral("*.safetensors")) + QStringLiteral(";;") + all;
+    case AssetKind::Volume:
+        return PortRow::tr("Volumes and slices (%1)")
+                   .arg(QStringLiteral("*.json *.png *.tif *.tiff *.exr *.jpg *.hdr")) +
+               QStringLiteral(";;") + all;
+    case AssetKind::Mesh:
+        return PortRow::tr("Meshes (%1)").arg(QStringLiteral("*.obj *.ply *.gltf *.glb")) +
+               QStringLiteral(";;") + all;
+    case AssetKind::Image:
+    case AssetKind::Mask:
+    case AssetKind::Map:
+        break;
+    }
+    return pictureFilter();
+}
 
 /// A small copy of a picture as it is shown. Called on a worker.
 QImage thumbnail(const Image& image, int side) {
@@ -41,7 +63,7 @@ QImage thumbnail(const Image& image, int side) {
 PortRow::PortRow(const Port& port, QWidget* parent)
     : QWidget(parent), m_port(port), m_thumbnail(new QLabel(this)), m_name(new ElidedLabel(this)),
       m_choose(makeButton(QStringLiteral("choose_"), &PortRow::choose)),
-      m_useResult(makeButton(QStringLiteral("useResult_"), &PortRow::resultWanted)),
+      m_useResult(makeButton(QStringLiteral("useResult_"), &PortRow::useShown)),
       m_clear(makeButton(QStringLiteral("clear_"), &PortRow::clear)) {
     const QString title = translated(m_port.title);
     setObjectName(QStringLiteral("port_") + QString::fromStdString(m_port.id));
@@ -50,7 +72,7 @@ PortRow::PortRow(const Port& port, QWidget* parent)
         QStringLiteral("<b>%1</b> %2").arg(title.toHtmlEscaped(), translated(m_port.help).toHtmlEscaped()));
     m_choose->setText(tr("Choose…"));
     m_choose->setAccessibleName(tr("Choose a file: %1").arg(title));
-    m_useResult->setText(tr("Result"));
+    m_useResult->setText(tr("Use result"));
     m_useResult->setAccessibleName(tr("Take the result that is shown: %1").arg(title));
     m_useResult->setVisible(m_port.kind == AssetKind::Image);
     setIconButton(m_clear, QStringLiteral("close"), tr("Go without: %1").arg(title));
@@ -87,7 +109,7 @@ void PortRow::add(InputFile file) {
 
 void PortRow::choose() {
     const QString path =
-        QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, pictureFilter());
+        QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, filterFor(m_port.kind));
     if (!path.isEmpty())
         read(path);
 }
@@ -107,11 +129,14 @@ void PortRow::read(const QString& path) {
 }
 
 void PortRow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!localFiles(*event->mimeData()).isEmpty())
+    const bool result = m_port.kind == AssetKind::Image && !draggedResult(*event->mimeData()).empty();
+    if (result || !localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void PortRow::dropEvent(QDropEvent* event) {
+    if (const std::string key = draggedResult(*event->mimeData()); !key.empty())
+        Q_EMIT resultWanted(key);
     for (const QString& path : localFiles(*event->mimeData()))
         read(path);
     event->acceptProposedAction();

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include <string>
 #include <vector>
 
 class QLabel;
@@ -14,7 +15,7 @@ namespace texloom::ui {
 class ElidedLabel;
 
 /// What goes into one of a method's ports: a thumbnail and the file's name, with buttons to choose another,
-/// to take the result that is shown, and to go without. Files can be dropped on it.
+/// to take the result that is shown, and to go without. Files and results can be dropped on it.
 class PortRow : public QWidget {
     Q_OBJECT
 
@@ -26,14 +27,16 @@ public:
     void setFiles(std::vector<InputFile> files);
     /// Takes one more file, or another in place of the one that is there if the port takes no more.
     void add(InputFile file);
+    /// Reads a file in the background, and takes it.
+    void read(const QString& path);
 
 Q_SIGNALS:
     /// The user chose, dropped or cleared.
     void edited();
     /// A file could not be read.
     void failed(const QString& sentence);
-    /// The result that is shown is to go into this port.
-    void resultWanted();
+    /// A result is to go into this port: that of this key, or if it is empty the one that is shown.
+    void resultWanted(const std::string& key);
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -43,7 +46,7 @@ private:
     QToolButton* makeButton(const QString& name, void (PortRow::*clicked)());
     void choose();
     void clear();
-    void read(const QString& path);
+    void useShown() { Q_EMIT resultWanted({}); }
     void show();
 
     Port m_port;

@@ -97,13 +97,17 @@ void showJob(QTreeWidgetItem& item, const QueuedJob& job) {
 JobPanel::JobPanel(JobQueue* queue, QWidget* parent)
     : QWidget(parent), m_queue(queue), m_list(new QTreeWidget(this)), m_empty(new QLabel(this)),
       m_threads(new QSpinBox(this)),
-      m_up(makeAction("jobUp", tr("Move &up"), tr("Make the chosen run sooner"), "up")),
-      m_down(makeAction("jobDown", tr("Move &down"), tr("Make the chosen run later"), "down")),
-      m_cancel(makeAction("cancelJob", tr("&Cancel"), tr("Take the chosen run off the queue"), "close")),
+      m_up(makeAction("jobUp", tr("Move &up"), tr("Move the chosen run forward in the queue"), "up")),
+      m_down(makeAction("jobDown", tr("Move &down"), tr("Move the chosen run back in the queue"), "down")),
+      m_stop(makeAction("stopJob", tr("&Stop and keep"),
+                        tr("End the run under way and keep what is there as a result"), "stop")),
+      m_cancel(makeAction("cancelJob", tr("&Cancel"),
+                          tr("Take the chosen run off the queue; of one under way, nothing is kept"),
+                          "close")),
       m_pause(makeAction("pauseJobs", tr("&Pause"),
-                         tr("Begin no run that waits; the one under way goes on, and Run still works"),
+                         tr("Start none of the waiting runs; the one under way goes on, and Run still works"),
                          "pause")),
-      m_clear(makeAction("clearJobs", tr("C&lear"), tr("Take everything off the queue that waits or failed"),
+      m_clear(makeAction("clearJobs", tr("C&lear"), tr("Take all waiting and failed runs off the queue"),
                          nullptr)) {
     setObjectName(QStringLiteral("jobPanel"));
     m_pause->setCheckable(true);
@@ -111,16 +115,17 @@ JobPanel::JobPanel(JobQueue* queue, QWidget* parent)
     m_cancel->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_list->setObjectName(QStringLiteral("jobList"));
     m_list->setAccessibleName(tr("Runs that wait or are under way"));
-    m_list->setToolTip(tr("Double click or Return on the run under way shows it as it goes"));
+    m_list->setToolTip(tr("Double click or Return on the run under way shows its pictures as they are made"));
     m_list->setHeaderLabels({tr("Run"), tr("Progress"), tr("Time")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setItemDelegateForColumn(StateColumn, new StateDelegate(m_list));
     m_list->setColumnWidth(NameColumn, fontMetrics().averageCharWidth() * kNameWidths);
     m_list->setColumnWidth(StateColumn, fontMetrics().averageCharWidth() * kStateWidths);
-    m_list->addActions({m_up, m_down, m_cancel});
+    m_list->addActions({m_up, m_down, m_stop, m_cancel});
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_empty->setText(tr("Nothing waits. “Add to queue” puts a run here, to be made after those before it."));
+    m_empty->setText(
+        tr("No run is waiting. “Add to queue” puts one here, to be made after those before it."));
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
 
@@ -139,6 +144,10 @@ JobPanel::JobPanel(JobQueue* queue, QWidget* parent)
     });
     connect(m_up, &QAction::triggered, this, [this] { m_queue->move(selected(), -1); });
     connect(m_down, &QAction::triggered, this, [this] { m_queue->move(selected(), 1); });
+    connect(m_stop, &QAction::triggered, this, [this] {
+        if (const QueuedJob* under = m_queue->current())
+            m_queue->stopAndKeep(under->id);
+    });
     connect(m_cancel, &QAction::triggered, this, [this] { m_queue->cancel(selected()); });
     connect(m_pause, &QAction::toggled, m_queue, &JobQueue::setPaused);
     connect(m_clear, &QAction::triggered, m_queue, &JobQueue::clear);
@@ -159,7 +168,7 @@ QWidget* JobPanel::makeBar() {
     auto* bar = new QWidget(this);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
-    for (QAction* action : {m_pause, m_up, m_down, m_cancel, m_clear}) {
+    for (QAction* action : {m_pause, m_up, m_down, m_stop, m_cancel, m_clear}) {
         auto* button = new QToolButton(bar);
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -229,6 +238,7 @@ void JobPanel::updateActions() {
     for (QAction* action : {m_up, m_down})
         action->setEnabled(waits);
     m_cancel->setEnabled(job != nullptr);
+    m_stop->setEnabled(m_queue->current() != nullptr);
     const auto under = m_queue->current() != nullptr ? 1U : 0U;
     m_clear->setEnabled(m_queue->jobs().size() > under);
 }

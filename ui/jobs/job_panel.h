@@ -42,6 +42,7 @@ private:
     QSpinBox* m_threads;
     QAction* m_up;
     QAction* m_down;
+    QAction* m_stop;
     QAction* m_cancel;
     QAction* m_pause;
     QAction* m_clear;

@@ -21,7 +21,7 @@ constexpr int kRunBarSteps = 1000;
 
 } // namespace
 
-RunPanel::RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, QWidget* parent)
+RunPanel::RunPanel(const Buttons& actions, QWidget* parent)
     : QWidget(parent), m_note(new QLabel(this)), m_stage(new QLabel(this)), m_time(new QLabel(this)),
       m_bar(new QProgressBar(this)) {
     setObjectName(QStringLiteral("runPanel"));
@@ -34,17 +34,13 @@ RunPanel::RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, 
     m_stage->setTextFormat(Qt::PlainText);
 
     auto* buttons = new QHBoxLayout;
-    for (QAction* action : {run, quick, stop})
-        buttons->addWidget(new ActionButton(action, this), action == run ? 2 : 1);
-    auto* primary = qobject_cast<QPushButton*>(buttons->itemAt(0)->widget());
+    auto* primary = new ActionButton(actions.run, this);
     primary->setDefault(true);
-    auto* queueButton = new QToolButton(this);
-    queueButton->setObjectName(QStringLiteral("queueButton"));
-    queueButton->setDefaultAction(queue);
-    queueButton->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    queueButton->setFocusPolicy(Qt::StrongFocus);
-    queueButton->setAccessibleName(queue->text().remove(QLatin1Char('&')));
-    buttons->insertWidget(1, queueButton);
+    buttons->addWidget(primary, 2);
+    buttons->addWidget(makeIconButton(actions.queue, QStringLiteral("queueButton")));
+    buttons->addWidget(new ActionButton(actions.quick, this), 1);
+    buttons->addWidget(new ActionButton(actions.stop, this), 1);
+    buttons->addWidget(makeIconButton(actions.cancel, QStringLiteral("cancelRunButton")));
     auto* texts = new QHBoxLayout;
     texts->addWidget(m_stage, 1);
     texts->addWidget(m_time);
@@ -55,6 +51,16 @@ RunPanel::RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, 
     column->addWidget(m_bar);
     column->addLayout(texts);
     setRunning(false);
+}
+
+QToolButton* RunPanel::makeIconButton(QAction* action, const QString& name) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+    return button;
 }
 
 void RunPanel::setEstimate(const Estimate& estimate, std::optional<double> seconds) {

@@ -10,6 +10,7 @@
 class QAction;
 class QLabel;
 class QProgressBar;
+class QToolButton;
 
 namespace texloom::ui {
 
@@ -18,8 +19,16 @@ class RunPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// The actions' buttons, from left to right.
-    RunPanel(QAction* run, QAction* queue, QAction* quick, QAction* stop, QWidget* parent = nullptr);
+    /// The actions that have buttons, from left to right.
+    struct Buttons {
+        QAction* run;
+        QAction* queue;
+        QAction* quick;
+        QAction* stop;
+        QAction* cancel;
+    };
+
+    explicit RunPanel(const Buttons& actions, QWidget* parent = nullptr);
 
     /// "Takes about 2 s · 120 MiB". @param seconds as earlier runs let expect; none if there were none.
     void setEstimate(const Estimate& estimate, std::optional<double> seconds);
@@ -37,6 +46,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    QToolButton* makeIconButton(QAction* action, const QString& name);
     void say(const QString& text, const QString& refusal);
     void colorNote();
 

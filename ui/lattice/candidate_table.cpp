@@ -1,6 +1,6 @@
 #include "ui/lattice/candidate_table.h"
 
-#include "ui/lattice/lattice_values.h"
+#include "ui/lattice/lattice_text.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>

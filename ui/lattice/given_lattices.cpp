@@ -1,10 +1,10 @@
 #include "ui/lattice/given_lattices.h"
 
+#include "core/analysis/lattice_values.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/inspector/inspector.h"
-#include "ui/lattice/lattice_values.h"
 
-#include <string>
+#include <vector>
 
 namespace texloom::ui {
 
@@ -18,19 +18,20 @@ void GivenLattices::follow(const ExemplarEntry* current, Inspector& inspector) {
     m_id = current->id;
     m_size = size;
     const Method& method = *inspector.method();
-    if (before == 0 || !followsLattice(method))
+    const std::vector<Param>& params = method.params();
+    if (before == 0 || !followsLattice(params))
         return;
     const Values values = inspector.values();
-    const bool given = givenLattice(method, values).has_value();
+    const bool given = givenLattice(params, values).has_value();
     if (given)
-        m_given[before] = {sizeBefore, latticeValues(values)};
+        m_given[before] = {sizeBefore, latticeValues(params, values)};
     else
         m_given.erase(before);
     const auto own = m_given.find(current->id);
     if (own != m_given.end() && own->second.size == size)
         inspector.changeValues(own->second.values);
     else if (given)
-        inspector.changeValues(latticeValues(method.defaults({})));
+        inspector.changeValues(latticeValues(params, method.defaults({})));
 }
 
 } // namespace texloom::ui

@@ -1,6 +1,6 @@
 #include "ui/lattice/lattice_tool.h"
 
-#include "core/analysis/lattice_settings.h"
+#include "core/analysis/lattice_values.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/job/memory.h"
@@ -10,7 +10,7 @@
 #include "ui/lattice/candidate_table.h"
 #include "ui/lattice/correlation_picture.h"
 #include "ui/lattice/lattice_fields.h"
-#include "ui/lattice/lattice_values.h"
+#include "ui/lattice/lattice_text.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -27,8 +27,14 @@ namespace texloom::ui {
 
 namespace {
 
-/// The method that uses a lattice when the one chosen does not.
-const QString kMethod = QStringLiteral("near-regular");
+/// The method that uses a lattice when the one chosen does not: the first of those that follow one.
+const Method* firstFollower() {
+    const std::vector<const Method*> all = methodsByCategory();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [](const Method* method) { return followsLattice(method->params()); });
+    return found != all.end() ? *found : nullptr;
+}
+
 /// An exemplar whose lattice takes longer than this, in seconds, is looked at only when asked.
 constexpr double kAtOnce = 4;
 
@@ -154,7 +160,7 @@ void LatticeTool::followExemplar() {
     m_gamma->setPicture(nullptr);
     m_originMoved = false;
     setLattice(entry != nullptr && m_inspector->method() != nullptr
-                   ? givenLattice(*m_inspector->method(), m_inspector->values())
+                   ? givenLattice(m_inspector->method()->params(), m_inspector->values())
                    : std::nullopt);
     m_edited = lattice().has_value();
     m_table->list(m_analysis, lattice());
@@ -301,35 +307,38 @@ void LatticeTool::use() {
     const Method* method = m_inspector->method();
     if (!lattice() || method == nullptr)
         return;
-    if (!followsLattice(*method)) {
-        Q_EMIT methodWanted(kMethod);
+    if (!followsLattice(method->params())) {
+        Q_EMIT methodWanted(QString::fromStdString(firstFollower()->id()));
         method = m_inspector->method();
     }
     const std::optional<Vec2> origin = m_originMoved ? std::optional(m_canvas->origin()) : std::nullopt;
-    m_inspector->changeValues(latticeValues(*method, *lattice(), origin));
+    m_inspector->changeValues(latticeValues(method->params(), *lattice(), origin));
 }
 
 void LatticeTool::refreshUse() {
     const Method* const method = m_inspector->method();
     if (method == nullptr)
         return;
-    const bool follows = followsLattice(*method);
-    const Method& user = follows ? *method : findMethod(kMethod.toStdString());
-    const QString title = translated(user.info().title);
+    const bool follows = followsLattice(method->params());
+    const Method* const user = follows ? method : firstFollower();
+    m_use->setVisible(user != nullptr);
+    if (user == nullptr)
+        return;
+    const QString title = translated(user->info().title);
     m_use->setText(tr("Use in %1").arg(title));
     const QString why = problem();
     m_use->setEnabled(lattice() && m_exemplar && why.isEmpty());
     m_fit->setEnabled(lattice() && m_analysis && why.isEmpty());
     m_detect->setEnabled(m_exemplar != nullptr);
     m_fields->setEnabled(m_exemplar != nullptr);
-    const std::optional<Lattice> given = givenLattice(*method, m_inspector->values());
+    const std::optional<Lattice> given = givenLattice(method->params(), m_inspector->values());
     QString text;
     if (!why.isEmpty())
         text = why;
     else if (!follows)
         text = tr("%1 follows no lattice.").arg(translated(method->info().title));
     else if (!given)
-        text = m_inspector->values().at("lattice") == Value(std::string("none"))
+        text = latticeSource(method->params(), m_inspector->values()) == LatticeSource::None
                    ? tr("%1 is set to use no lattice.").arg(title)
                    : tr("%1 looks for the lattice by itself.").arg(title);
     else if (lattice() && sameVectors(*given, *lattice()))
@@ -358,7 +367,7 @@ void LatticeTool::sayVerdict() {
         text =
             tr("Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep "
                "their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first "
-               "(Ctrl+D) where it is seen aslant, or drag the vectors.")
+               "(Ctrl+D) where it is seen at an angle, or drag the vectors.")
                 .arg(m_name, percentText(m_analysis->confidence))
                 .arg(m_analysis->candidates.front().lattice.area(), 0, 'f', 0);
     else if (m_analysis->found() && m_analysis->candidates.front().lattice.rowsOnly())
@@ -373,12 +382,13 @@ void LatticeTool::sayVerdict() {
         text =
             tr("Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. "
                "If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is "
-               "seen aslant; if not, methods without a lattice suit it, such as image quilting.")
+               "seen at an angle; if not, methods without a lattice suit it, such as image quilting.")
                 .arg(m_name);
     else
         text =
             tr("No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you "
-               "see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, "
+               "see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not "
+               "repeat, "
                "methods without a lattice suit it, such as image quilting.")
                 .arg(m_name, percentText(m_analysis->confidence));
     m_verdict->setVisible(!text.isEmpty());

@@ -180,8 +180,8 @@ void ResultView::explainMaps() {
     const QString none =
         !pictures().result ? tr("No result yet. The map shows where each of its pixels came from.")
         : !run             ? tr("This method tells where pixels came from only at its end, or not at all.")
-               : tr("This method makes new pixels and copies none,\nso there is no map of where they came "
-                    "from.\nAn estimated one shows what in the exemplar each is most like.");
+               : tr("This method makes new pixels and copies none, so there is no map of where they came "
+                    "from. An estimated one shows what in the exemplar each is most like.");
     viewer(SynthesisTab)->setPlaceholder(none);
     viewer(CopiesTab)->setPlaceholder(run && pictures().map ? tr("Looking at what was copied…") : none);
     for (MapPage* page : {m_synthesis, m_copies}) {
@@ -271,6 +271,14 @@ ImageViewer* ResultView::currentViewer() const {
 
 void ResultView::addPage(QWidget* page, const QString& title, const QString& toolTip) {
     m_tabs->setTabToolTip(m_tabs->addTab(page, title), toolTip);
+}
+
+void ResultView::setPageOffered(QWidget* page, bool offered) {
+    m_tabs->setTabVisible(m_tabs->indexOf(page), offered);
+}
+
+bool ResultView::pageOffered(QWidget* page) const {
+    return m_tabs->isTabVisible(m_tabs->indexOf(page));
 }
 
 void ResultView::showPage(QWidget* page) {

@@ -43,6 +43,9 @@ public:
 
     /// Adds a tab of another kind behind the others. It stays the caller's to fill.
     void addPage(QWidget* page, const QString& title, const QString& toolTip);
+    /// Whether the tab of a page that was added is there to be chosen; it is at first.
+    void setPageOffered(QWidget* page, bool offered);
+    bool pageOffered(QWidget* page) const;
     /// Brings a page that was added to the front.
     void showPage(QWidget* page);
 

@@ -27,6 +27,8 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kBins = 64;
+/// A curve that grows is drawn several times a second.
+constexpr std::size_t kMostLivePoints = 500;
 /// Larger pictures are not correlated with themselves by the way: it takes seconds, and much memory.
 constexpr std::int64_t kMostCorrelated = 1 << 20;
 
@@ -59,6 +61,18 @@ PlotData plotOf(const QString& title, const QString& xTitle, const HistogramPair
             xTitle,
             FiguresPanel::tr("share, %"),
             {exemplar, result, difference}};
+}
+
+/// @param most points drawn: of a longer curve every so many-th, and the last.
+PlotData plotOf(const Curve& curve, std::size_t most) {
+    const QString name = translated(curve.name);
+    PlotSeries series{name, {}};
+    const std::size_t count = curve.values.size(), step = (count + most - 1) / most;
+    for (std::size_t i = 0; i < count; i += step)
+        series.points.emplace_back(static_cast<double>(i) + 1, curve.values[i]);
+    if (count > 0 && (count - 1) % step != 0)
+        series.points.emplace_back(static_cast<double>(count), curve.values.back());
+    return {name, FiguresPanel::tr("step"), name, {series}};
 }
 
 /// γ around its middle, from black at 0 to white.
@@ -106,12 +120,13 @@ FiguresPanel::FiguresPanel(QWidget* parent)
     connect(m_bar, &TaskBar::cancelled, this, [this] {
         m_task.cancel();
         m_bar->end();
-        m_hint->setText(tr("Stopped. Make another result, or close and open this dock to begin anew."));
+        m_hint->setText(tr("Stopped. Make another result, or close and open this dock to start again."));
     });
 }
 
 void FiguresPanel::setResult(std::shared_ptr<const Result> result) {
     m_result = std::move(result);
+    m_curves.clear();
     if (!m_result) {
         m_task.cancel();
         m_made.reset();
@@ -121,12 +136,29 @@ void FiguresPanel::setResult(std::shared_ptr<const Result> result) {
     begin();
 }
 
+void FiguresPanel::showCurves(const std::vector<Curve>& curves) {
+    m_curves = curves;
+    m_result.reset();
+    m_made.reset();
+    m_task.cancel();
+    begin();
+}
+
 void FiguresPanel::setSeen(bool seen) {
     m_seen = seen;
     begin();
 }
 
+void FiguresPanel::drawCurves() {
+    std::vector<Entry> entries;
+    for (const Curve& curve : m_curves)
+        entries.push_back({translated(curve.name), plotOf(curve, kMostLivePoints)});
+    take(std::move(entries));
+}
+
 void FiguresPanel::begin() {
+    if (m_seen && !m_curves.empty())
+        drawCurves();
     if (!m_seen || !m_result || m_made == m_result)
         return;
     m_task.start(
@@ -150,13 +182,9 @@ std::vector<FiguresPanel::Entry> FiguresPanel::entriesOf(const Result& result, J
         numbers.push_back({translated(figure.name), QString::number(figure.value, 'g', 5)});
     if (!numbers.empty())
         entries.push_back({tr("Numbers"), std::move(numbers)});
-    for (const Curve& curve : result.synthesis.curves) {
-        PlotSeries series{translated(curve.name), {}};
-        for (std::size_t i = 0; i < curve.values.size(); ++i)
-            series.points.emplace_back(static_cast<double>(i) + 1, curve.values[i]);
-        entries.push_back({translated(curve.name),
-                           PlotData{translated(curve.name), tr("step"), translated(curve.name), {series}}});
-    }
+    for (const Curve& curve : result.synthesis.curves)
+        entries.push_back(
+            {translated(curve.name), plotOf(curve, std::max<std::size_t>(1, curve.values.size()))});
     if (knowsExemplars(result)) {
         addHistograms(result, entries, context);
         addCorrelations(result, entries, context);
@@ -218,7 +246,10 @@ void FiguresPanel::addCorrelations(const Result& result, std::vector<Entry>& ent
 void FiguresPanel::take(std::vector<Entry> entries) {
     m_bar->end();
     const QString before = m_list->currentItem() != nullptr ? m_list->currentItem()->text() : QString();
+    const QStringList listed = titles();
     m_entries = std::move(entries);
+    if (!listed.isEmpty() && titles() == listed) // leaves the place in the list as it is
+        return showEntry(m_list->currentRow());
     m_list->clear();
     m_list->addItems(titles());
     const qsizetype kept = titles().indexOf(before);

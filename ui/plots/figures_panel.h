@@ -32,6 +32,8 @@ public:
 
     /// The result that it is about; null for none.
     void setResult(std::shared_ptr<const Result> result);
+    /// Curves of a run under way, in place of all that is shown, until the next result.
+    void showCurves(const std::vector<texloom::Curve>& curves);
     /// Titles of the figures there are, in order.
     QStringList titles() const;
     void showFigure(const QString& title);
@@ -56,12 +58,14 @@ private:
     static void addUse(const Result& result, std::vector<Entry>& entries, JobContext& context);
     static void addCorrelations(const Result& result, std::vector<Entry>& entries, JobContext& context);
     void begin();
+    void drawCurves();
     void take(std::vector<Entry> entries);
     void showEntry(int row);
 
     bool m_seen = false;
     std::shared_ptr<const Result> m_result;
     std::shared_ptr<const Result> m_made; ///< the result that the entries are of
+    std::vector<Curve> m_curves;          ///< of the run under way; empty if there is none
     std::vector<Entry> m_entries;
     QListWidget* m_list;
     QStackedWidget* m_stack;

@@ -52,7 +52,7 @@ DifferenceDialog::DifferenceDialog(const ResultEntry& first, const ResultEntry& 
         table->setItem(row, 1, new QTableWidgetItem(shown(difference.first)));
         table->setItem(row, 2, new QTableWidgetItem(shown(difference.second)));
     }
-    auto* same = new QLabel(tr("Both were made with the same settings, so that they are the same."), this);
+    auto* same = new QLabel(tr("Both were made with the same settings, so they are the same."), this);
     same->setWordWrap(true);
     same->setVisible(rows.empty());
     table->setVisible(!rows.empty());

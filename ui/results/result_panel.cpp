@@ -61,8 +61,7 @@ ResultActions::ResultActions(QWidget* window)
       difference(make(window, "resultDifference", tr("&Differences…"),
                       tr("List the settings in which two chosen results differ; choose two first"))),
       pin(make(window, "pinResult", tr("&Pin"),
-               tr("Keep the chosen results: those pinned are never removed by themselves"), Qt::Key_P,
-               "pin")),
+               tr("Keep the chosen results: pinned ones are never removed automatically"), Qt::Key_P, "pin")),
       rename(make(window, "renameResult", tr("Re&name"), tr("Give the chosen result a name of your own"),
                   Qt::Key_F2)),
       remove(make(window, "removeResult", tr("De&lete"), tr("Delete the chosen results"),
@@ -109,6 +108,8 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
     m_list->setItemDelegate(new ResultDelegate(m_list));
     m_list->setViewMode(QListView::IconMode);
     m_list->setMovement(QListView::Static);
+    m_list->setDragEnabled(true);
+    m_list->setDragDropMode(QAbstractItemView::DragOnly);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setUniformItemSizes(true);
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);

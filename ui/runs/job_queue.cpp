@@ -20,6 +20,8 @@ void JobQueue::connectController() {
     });
     connect(m_controller, &RunController::previewed, this,
             [this](const RunPictures& pictures) { Q_EMIT previewed(m_shown, pictures); });
+    connect(m_controller, &RunController::curvesGrew, this,
+            [this](const std::vector<Curve>& curves) { Q_EMIT curvesGrew(m_shown, curves); });
     connect(m_controller, &RunController::finished, this,
             [this](const std::shared_ptr<const Result>& result, const RunPictures& pictures) {
                 const QueuedJob job = takeCurrent();
@@ -27,10 +29,10 @@ void JobQueue::connectController() {
                 Q_EMIT changed();
                 startSoon();
             });
-    connect(m_controller, &RunController::stopped, this, [this](double fraction) {
+    connect(m_controller, &RunController::cancelled, this, [this](double fraction) {
         const QueuedJob job = takeCurrent();
         if (job.id != m_givenUp)
-            Q_EMIT stopped(job, fraction);
+            Q_EMIT cancelled(job, fraction);
         Q_EMIT changed();
         startSoon();
     });
@@ -42,12 +44,25 @@ void JobQueue::connectController() {
 
 int JobQueue::add(RunPlan plan, bool quick, bool shown, Place place, std::optional<double> expected) {
     QueuedJob job;
-    job.id = ++m_lastId;
     job.label = labelOf(plan);
     job.plan = std::move(plan);
     job.quick = quick;
     job.shown = shown;
     job.expected = expected;
+    return insert(std::move(job), place);
+}
+
+int JobQueue::resume(RunPlan plan, std::shared_ptr<RunCheckpoint> checkpoint) {
+    QueuedJob job;
+    job.label = labelOf(plan);
+    job.plan = std::move(plan);
+    job.shown = true;
+    job.checkpoint = std::move(checkpoint);
+    return insert(std::move(job), Place::Next);
+}
+
+int JobQueue::insert(QueuedJob job, Place place) {
+    job.id = ++m_lastId;
     const bool next = place == Place::Next;
     const int id = job.id;
     const auto end = endOfWaiting();
@@ -56,7 +71,7 @@ int JobQueue::add(RunPlan plan, bool quick, bool shown, Place place, std::option
     m_jobs.insert(next ? behindShown : end, std::move(job));
     if (const QueuedJob* under = current(); next && under != nullptr && under->quick && under->shown) {
         m_givenUp = under->id;
-        m_controller->stop();
+        m_controller->cancel();
     }
     Q_EMIT changed();
     startNext();
@@ -95,12 +110,23 @@ void JobQueue::cancel(int id) {
     if (found == m_jobs.end())
         return;
     if (found->state == QueuedJob::State::Running)
-        return m_controller->stop();
+        return m_controller->cancel();
     const QueuedJob job = std::move(*found);
     m_jobs.erase(found);
     if (job.state == QueuedJob::State::Waiting)
-        Q_EMIT stopped(job, 0);
+        Q_EMIT cancelled(job, 0);
     Q_EMIT changed();
+}
+
+void JobQueue::stopAndKeep(int id) {
+    if (const QueuedJob* under = current(); under != nullptr && under->id == id)
+        m_controller->stopAndKeep();
+}
+
+void JobQueue::leaveCheckpoints() {
+    for (const QueuedJob& job : m_jobs)
+        if (job.checkpoint)
+            job.checkpoint->leave();
 }
 
 void JobQueue::clear() {
@@ -108,7 +134,7 @@ void JobQueue::clear() {
     m_jobs.erase(firstWaiting(), m_jobs.end());
     for (const QueuedJob& job : gone)
         if (job.state == QueuedJob::State::Waiting)
-            Q_EMIT stopped(job, 0);
+            Q_EMIT cancelled(job, 0);
     Q_EMIT changed();
 }
 
@@ -153,6 +179,8 @@ void JobQueue::begin(QueuedJob& job) {
     } catch (const std::exception& error) {
         QueuedJob refused = std::move(job);
         m_jobs.pop_front();
+        if (refused.checkpoint)
+            refused.checkpoint->leave(); // it was not begun, and may go on when there is room
         fail(std::move(refused), sentence(error));
         return startSoon();
     }
@@ -161,7 +189,9 @@ void JobQueue::begin(QueuedJob& job) {
     RunPlan plan = job.plan;
     if (m_threads > 0)
         plan.threads = std::min(plan.threads, m_threads);
-    m_controller->start(std::move(plan), job.quick);
+    if (!job.checkpoint && !job.quick && !m_checkpoints.isEmpty())
+        job.checkpoint = std::make_shared<RunCheckpoint>(m_checkpoints);
+    m_controller->start(std::move(plan), job.quick, job.checkpoint);
     Q_EMIT started(m_shown);
     Q_EMIT changed();
 }
@@ -169,6 +199,7 @@ void JobQueue::begin(QueuedJob& job) {
 void JobQueue::fail(QueuedJob job, const QString& sentence) {
     job.state = QueuedJob::State::Failed;
     job.problem = sentence;
+    job.checkpoint.reset();
     m_jobs.push_back(std::move(job));
     Q_EMIT failed(m_jobs.back());
     Q_EMIT changed();

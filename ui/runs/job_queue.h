@@ -25,6 +25,9 @@ struct QueuedJob {
     RunProgress progress;           ///< while it is under way
     std::optional<double> expected; ///< seconds that it should take, if earlier runs tell
     QString problem;                ///< why it failed
+    /// What it leaves behind in a crash; null before it begins, unless it goes on from there, and for
+    /// previews.
+    std::shared_ptr<RunCheckpoint> checkpoint = nullptr;
 };
 
 /// The runs that are to be made, one after the other. It decides which comes next and tells how each goes;
@@ -41,6 +44,9 @@ public:
 
     /// Adds a run. A quick preview under way gives way to one that is placed next. @return its id.
     int add(RunPlan plan, bool quick, bool shown, Place place, std::optional<double> expected = {});
+    /// Adds a run that goes on from a checkpoint, shown, before all that wait but those asked for with Run.
+    /// @return its id.
+    int resume(RunPlan plan, std::shared_ptr<RunCheckpoint> checkpoint);
     /// The one under way, if there is one, then those that wait in their order, then those that failed.
     const std::deque<QueuedJob>& jobs() const { return m_jobs; }
     const QueuedJob* find(int id) const;
@@ -50,8 +56,10 @@ public:
     /// The id that the next run added will have.
     int nextId() const { return m_lastId + 1; }
 
-    /// Takes a run off the list; one under way is stopped first.
+    /// Takes a run off the list; one under way ends and leaves nothing.
     void cancel(int id);
+    /// Ends a run that is under way with what it has; see RunController::stopAndKeep().
+    void stopAndKeep(int id);
     /// Cancels all that wait and forgets those that failed.
     void clear();
     /// Moves a waiting run up (−1) or down (1) among those that wait.
@@ -61,6 +69,10 @@ public:
     void setPaused(bool paused);
     /// The most threads that a run may use; 0 for as many as it asks for.
     void setThreads(int threads) { m_threads = threads; }
+    /// Where runs that begin from now on leave their checkpoints; nowhere if empty.
+    void setCheckpointFolder(const QString& folder) { m_checkpoints = folder; }
+    /// The checkpoints of all runs stay, so that those can go on another time.
+    void leaveCheckpoints();
 
 Q_SIGNALS:
     /// Runs were added, removed, moved, begun or ended.
@@ -69,16 +81,18 @@ Q_SIGNALS:
     void started(int id);
     void progressed(int id);
     void previewed(int id, const texloom::ui::RunPictures& pictures);
+    void curvesGrew(int id, const std::vector<texloom::Curve>& curves);
     void finished(const texloom::ui::QueuedJob& job, std::shared_ptr<const texloom::Result> result,
                   const texloom::ui::RunPictures& pictures);
-    /// Stopped at this share of its work.
-    void stopped(const texloom::ui::QueuedJob& job, double fraction);
+    /// Cancelled at this share of its work.
+    void cancelled(const texloom::ui::QueuedJob& job, double fraction);
     void failed(const texloom::ui::QueuedJob& job);
 
 private:
     void connectController();
     void startSoon();
     void startNext();
+    int insert(QueuedJob job, Place place);
     void begin(QueuedJob& job);
     void fail(QueuedJob job, const QString& sentence);
     QueuedJob takeCurrent();
@@ -92,6 +106,7 @@ private:
     int m_givenUp = 0; ///< the run that was stopped for another: nobody is told
     int m_threads = 0;
     bool m_paused = false;
+    QString m_checkpoints; ///< their folder
 };
 
 } // namespace texloom::ui

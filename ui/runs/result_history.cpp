@@ -6,6 +6,7 @@
 #include "ui/common/text.h"
 #include "ui/runs/result_text.h"
 
+#include <QMimeData>
 #include <QSettings>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace {
 
 /// Thumbnails' longer side in pixels, enough for screens with many.
 constexpr int kThumbnailSide = 256;
+const QString kDragged = QStringLiteral("application/x-texloom-result");
 const QString kResults = QStringLiteral("results");
 
 QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
@@ -27,6 +29,10 @@ QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
 
 QString resultFolder() {
     return QSettings().value(QStringLiteral("results/folder"), dataFolder(kResults)).toString();
+}
+
+std::string draggedResult(const QMimeData& data) {
+    return data.data(kDragged).toStdString();
 }
 
 ResultHistory::ResultHistory(const QString& folder, QObject* parent)
@@ -157,7 +163,19 @@ bool ResultHistory::setData(const QModelIndex& index, const QVariant& value, int
 }
 
 Qt::ItemFlags ResultHistory::flags(const QModelIndex& index) const {
-    return QAbstractListModel::flags(index) | Qt::ItemIsEditable | Qt::ItemNeverHasChildren;
+    return QAbstractListModel::flags(index) | Qt::ItemIsEditable | Qt::ItemIsDragEnabled |
+           Qt::ItemNeverHasChildren;
+}
+
+QStringList ResultHistory::mimeTypes() const {
+    return {kDragged};
+}
+
+QMimeData* ResultHistory::mimeData(const QModelIndexList& indexes) const {
+    auto* data = new QMimeData;
+    if (!indexes.isEmpty())
+        data->setData(kDragged, QByteArray::fromStdString(entryAt(indexes.front()).key));
+    return data;
 }
 
 std::string ResultHistory::add(const std::shared_ptr<const Result>& result, bool quick,

@@ -12,10 +12,15 @@
 #include <memory>
 #include <vector>
 
+class QMimeData;
+
 namespace texloom::ui {
 
 /// The folder in which results are kept, as the settings have it.
 QString resultFolder();
+
+/// The key of a result that is dragged; empty if something else is.
+std::string draggedResult(const QMimeData& data);
 
 /// All results, newest first, as a model for views: every run that ended, those of earlier sessions too. They
 /// are written to a folder as they come and read back when they are wanted, on a thread of its own.
@@ -38,6 +43,9 @@ public:
     /// Renames.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// What draggedResult() reads: of several, the first.
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    QStringList mimeTypes() const override;
 
     /// Adds a finished run. @param picture of it, for its thumbnail. @return its key.
     std::string add(const std::shared_ptr<const Result>& result, bool quick, const QImage& picture);

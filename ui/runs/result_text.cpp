@@ -25,6 +25,15 @@ QString methodTitle(const std::string& id) {
     return QString::fromStdString(id);
 }
 
+/// What the method that made an output calls it; its id where this version does not have it.
+QString outputTitle(const ResultEntry& entry, const std::string& port) {
+    for (const RecipeStep& step : entry.recipe.steps)
+        for (const Method& method : methods())
+            if (const Port* given = method.id() == step.method ? method.info().output(port) : nullptr)
+                return translated(given->title);
+    return QString::fromStdString(port);
+}
+
 QString exemplarsText(const ResultEntry& entry) {
     QStringList names;
     for (const RecipeExemplar& exemplar : entry.recipe.exemplars)
@@ -55,10 +64,11 @@ QString titleText(const ResultEntry& entry) {
 }
 
 QString labelText(const ResultEntry& entry) {
-    return tr("%1 · seed %2 · %3")
-        .arg(methodsText(entry))
-        .arg(entry.recipe.seed)
-        .arg(sizeText(entry.recipe.size));
+    const QString label = tr("%1 · seed %2 · %3")
+                              .arg(methodsText(entry))
+                              .arg(entry.recipe.seed)
+                              .arg(sizeText(entry.recipe.size));
+    return entry.stoppedAt ? tr("%1 · %2").arg(label, stoppedText(*entry.stoppedAt)) : label;
 }
 
 QStringList chipsOf(const ResultEntry& entry) {
@@ -66,6 +76,8 @@ QStringList chipsOf(const ResultEntry& entry) {
                          QString::fromStdString(durationText(entry.seconds))};
     if (entry.quick)
         chips += tr("preview");
+    if (entry.stoppedAt)
+        chips += stoppedText(*entry.stoppedAt);
     return chips;
 }
 
@@ -78,6 +90,10 @@ QString detailsText(const ResultEntry& entry) {
     html += row(tr("Seed"), QString::number(entry.recipe.seed));
     html += row(tr("Made"), finishedText(entry));
     html += row(tr("Time"), QString::fromStdString(durationText(entry.seconds)));
+    if (entry.stoppedAt)
+        html += row(tr("Stopped"), tr("at %1 of the work").arg(percentText(*entry.stoppedAt)));
+    for (const KeptOutput& output : entry.outputs)
+        html += row(outputTitle(entry, output.port), translated(output.size));
     for (const Figure& figure : entry.figures)
         html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
     html += QStringLiteral("</table>");

@@ -47,12 +47,13 @@ RunDesk::RunDesk(const QString& folder, QObject* parent)
 void RunDesk::connectNotes() {
     connect(m_queue, &JobQueue::started, this,
             [this](int id) { Q_EMIT noted(tr("Started: %1").arg(m_queue->find(id)->label)); });
-    connect(m_queue, &JobQueue::stopped, this, [this](const QueuedJob& job, double fraction) {
-        Q_EMIT noted(tr("Stopped at %1: %2").arg(percentText(fraction), job.label));
+    connect(m_queue, &JobQueue::cancelled, this, [this](const QueuedJob& job, double fraction) {
+        Q_EMIT noted(tr("Cancelled at %1: %2").arg(percentText(fraction), job.label));
     });
     connect(m_queue, &JobQueue::failed, this,
             [this](const QueuedJob& job) { Q_EMIT noted(tr("Failed: %1: %2").arg(job.label, job.problem)); });
     connect(m_history, &ResultHistory::remarked, this, &RunDesk::noted);
+    connect(m_controller, &RunController::unprotected, this, &RunDesk::refuse);
 }
 
 void RunDesk::connectQueue() {
@@ -67,8 +68,12 @@ void RunDesk::connectQueue() {
         Q_EMIT previewed(pictures);
         Q_EMIT changed();
     });
+    connect(m_queue, &JobQueue::curvesGrew, this, [this](int id, const std::vector<Curve>& curves) {
+        if (id == m_live)
+            Q_EMIT curvesGrew(curves);
+    });
     connect(m_queue, &JobQueue::finished, this, &RunDesk::keep);
-    connect(m_queue, &JobQueue::stopped, this, &RunDesk::takeStopped);
+    connect(m_queue, &JobQueue::cancelled, this, &RunDesk::takeCancelled);
     connect(m_queue, &JobQueue::failed, this, &RunDesk::takeFailed);
     connect(m_queue, &JobQueue::changed, this, &RunDesk::changed);
 }
@@ -135,9 +140,20 @@ void RunDesk::refuse(const QString& sentence) {
     Q_EMIT refused(sentence);
 }
 
-void RunDesk::stopAll() {
+void RunDesk::resume(BrokenRun run) {
+    m_queue->resume(std::move(run.plan).value(),
+                    std::make_shared<RunCheckpoint>(run.file, std::move(run.checkpoint)));
+}
+
+void RunDesk::breakOff() {
+    m_queue->leaveCheckpoints();
     m_queue->clear();
-    stop();
+    cancel();
+}
+
+void RunDesk::halt() {
+    m_queue->leaveCheckpoints();
+    m_controller->halt();
 }
 
 void RunDesk::watch(int id) {
@@ -153,8 +169,11 @@ void RunDesk::watch(int id) {
 void RunDesk::keep(const QueuedJob& job, const std::shared_ptr<const Result>& result,
                    const RunPictures& pictures) {
     const std::string key = m_history->add(result, job.quick, smallPicture(*pictures.result));
+    const QString time = QString::fromStdString(durationText(result->seconds));
     Q_EMIT noted(
-        tr("Finished in %1: %2").arg(QString::fromStdString(durationText(result->seconds)), job.label));
+        result->stoppedAt
+            ? tr("Stopped at %1 and kept, after %2: %3").arg(percentText(*result->stoppedAt), time, job.label)
+            : tr("Finished in %1: %2").arg(time, job.label));
     for (const Message& note : result->synthesis.notes)
         Q_EMIT noted(tr("Note: %1").arg(translated(note)));
     Q_EMIT kept(job, key, pictures);
@@ -165,19 +184,24 @@ void RunDesk::keep(const QueuedJob& job, const std::shared_ptr<const Result>& re
     lookAgain();
 }
 
-void RunDesk::takeStopped(const QueuedJob& job, double fraction) {
-    if (job.id == m_live)
-        Q_EMIT stopped(job, fraction);
+void RunDesk::takeCancelled(const QueuedJob& job, double fraction) {
+    if (job.id == m_live) {
+        showFormer();
+        Q_EMIT cancelled(job, fraction);
+    }
     Q_EMIT changed();
 }
 
+void RunDesk::showFormer() {
+    if (m_last.result)
+        showLast();
+    else
+        clear();
+}
+
 void RunDesk::takeFailed(const QueuedJob& job) {
-    if (job.id == m_live) {
-        if (m_last.result)
-            showLast();
-        else
-            clear();
-    }
+    if (job.id == m_live)
+        showFormer();
     if (job.shown)
         Q_EMIT refused(job.problem);
     Q_EMIT changed();

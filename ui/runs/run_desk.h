@@ -55,13 +55,19 @@ public:
     void run(const RunInput& input, bool quick);
     /// The same at the queue's end, without its pictures being shown.
     void enqueue(const RunInput& input);
+    /// Goes on with a run that a crash broke off; it must have a plan.
+    void resume(BrokenRun run);
     bool running() const { return m_controller->running(); }
-    /// Asks the run under way to end.
-    void stop() { m_controller->stop(); }
-    /// Gives up all that waits and asks the run under way to end.
-    void stopAll();
-    /// Ends the run under way and waits for that; nothing can be run any more.
-    void halt() { m_controller->halt(); }
+    /// Asks the run under way to end with what it has, which becomes a result of the history.
+    void stopAndKeep() { m_controller->stopAndKeep(); }
+    /// Asks the run under way to end; nothing of it is kept.
+    void cancel() { m_controller->cancel(); }
+    /// Gives up all that waits and asks the run under way to end, but leaves its checkpoint for another time.
+    void breakOff();
+    /// The same at once: waits for the end, and nothing can be run any more.
+    void halt();
+    /// Where runs leave checkpoints, from which they can go on after a crash; nowhere before it is set.
+    void setCheckpointFolder(const QString& folder) { m_queue->setCheckpointFolder(folder); }
 
     /// Shows the pictures of a queued run as it goes, and its result.
     void watch(int id);
@@ -74,7 +80,7 @@ public:
     /// The finished result that was shown last; null if there is none.
     const std::shared_ptr<const Result>& result() const { return m_last.result; }
     const ShownResult& last() const { return m_last; }
-    /// Whether it is on show, rather than a run under way or one that was stopped.
+    /// Whether it is on show, rather than a run under way.
     bool resultShown() const { return m_resultShown; }
     /// The run whose pictures are on show, finished or not; none before the first.
     const std::optional<RunPlan>& shownPlan() const { return m_shownPlan; }
@@ -87,9 +93,11 @@ Q_SIGNALS:
     void watching(const texloom::ui::QueuedJob& job);
     /// A partial picture of the run that is shown.
     void previewed(const texloom::ui::RunPictures& pictures);
+    /// The curves of the run that is shown, each time they have grown.
+    void curvesGrew(const std::vector<texloom::Curve>& curves);
     void shown(const texloom::ui::ShownResult& result);
-    /// The run that is shown was stopped at this share of its work; its last picture stands.
-    void stopped(const texloom::ui::QueuedJob& job, double fraction);
+    /// The run that was shown was cancelled at this share of its work; what was shown before it is again.
+    void cancelled(const texloom::ui::QueuedJob& job, double fraction);
     /// Nothing is shown any more, and there is no result to go back to.
     void emptied();
     /// What was asked for goes into the queue.
@@ -110,8 +118,9 @@ private:
     void add(const RunInput& input, bool quick, bool next);
     void refuse(const QString& sentence);
     void keep(const QueuedJob& job, const std::shared_ptr<const Result>& result, const RunPictures& pictures);
-    void takeStopped(const QueuedJob& job, double fraction);
+    void takeCancelled(const QueuedJob& job, double fraction);
     void takeFailed(const QueuedJob& job);
+    void showFormer();
     void lookAgain();
     void setOutlook(const Outlook& outlook);
     void setResultShown(bool shown);

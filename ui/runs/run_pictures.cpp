@@ -61,9 +61,12 @@ RunPictures picturesOf(const std::shared_ptr<const Result>& result) {
     RunPictures pictures;
     const Synthesis& synthesis = result->synthesis;
     pictures.run = result;
-    pictures.result =
-        std::make_shared<const DisplayPicture>(std::shared_ptr<const Image>(result, &synthesis.image));
-    if (synthesis.mapKind == MapKind::None || synthesis.map.size().empty())
+    const std::shared_ptr<const Image> values(result, &synthesis.image);
+    const bool mapped = synthesis.mapKind != MapKind::None && !synthesis.map.size().empty();
+    pictures.result = mapped && result->stoppedAt
+                          ? std::make_shared<const DisplayPicture>(values, values->size(), 1, &synthesis.map)
+                          : std::make_shared<const DisplayPicture>(values);
+    if (!mapped)
         return pictures;
     pictures.map = std::shared_ptr<const PositionMap>(result, &synthesis.map);
     pictures.mapKind = synthesis.mapKind;

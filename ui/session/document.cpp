@@ -76,7 +76,7 @@ Document::Document(Window window, QObject* parent)
 }
 
 Document::~Document() {
-    // A window that is closed in order leaves nothing to recover, nor does a copy that is still being
+    // A window that is closed properly leaves nothing to recover, nor does a copy that is still being
     // written.
     m_writer.waitForDone();
     m_recovery->drop();
@@ -227,7 +227,7 @@ void Document::opened(const LoadedSession& loaded, const QString& file, const QS
     if (!loaded.leftOut.isEmpty())
         m_window.refuse(tr("Opened, but without some files: %1").arg(loaded.leftOut.join(QLatin1Char(' '))));
     else if (!loaded.changed.isEmpty())
-        m_window.tell(tr("Opened, but these files changed since the session was saved, so that results "
+        m_window.tell(tr("Opened, but these files changed since the session was saved, so results "
                          "will differ: %1.")
                           .arg(loaded.changed.join(QStringLiteral(", "))));
 }

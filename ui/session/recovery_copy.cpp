@@ -80,10 +80,9 @@ void RecoveryCopy::write() {
         [this](const QString& why) {
             m_writing = false;
             if (!std::exchange(m_failed, true))
-                Q_EMIT failed(
-                    tr("The session could not be kept for recovery, so that a crash would lose it; make "
-                       "room or save it elsewhere. %1")
-                        .arg(why));
+                Q_EMIT failed(tr("The session could not be kept for recovery, so a crash would lose it; make "
+                                 "room or save it elsewhere. %1")
+                                  .arg(why));
             m_timer.start();
         });
 }
@@ -102,6 +101,7 @@ void RecoveryCopy::offer(QWidget* parent) {
         QDir(m_folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
     for (const QFileInfo& copy : found) {
         QLockFile lock(lockOf(copy.filePath()));
+        lock.setStaleLockTime(0);
         if (lock.tryLock()) // else the program that writes it is still there
             return ask(copy.filePath(), parent);
     }
@@ -111,7 +111,7 @@ void RecoveryCopy::ask(const QString& path, QWidget* parent) {
     const QString when = QLocale().toString(QFileInfo(path).lastModified(), QLocale::ShortFormat);
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Recover a session"),
-                        tr("Texloom was not closed in order. The session of %1 can be recovered.").arg(when),
+                        tr("Texloom was not closed properly. The session of %1 can be recovered.").arg(when),
                         QMessageBox::NoButton, parent);
     box->setObjectName(QStringLiteral("recoveryDialog"));
     box->setAttribute(Qt::WA_DeleteOnClose);

@@ -33,7 +33,7 @@ public:
 
     /// To be called whenever a setting may have changed.
     void settingsEdited();
-    /// While one of these lives, changes are nobody's to undo: they follow from something else.
+    /// While one of these exists, changes are not recorded for undo: they follow from something else.
     class Pause {
     public:
         explicit Pause(UndoHistory* history);

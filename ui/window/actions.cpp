@@ -70,8 +70,12 @@ Actions::Actions(QMainWindow* window) {
     quick = make("quick", tr("&Quick"),
                  {Qt::CTRL | Qt::SHIFT | Qt::Key_Return, Qt::CTRL | Qt::SHIFT | Qt::Key_Enter},
                  tr("Make a small preview with the same settings"), "quick");
-    stop = make("stop", tr("&Stop"), {Qt::Key_Escape},
-                tr("Stop the run under way and keep what is there; those that wait go on"), "stop");
+    stop =
+        make("stop", tr("&Stop and keep"), {Qt::Key_Escape},
+             tr("End the run under way and keep what is there as a result; those that wait go on"), "stop");
+    stop->setIconText(tr("Stop"));
+    cancelRun = make("cancelRun", tr("&Cancel run"), {Qt::SHIFT | Qt::Key_Escape},
+                     tr("End the run under way and keep nothing of it; those that wait go on"), "close");
     newSeedRun = make("newSeedRun", tr("&New seed and run"), {Qt::CTRL | Qt::Key_R}, {}, "dice");
     resetParameters = make("resetParameters", tr("Reset all &parameters"), {}, {}, "reset");
     fit = make("fit", tr("&Fit"), {Qt::Key_F}, tr("Fit the picture in the view"), "fit");

@@ -24,6 +24,7 @@ struct Actions {
     QAction* addToQueue;
     QAction* quick;
     QAction* stop;
+    QAction* cancelRun;
     QAction* newSeedRun;
     QAction* resetParameters;
     QAction* fit;

@@ -1,5 +1,7 @@
 #include "ui/window/drop_targets.h"
 
+#include "ui/common/text.h"
+
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QPainter>
@@ -16,13 +18,17 @@ DropTargets::DropTargets(QWidget* parent) : QWidget(parent) {
     hide();
 }
 
-void DropTargets::open(bool files, bool masks) {
-    m_cards = {{Target::Exemplar, tr("Exemplar"), tr("In place of the one you look at"), true},
-               {Target::Add, tr("Add"), tr("As a further exemplar"), true},
-               {Target::Companion, tr("Companion map"), tr("Gets the result's layout"), files},
-               {Target::Mask, tr("Mask"),
-                masks ? tr("Black is never copied") : tr("The method does not use a mask"), files && masks}};
-    m_over.reset();
+void DropTargets::open(Dragged dragged, bool masks, const std::vector<Port>& ports) {
+    const bool files = dragged == Dragged::Files;
+    m_cards = {{tr("Exemplar"), tr("In place of the one you look at"), true},
+               {tr("Add"), tr("As a further exemplar"), true},
+               {tr("Companion map"), tr("Gets the result's layout"), files},
+               {tr("Mask"), masks ? tr("Black is never copied") : tr("The method does not use a mask"),
+                files && masks}};
+    for (const Port& port : ports)
+        m_cards.push_back(
+            {translated(port.title), translated(port.help), files || port.kind == AssetKind::Image, port.id});
+    m_over = -1;
     m_entered = false;
     setGeometry(parentWidget()->rect());
     raise();
@@ -39,20 +45,40 @@ void DropTargets::closeUnlessEntered() {
         close();
 }
 
-QRect DropTargets::placeOf(Target target) const {
+QRect DropTargets::placeAt(int index) const {
+    constexpr int kColumns = 2;
+    const int rows = (static_cast<int>(m_cards.size()) + kColumns - 1) / kColumns;
     const int gap = fontMetrics().height();
-    const int columns = 2;
-    const int width = (rect().width() - gap * (columns + 1)) / columns;
-    const int height = (rect().height() - gap * (columns + 1)) / columns;
-    const int index = static_cast<int>(target);
-    return {gap + (index % columns) * (width + gap), gap + (index / columns) * (height + gap), width, height};
+    const int width = (rect().width() - gap * (kColumns + 1)) / kColumns;
+    const int height = (rect().height() - gap * (rows + 1)) / rows;
+    return {gap + (index % kColumns) * (width + gap), gap + (index / kColumns) * (height + gap), width,
+            height};
+}
+
+QRect DropTargets::placeOf(const std::string& port) const {
+    for (std::size_t i = 0; i < m_cards.size(); ++i)
+        if (m_cards[i].port == port)
+            return placeAt(static_cast<int>(i));
+    return {};
+}
+
+int DropTargets::cardAt(QPoint point) const {
+    for (int i = 0; i < static_cast<int>(m_cards.size()); ++i)
+        if (m_cards[static_cast<std::size_t>(i)].enabled && placeAt(i).contains(point))
+            return i;
+    return -1;
 }
 
 std::optional<DropTargets::Target> DropTargets::targetAt(QPoint point) const {
-    for (const Card& card : m_cards)
-        if (card.enabled && placeOf(card.target).contains(point))
-            return card.target;
-    return std::nullopt;
+    const int card = cardAt(point);
+    if (card < 0 || !m_cards[static_cast<std::size_t>(card)].port.empty())
+        return std::nullopt;
+    return static_cast<Target>(card);
+}
+
+std::string DropTargets::portAt(QPoint point) const {
+    const int card = cardAt(point);
+    return card < 0 ? std::string() : m_cards[static_cast<std::size_t>(card)].port;
 }
 
 void DropTargets::dragEnterEvent(QDragEnterEvent* event) {
@@ -61,8 +87,8 @@ void DropTargets::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void DropTargets::dragMoveEvent(QDragMoveEvent* event) {
-    m_over = targetAt(event->position().toPoint());
-    event->setAccepted(m_over.has_value());
+    m_over = cardAt(event->position().toPoint());
+    event->setAccepted(m_over >= 0);
     update();
 }
 
@@ -71,12 +97,17 @@ void DropTargets::dragLeaveEvent(QDragLeaveEvent*) {
 }
 
 void DropTargets::dropEvent(QDropEvent* event) {
-    const std::optional<Target> target = targetAt(event->position().toPoint());
+    const QPoint point = event->position().toPoint();
+    const std::optional<Target> target = targetAt(point);
+    const std::string port = portAt(point);
     close();
-    if (!target)
+    if (!target && port.empty())
         return;
     event->acceptProposedAction();
-    Q_EMIT dropped(*target, *event->mimeData());
+    if (target)
+        Q_EMIT dropped(*target, *event->mimeData());
+    else
+        Q_EMIT droppedInto(port, *event->mimeData());
 }
 
 void DropTargets::paintEvent(QPaintEvent*) {
@@ -85,16 +116,17 @@ void DropTargets::paintEvent(QPaintEvent*) {
     QColor veil = palette().color(QPalette::Window);
     veil.setAlpha(215);
     painter.fillRect(rect(), veil);
-    for (const Card& card : m_cards)
-        paintCard(painter, card);
+    for (int i = 0; i < static_cast<int>(m_cards.size()); ++i)
+        paintCard(painter, i);
 }
 
-void DropTargets::paintCard(QPainter& painter, const Card& card) const {
-    const bool over = m_over == card.target;
+void DropTargets::paintCard(QPainter& painter, int index) const {
+    const Card& card = m_cards[static_cast<std::size_t>(index)];
+    const bool over = m_over == index;
     const QPalette::ColorGroup group = card.enabled ? QPalette::Active : QPalette::Disabled;
     const int line = fontMetrics().height();
     const int width = style()->pixelMetric(QStyle::PM_DefaultFrameWidth, nullptr, this) * (over ? 3 : 1);
-    const QRect place = placeOf(card.target).adjusted(width, width, -width, -width);
+    const QRect place = placeAt(index).adjusted(width, width, -width, -width);
     painter.setPen(QPen(palette().color(group, over ? QPalette::Highlight : QPalette::WindowText), width,
                         over ? Qt::SolidLine : Qt::DashLine));
     painter.setBrush(over ? palette().brush(QPalette::Base) : QBrush(Qt::NoBrush));

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/methods/port.h"
+
 #include <QWidget>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 class QMimeData;
@@ -10,28 +13,34 @@ class QMimeData;
 namespace texloom::ui {
 
 /// The places where something can be let go while it is dragged over a window that has an exemplar: in place
-/// of the exemplar, beside it, as one of its companion maps, or as its mask. Menus do the same without a
-/// mouse.
+/// of the exemplar, beside it, as one of its companion maps, as its mask, or in one of the method's ports.
+/// Menus and the inspector do the same without a mouse.
 class DropTargets : public QWidget {
     Q_OBJECT
 
 public:
     enum class Target { Exemplar, Add, Companion, Mask };
+    enum class Dragged { Picture, Files, Result };
 
     explicit DropTargets(QWidget* parent);
 
-    /// Covers the parent. @param files whether files are dragged; a picture alone can be no map.
-    /// @param masks whether the method in use heeds a mask.
-    void open(bool files, bool masks);
+    /// Covers the parent. @param dragged a picture or a result can be no map. @param masks whether the method
+    /// in use heeds a mask. @param ports that the method has beside exemplars and what belongs to them.
+    void open(Dragged dragged, bool masks, const std::vector<Port>& ports = {});
     /// Goes away unless the drag has come to it.
     void closeUnlessEntered();
     /// The target at a point, if something can be let go there.
     std::optional<Target> targetAt(QPoint point) const;
+    /// The id of the port at a point, if something can be let go there; else empty.
+    std::string portAt(QPoint point) const;
     /// Where a target is shown.
-    QRect placeOf(Target target) const;
+    QRect placeOf(Target target) const { return placeAt(static_cast<int>(target)); }
+    /// Where a port is shown; empty if it is not.
+    QRect placeOf(const std::string& port) const;
 
 Q_SIGNALS:
     void dropped(texloom::ui::DropTargets::Target target, const QMimeData& data);
+    void droppedInto(const std::string& port, const QMimeData& data);
     /// The drag left or ended.
     void closed();
 
@@ -44,15 +53,18 @@ protected:
 
 private:
     struct Card {
-        Target target;
         QString title, text;
         bool enabled;
+        std::string port = {}; ///< its id; empty for one of the targets, which come first
     };
     void close();
-    void paintCard(QPainter& painter, const Card& card) const;
+    QRect placeAt(int index) const;
+    /// The index of the card at a point where something can be let go; −1 if there is none.
+    int cardAt(QPoint point) const;
+    void paintCard(QPainter& painter, int index) const;
 
     std::vector<Card> m_cards;
-    std::optional<Target> m_over;
+    int m_over = -1;
     bool m_entered = false;
 };
 

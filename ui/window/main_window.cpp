@@ -20,11 +20,13 @@
 #include "ui/plots/figures_panel.h"
 #include "ui/results/limits_dialog.h"
 #include "ui/session/document.h"
+#include "ui/session/run_recovery.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/drop_targets.h"
 #include "ui/window/hovers.h"
 #include "ui/window/readout.h"
 #include "ui/window/result_export.h"
+#include "ui/window/result_inputs.h"
 #include "ui/window/run_display.h"
 #include "ui/window/start_page.h"
 
@@ -58,7 +60,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_desk(new RunDesk(resultFolder(), this)), m_comparisons(new Comparisons(m_desk, m_store, this)),
       m_tries(new Tries(
           m_desk, m_store, m_comparisons, [this] { return input(false); }, this)),
-      m_method(new QComboBox(this)) {
+      m_brokenRuns(new RunRecovery(m_desk, this)), m_method(new QComboBox(this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Texloom"));
     setAcceptDrops(true);
@@ -71,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent)
     makeDocks();
     m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString()));
     makeDocument();
+    connectRecovery();
     makeMenus();
     makeToolBar();
     auto* readout = new Readout(this);
@@ -126,6 +129,7 @@ void MainWindow::makeCentre() {
     m_centre->addWidget(m_editor);
     m_drop = new DropTargets(middle);
     connect(m_drop, &DropTargets::dropped, this, &MainWindow::dropOn);
+    connect(m_drop, &DropTargets::droppedInto, this, &MainWindow::dropInto);
     connect(m_drop, &DropTargets::closed, statusBar(), &QStatusBar::clearMessage);
     m_export = new ResultExport(m_desk, m_messages, this);
     auto* column = new QVBoxLayout(middle);
@@ -139,8 +143,10 @@ void MainWindow::makeDocks() {
         new ExemplarPanel(m_store, {m_actions.open, m_actions.editExemplar, m_actions.removeExemplar});
     auto* parameters = new QWidget;
     m_inspector = new Inspector(parameters);
-    m_runPanel =
-        new RunPanel(m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, parameters);
+    m_resultInputs = new ResultInputs(m_desk, m_store, m_inspector->output(), this);
+    m_runPanel = new RunPanel(
+        {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.cancelRun},
+        parameters);
     auto* column = new QVBoxLayout(parameters);
     column->addWidget(m_inspector, 1);
     column->addWidget(m_runPanel);
@@ -183,7 +189,7 @@ void MainWindow::setTabOrderThrough() {
     setTabOrder(m_method, m_inspector->findChild<QWidget*>(QStringLiteral("outputWidth")));
     setTabOrder(m_inspector->findChild<QWidget*>(QStringLiteral("then1")),
                 m_runPanel->findChild<QWidget*>(QStringLiteral("runButton")));
-    setTabOrder(m_runPanel->findChild<QWidget*>(QStringLiteral("stopButton")),
+    setTabOrder(m_runPanel->findChild<QWidget*>(QStringLiteral("cancelRunButton")),
                 m_results->viewer(ResultView::ResultTab));
 }
 
@@ -209,7 +215,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
     if (!m_document->mayClose())
         return event->ignore();
-    m_desk->stopAll();
+    m_desk->breakOff();
     QMainWindow::closeEvent(event);
 }
 
@@ -261,6 +267,7 @@ void MainWindow::connectResults() {
     connect(m_comparisons, &Comparisons::told, this,
             [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); });
     connect(m_export, &ResultExport::failed, this, &MainWindow::fail);
+    connect(m_resultInputs, &ResultInputs::failed, this, &MainWindow::fail);
 }
 
 /// Says that results were removed, until that is undone in one way or another.

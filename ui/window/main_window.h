@@ -39,8 +39,10 @@ class LatticeTool;
 class LogPanel;
 class MessageBar;
 class ResultExport;
+class ResultInputs;
 class ResultView;
 class RunPanel;
+class RunRecovery;
 class StartPage;
 class Tries;
 class UndoHistory;
@@ -67,6 +69,8 @@ public:
     /// Takes over what a recipe says; its exemplars are read if they are not open.
     /// @param keepSize whether the output keeps its size, as for the recipe of a preview.
     void restoreRecipe(const Recipe& recipe, bool keepSize);
+    /// Asks about sessions and runs that a crash broke off.
+    void offerRecovery();
     /// Takes over the settings of a result of the history.
     void restoreResult(const std::string& key);
     /// Says in place what could not be done.
@@ -122,8 +126,9 @@ private:
     std::vector<NamedImage> earlierResults();
     void restoreLayout();
     void makeDocument();
+    void connectRecovery();
     bool handmade() const;
-    void tidyMasks();
+    void tidyFiles();
     void showTitle();
     void startAfresh(const std::function<void()>& shown);
     void showSession(const LoadedSession& loaded, const std::function<void()>& shown);
@@ -134,9 +139,12 @@ private:
     void paste();
     void take(const QMimeData& offered);
     void dropOn(DropTargets::Target target, const QMimeData& offered);
+    void dropInto(const std::string& port, const QMimeData& offered);
     void exemplarOpened(int id);
     void offerRecipe(const QString& path, const QString& text);
     void loadRecipeFrom(const QString& path);
+    /// Says so where another build made a recipe.
+    void sayOtherBuild(const std::string& version);
 
     void methodChosen();
     void settingsEdited();
@@ -166,8 +174,10 @@ private:
     DropTargets* m_drop = nullptr;
     Document* m_document = nullptr;
     UndoHistory* m_undo = nullptr;
+    RunRecovery* m_brokenRuns;
     MessageBar* m_messages = nullptr;
     ResultExport* m_export = nullptr;
+    ResultInputs* m_resultInputs = nullptr;
     ExemplarPanel* m_exemplars = nullptr;
     Inspector* m_inspector = nullptr;
     RunPanel* m_runPanel = nullptr;

@@ -50,7 +50,8 @@ void MainWindow::connectRunActions() {
         m_desk->enqueue(input(false));
     });
     connect(m_actions.quick, &QAction::triggered, this, [this] { startRun(true); });
-    connect(m_actions.stop, &QAction::triggered, m_desk, &RunDesk::stop);
+    connect(m_actions.stop, &QAction::triggered, m_desk, &RunDesk::stopAndKeep);
+    connect(m_actions.cancelRun, &QAction::triggered, m_desk, &RunDesk::cancel);
     connect(m_actions.newSeedRun, &QAction::triggered, this, [this] {
         m_inspector->output()->drawSeed();
         startRun(false);

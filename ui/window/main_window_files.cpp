@@ -12,6 +12,7 @@
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
+#include "ui/window/result_inputs.h"
 #include "ui/window/start_page.h"
 
 #include <QApplication>
@@ -45,13 +46,15 @@ bool isRecipe(const QString& path) {
 struct LoadedRecipe {
     RunInput input;
     QStringList changed;
+    std::string version; ///< of the build that made it
 };
 
 LoadedRecipe loadAll(const std::filesystem::path& path) {
     LoadedRecipe loaded;
-    loaded.input = loadRecipe(readRecipe(path), [&](const std::filesystem::path& file) {
-        loaded.changed += toQString(file.filename());
-    });
+    const Recipe recipe = readRecipe(path);
+    loaded.version = recipe.version;
+    loaded.input = loadRecipe(
+        recipe, [&](const std::filesystem::path& file) { loaded.changed += toQString(file.filename()); });
     return loaded;
 }
 
@@ -100,6 +103,8 @@ void MainWindow::paste() {
 }
 
 void MainWindow::take(const QMimeData& offered) {
+    if (const std::string key = draggedResult(offered); !key.empty())
+        return m_resultInputs->open(key);
     const QStringList files = localFiles(offered);
     if (!files.isEmpty())
         return openFiles(files);
@@ -116,11 +121,17 @@ void MainWindow::take(const QMimeData& offered) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!offersPicture(*event->mimeData()))
+    const bool result = !draggedResult(*event->mimeData()).empty();
+    if (!result && !offersPicture(*event->mimeData()))
         return;
     event->acceptProposedAction();
-    if (m_store->current() != nullptr)
-        return m_drop->open(!localFiles(*event->mimeData()).isEmpty(), useOf(m_inspector->steps()).masks);
+    if (m_store->current() != nullptr) {
+        const bool files = !localFiles(*event->mimeData()).isEmpty();
+        return m_drop->open(result  ? DropTargets::Dragged::Result
+                            : files ? DropTargets::Dragged::Files
+                                    : DropTargets::Dragged::Picture,
+                            useOf(m_inspector->steps()).masks, m_inspector->output()->ports());
+    }
     m_start->setDropping(true);
     statusBar()->showMessage(tr("Let go to open it as an exemplar."));
 }
@@ -153,10 +164,27 @@ void MainWindow::dropOn(DropTargets::Target target, const QMimeData& offered) {
     take(offered);
 }
 
+void MainWindow::dropInto(const std::string& port, const QMimeData& offered) {
+    OutputGroup* const output = m_inspector->output();
+    if (const std::string key = draggedResult(offered); !key.empty())
+        return m_resultInputs->put(port, key);
+    const QStringList files = localFiles(offered);
+    for (const QString& file : files)
+        output->readInput(port, file);
+    if (const auto picture = qvariant_cast<QImage>(offered.imageData()); files.isEmpty() && !picture.isNull())
+        inBackground(
+            this, [picture] { return savePastedPicture(picture); },
+            [output, port](const QString& path) { output->readInput(port, path); },
+            [this](const QString& why) { fail(why); });
+}
+
 void MainWindow::dropEvent(QDropEvent* event) {
     m_start->setDropping(false);
     m_drop->closeUnlessEntered();
     statusBar()->clearMessage();
+    const bool besides = !centralWidget()->geometry().contains(event->position().toPoint());
+    if (besides && !draggedResult(*event->mimeData()).empty())
+        return; // let go over its own list
     event->acceptProposedAction();
     take(*event->mimeData());
 }
@@ -164,8 +192,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::exemplarOpened(int id) {
     const ExemplarEntry* const entry = m_store->find(id);
     const QString path = toQString(entry->file().path);
-    const bool pasted = path.startsWith(pastedFolder());
-    if (!pasted)
+    const bool own = path.startsWith(pastedFolder()) || path.startsWith(ownFolder());
+    if (!own)
         addRecentFile(path);
     if (!entry->file().info.recipe.empty())
         offerRecipe(path, tr("%1 was made here and holds its settings.").arg(QFileInfo(path).fileName()));
@@ -191,8 +219,17 @@ void MainWindow::loadRecipeFrom(const QString& path) {
                     MessageBar::Kind::Information,
                     tr("Settings restored, but these files changed since, so the result will differ: %1.")
                         .arg(loaded.changed.join(QStringLiteral(", "))));
+            else
+                sayOtherBuild(loaded.version);
         },
         [this](const QString& why) { fail(why); });
+}
+
+void MainWindow::sayOtherBuild(const std::string& version) {
+    if (!version.empty() && version != kVersion)
+        m_messages->say(MessageBar::Kind::Information,
+                        tr("The recipe was made by Texloom %1; this is %2, so the result may differ.")
+                            .arg(QString::fromStdString(version), QLatin1String(kVersion)));
 }
 
 void MainWindow::restore(const RunInput& input) {
@@ -238,6 +275,7 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
 
 void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
     const Size size = keepSize ? m_inspector->output()->outputSize() : recipe.size;
+    sayOtherBuild(recipe.version);
     if (recipe.inputs.empty() && openExemplarsOf(recipe)) {
         RunInput input;
         input.steps = recipe.steps;

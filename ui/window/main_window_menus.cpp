@@ -57,8 +57,9 @@ QMenu* MainWindow::makeFileMenu() {
 
 QMenu* MainWindow::makeSynthesisMenu() {
     auto* synthesis = new QMenu(tr("&Synthesis"), this);
-    synthesis->addActions(
-        {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.newSeedRun});
+    synthesis->addActions({m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.newSeedRun});
+    synthesis->addSeparator();
+    synthesis->addActions({m_actions.stop, m_actions.cancelRun});
     synthesis->addSeparator();
     synthesis->addActions({m_tries->allAction(), m_tries->someAction(), m_tries->sweepAction()});
     synthesis->addSeparator();

@@ -110,7 +110,8 @@ void MainWindow::updateActions() {
     m_actions.quick->setEnabled(m_desk->canQuick());
     m_actions.stress->setEnabled(m_desk->canRun());
     m_tries->updateActions();
-    m_actions.stop->setEnabled(m_desk->running());
+    for (QAction* action : {m_actions.stop, m_actions.cancelRun})
+        action->setEnabled(m_desk->running());
     m_actions.exportResult->setEnabled(m_desk->resultShown());
     m_actions.copyResult->setEnabled(m_desk->resultShown());
     const ExemplarEntry* const current = m_store->current();

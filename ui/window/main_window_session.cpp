@@ -5,6 +5,7 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/session/document.h"
+#include "ui/session/run_recovery.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
 
@@ -31,8 +32,24 @@ void MainWindow::makeDocument() {
                       [this](const QString& text) { fail(text); }, [this] { return handmade(); }},
                      this);
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
-    connect(m_desk->history(), &ResultHistory::scanned, this, &MainWindow::tidyMasks);
+    connect(m_desk->history(), &ResultHistory::scanned, this, &MainWindow::tidyFiles);
     showTitle();
+}
+
+void MainWindow::connectRecovery() {
+    m_desk->setCheckpointFolder(m_document->recovery()->folder());
+    connect(m_brokenRuns, &RunRecovery::failed, this, &MainWindow::fail);
+    connect(m_brokenRuns, &RunRecovery::restoreWanted, this,
+            [this](const Recipe& recipe) { restoreRecipe(recipe, false); });
+    connect(m_brokenRuns, &RunRecovery::resumed, this, [this](const Recipe& recipe) {
+        if (m_store->entries().empty()) // what is open stays
+            restoreRecipe(recipe, false);
+    });
+}
+
+void MainWindow::offerRecovery() {
+    m_document->offerRecovery();
+    m_brokenRuns->offer(m_document->recovery()->folder());
 }
 
 /// Whether an exemplar was edited or given a mask.
@@ -43,15 +60,15 @@ bool MainWindow::handmade() const {
     });
 }
 
-/// Painted masks that no result and no session to be recovered names are of no use any more.
-void MainWindow::tidyMasks() {
+/// Files made here that no result, and nothing that is to be recovered, names are of no use any more.
+void MainWindow::tidyFiles() {
     std::vector<Recipe> recipes;
     for (const ResultEntry& entry : m_desk->history()->entries())
         recipes.push_back(entry.recipe);
     inBackground(
         this,
         [recipes, recovery = m_document->recovery()->folder()] {
-            removeOldMasks(recipes, recovery);
+            removeOldFiles(recipes, recovery);
             return true;
         },
         [](bool) {}, [](const QString&) {});

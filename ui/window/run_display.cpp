@@ -6,6 +6,9 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/volume/slice_panel.h"
+
+#include <utility>
 
 namespace texloom::ui {
 
@@ -17,15 +20,28 @@ QString titleOf(const Result& result) {
     return QStringLiteral("%1 · %2").arg(labelOf(plan), QString::fromStdString(durationText(result.seconds)));
 }
 
+/// The first volume that a run made; null if none.
+std::shared_ptr<const VolumeSource> volumeOf(const Result& result) {
+    const Assets& outputs = result.synthesis.outputs;
+    for (const auto& [port, assets] : outputs.byPort())
+        if (const auto volume = outputs.first<VolumeSource>(port))
+            return volume;
+    return nullptr;
+}
+
 } // namespace
 
 RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
-    : QObject(parent), m_desk(desk), m_to(places) {
+    : QObject(parent), m_desk(desk), m_to(places), m_volume(new SlicePanel(places.results)) {
+    m_to.results->addPage(m_volume, tr("Volume"),
+                          tr("A slice of the volume that the result has: any plane, at any place."));
+    m_to.results->setPageOffered(m_volume, false);
     connectPanel();
     connect(m_desk, &RunDesk::watching, this, &RunDisplay::announce);
     connect(m_desk, &RunDesk::previewed, this, &RunDisplay::showPreview);
     connect(m_desk, &RunDesk::shown, this, &RunDisplay::showResult);
-    connect(m_desk, &RunDesk::stopped, this, &RunDisplay::sayStopped);
+    connect(m_desk, &RunDesk::curvesGrew, m_to.figures, &FiguresPanel::showCurves);
+    connect(m_desk, &RunDesk::cancelled, this, &RunDisplay::sayCancelled);
     connect(m_desk, &RunDesk::emptied, this, &RunDisplay::clear);
     connect(m_desk, &RunDesk::endedUnseen, this, &RunDisplay::offer);
     connect(m_desk, &RunDesk::accepted, m_to.messages, &MessageBar::dismiss);
@@ -35,6 +51,7 @@ RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
 
 void RunDisplay::connectPanel() {
     connect(m_desk->controller(), &RunController::progressed, m_to.panel, &RunPanel::showProgress);
+    connect(m_desk->controller(), &RunController::pictureAwaited, this, &RunDisplay::sayAwaited);
     connect(m_desk->queue(), &JobQueue::changed, this,
             [this] { m_to.panel->setRunning(m_desk->running(), m_desk->queue()->waiting()); });
     connect(m_desk, &RunDesk::outlookChanged, this, [this](const Outlook& outlook) {
@@ -61,14 +78,27 @@ void RunDisplay::showPreview(const RunPictures& pictures) {
 
 void RunDisplay::showResult(const ShownResult& shown) {
     m_to.results->showPictures(shown.pictures);
-    m_to.results->setBadge(shown.quick ? tr("Quick preview") : QString());
+    const std::optional<double>& stopped = shown.result->stoppedAt;
     const QString title = titleOf(*shown.result);
-    m_to.results->setTitle(shown.quick ? tr("Quick preview: %1").arg(title) : title);
+    if (stopped) {
+        const QString mark = tr("Stopped at %1").arg(percentText(*stopped));
+        m_to.results->setBadge(mark);
+        m_to.results->setTitle(tr("%1: %2").arg(mark, title));
+    } else {
+        m_to.results->setBadge(shown.quick ? tr("Quick preview") : QString());
+        m_to.results->setTitle(shown.quick ? tr("Quick preview: %1").arg(title) : title);
+    }
     QStringList notes;
     for (const Message& note : shown.result->synthesis.notes)
         notes += translated(note);
     m_to.results->setNotes(notes);
     m_to.figures->setResult(shown.result);
+    showVolume(volumeOf(*shown.result));
+}
+
+void RunDisplay::showVolume(std::shared_ptr<const VolumeSource> volume) {
+    m_to.results->setPageOffered(m_volume, volume != nullptr);
+    m_volume->setSource(std::move(volume));
 }
 
 void RunDisplay::clear() {
@@ -77,16 +107,30 @@ void RunDisplay::clear() {
     m_to.results->setTitle({});
     m_to.results->setNotes({});
     m_to.figures->setResult(nullptr);
+    showVolume(nullptr);
 }
 
-void RunDisplay::sayStopped(const QueuedJob& job, double fraction) {
-    const QString text = tr("Stopped at %1").arg(percentText(fraction));
-    m_to.results->setTitle(tr("%1: %2").arg(text, job.label));
-    m_to.results->setBadge(text);
-    if (m_desk->result())
-        m_to.messages->say(MessageBar::Kind::Information,
-                           tr("%1. The picture is as far as it got.").arg(text),
-                           tr("Back to the last result"), [this] { m_desk->showLast(); });
+void RunDisplay::sayAwaited() {
+    const QueuedJob* const job = m_desk->queue()->current();
+    if (job == nullptr)
+        return;
+    const QString sentence =
+        tr("There is no picture yet that could be kept; the run ends as soon as there is one.");
+    m_to.messages->say(MessageBar::Kind::Information, sentence, tr("Cancel it now"),
+                       [this, id = job->id] { m_desk->queue()->cancel(id); });
+    connect(
+        m_desk->queue(), &JobQueue::changed, m_to.messages,
+        [this, sentence] {
+            if (m_to.messages->text() == sentence)
+                m_to.messages->dismiss();
+        },
+        Qt::SingleShotConnection);
+}
+
+void RunDisplay::sayCancelled(const QueuedJob& job, double fraction) {
+    m_to.messages->say(
+        MessageBar::Kind::Information,
+        tr("Cancelled at %1, and nothing of it kept: %2.").arg(percentText(fraction), job.label));
 }
 
 void RunDisplay::offer(const QueuedJob& job, const std::string& key) {

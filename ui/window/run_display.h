@@ -10,8 +10,10 @@ class FiguresPanel;
 class MessageBar;
 class ResultView;
 class RunPanel;
+class SlicePanel;
 
 /// Shows what the desk tells: the pictures of the run that is shown with its title, badge, notes and figures,
+/// and in a tab of its own a slice of its volume, if it made one;
 /// what the next run will need, how the one under way goes, and what could not be done.
 class RunDisplay : public QObject {
     Q_OBJECT
@@ -32,12 +34,15 @@ private:
     void announce(const QueuedJob& job);
     void showPreview(const RunPictures& pictures);
     void showResult(const ShownResult& shown);
+    void sayAwaited();
+    void showVolume(std::shared_ptr<const VolumeSource> volume);
     void clear();
-    void sayStopped(const QueuedJob& job, double fraction);
+    void sayCancelled(const QueuedJob& job, double fraction);
     void offer(const QueuedJob& job, const std::string& key);
 
     RunDesk* m_desk;
     Places m_to;
+    SlicePanel* m_volume; ///< the page of the results' volume
 };
 
 } // namespace texloom::ui

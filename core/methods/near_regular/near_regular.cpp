@@ -306,6 +306,7 @@ std::vector<Param> params() {
     std::vector<Param> all = latticeFields<Settings>();
     all.push_back(
         field(&Settings::originX, "origin-x", TR("Origin, right"))
+            .role(lattice_role::kOriginRight)
             .range(-65535, 65535)
             .unit("px")
             .group(TR("Lattice"))
@@ -313,6 +314,7 @@ std::vector<Param> params() {
                      "pattern sideways.")));
     all.push_back(
         field(&Settings::originY, "origin-y", TR("Origin, down"))
+            .role(lattice_role::kOriginDown)
             .range(-65535, 65535)
             .unit("px")
             .group(TR("Lattice"))

@@ -14,8 +14,8 @@ namespace texloom::patch_assignment {
 /// begin as bounds, which take a quarter of the time, as long as these come near the costs.
 class CostTable {
 public:
-    /// Writes patch `person` of the output in the form of ExemplarPatches::planar().
-    using Wanted = std::function<void(int person, float* to)>;
+    /// Writes the patch of the output that a row is for, in the form of ExemplarPatches::planar().
+    using Wanted = std::function<void(int row, float* to)>;
 
     /// How rows outlive changes of their patches. Costs are norms of differences: a patch that moves by d
     /// costs no more than d less or more, whatever it is given.
@@ -27,8 +27,9 @@ public:
         float fall = 0;
     };
 
-    /// Brings the rows of `persons` patches up to date. With bounds, `patches` must outlive the assignment.
-    void update(int persons, const ExemplarPatches& patches, const Wanted& wanted, const Tolerance& tolerance,
+    /// Brings the rows, one for each of the output's patches, up to date. With bounds, `patches` must outlive
+    /// the assignment.
+    void update(int rows, const ExemplarPatches& patches, const Wanted& wanted, const Tolerance& tolerance,
                 JobContext& context);
     /// Makes the next update compute everything.
     void forget() { m_known = false; }
@@ -37,13 +38,13 @@ public:
 private:
     std::vector<int> moved(const ExemplarPatches& patches, const Wanted& wanted, const Tolerance& tolerance,
                            JobContext& context);
-    bool near(const std::vector<int>& persons, const ExemplarPatches& patches) const;
-    bool outlives(int person, float moved, const Tolerance& tolerance);
-    const float* patchOf(int person, const ExemplarPatches& patches) const {
+    bool near(const std::vector<int>& rows, const ExemplarPatches& patches) const;
+    bool outlives(int row, float moved, const Tolerance& tolerance);
+    const float* patchOf(int row, const ExemplarPatches& patches) const {
         return m_wanted.data() +
-               static_cast<std::size_t>(person) * static_cast<std::size_t>(patches.patchFloats());
+               static_cast<std::size_t>(row) * static_cast<std::size_t>(patches.patchFloats());
     }
-    void compute(const std::vector<int>& persons, const ExemplarPatches& patches, JobContext& context);
+    void compute(const std::vector<int>& rows, const ExemplarPatches& patches, JobContext& context);
 
     AssignmentCosts m_costs;
     std::vector<float> m_wanted; ///< the patches that the rows are for

@@ -82,8 +82,8 @@ int Optimizer::levelsFor(const Request& request, const Settings& settings) {
     return request.initial() ? std::min(wanted, kInitialLevels) : wanted;
 }
 
-bool Optimizer::narrows(double persons, double objects, int iterations) {
-    return persons * objects * iterations > kMostWork || (persons > 2 * objects && persons > kMostSharing);
+bool Optimizer::narrows(double rows, double columns, int iterations) {
+    return rows * columns * iterations > kMostWork || (rows > 2 * columns && rows > kMostSharing);
 }
 
 double Optimizer::exemplarPatches(const Request& request, const Settings& settings) {
@@ -195,11 +195,11 @@ double Optimizer::toleranceAt(int level, int iteration) const {
 /// Shares the lattice and the exemplar's patches out to bands that are assigned one after another.
 void Optimizer::plan(Pass& pass, int level) const {
     const Size count = pass.lattice.count();
-    const double persons = static_cast<double>(count.area()), objects = pass.patches.count();
-    pass.narrowed = narrows(persons, objects, iterations(level));
+    const double offered = pass.patches.count();
+    pass.narrowed = narrows(static_cast<double>(count.area()), offered, iterations(level));
     if (pass.narrowed)
         pass.patches.findSimilar(m_context);
-    const double perRow = pass.narrowed ? kChoices : objects;
+    const double perRow = pass.narrowed ? kChoices : offered;
     const int rows = std::clamp(static_cast<int>(kMostCosts / (perRow * count.width)), 1, count.height);
     const int bands = (count.height + rows - 1) / rows;
     const std::vector<int> supply =
@@ -242,8 +242,8 @@ double Optimizer::project(Pass& pass) {
 
 double Optimizer::assign(Pass& pass, Band& band) {
     const int columns = pass.lattice.count().width, stride = pass.lattice.stride;
-    const auto wanted = [&](int person, float* to) {
-        const int n = band.top * columns + person;
+    const auto wanted = [&](int row, float* to) {
+        const int n = band.top * columns + row;
         pass.patches.planar(m_canvas->pixels().at(n % columns * stride, n / columns * stride),
                             m_canvas->pixels().stride(), to);
     };
@@ -260,18 +260,18 @@ double Optimizer::assign(Pass& pass, Band& band) {
             m_context);
     }
     pass.meanCost = sampledMean(costs);
-    const std::vector<int> objects = band.assigner.assign(costs, options(pass), m_context);
+    const std::vector<int> assigned = band.assigner.assign(costs, options(pass), m_context);
     std::vector<float> patch(static_cast<std::size_t>(pass.patches.patchFloats()));
     double total = 0;
-    for (int person = 0; person < costs.persons; ++person) {
-        if (person % 4096 == 0)
+    for (int row = 0; row < costs.rows; ++row) {
+        if (row % 4096 == 0)
             m_context.check();
-        const int object = objects[static_cast<std::size_t>(person)], n = band.top * columns + person;
-        wanted(person, patch.data());
-        const float cost = pass.patches.cost(patch.data(), object);
+        const int best = assigned[static_cast<std::size_t>(row)], n = band.top * columns + row;
+        wanted(row, patch.data());
+        const float cost = pass.patches.cost(patch.data(), best);
         total += static_cast<double>(cost);
-        pass.chosen[static_cast<std::size_t>(n)] = object;
-        pass.field.at(n % columns, n / columns) = {pass.patches.sources()[static_cast<std::size_t>(object)],
+        pass.chosen[static_cast<std::size_t>(n)] = best;
+        pass.field.at(n % columns, n / columns) = {pass.patches.sources()[static_cast<std::size_t>(best)],
                                                    cost};
     }
     return total;
@@ -279,10 +279,10 @@ double Optimizer::assign(Pass& pass, Band& band) {
 
 void Optimizer::costSome(Pass& pass, const Band& band) const {
     AssignmentCosts& costs = pass.some;
-    costs.persons = (band.bottom - band.top) * pass.lattice.count().width;
-    costs.objects = pass.patches.count();
-    costs.perRow = std::min(kChoices, costs.objects);
-    const auto size = static_cast<std::size_t>(costs.persons) * static_cast<std::size_t>(costs.perRow);
+    costs.rows = (band.bottom - band.top) * pass.lattice.count().width;
+    costs.columns = pass.patches.count();
+    costs.perRow = std::min(kChoices, costs.columns);
+    const auto size = static_cast<std::size_t>(costs.rows) * static_cast<std::size_t>(costs.perRow);
     costs.costs.resize(size);
     costs.choices.resize(size);
     const int columns = pass.lattice.count().width, stride = pass.lattice.stride;

@@ -37,7 +37,7 @@ public:
     /// Patches of the output, at most, where many of them share one of the exemplar's: the exact assignment
     /// then moves whole groups.
     static constexpr double kMostSharing = 10000;
-    static bool narrows(double persons, double objects, int iterations);
+    static bool narrows(double rows, double columns, int iterations);
     /// Choices of each patch where they are narrowed.
     static constexpr int kChoices = 32;
 

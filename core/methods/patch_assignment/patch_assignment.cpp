@@ -9,11 +9,11 @@ namespace texloom::patch_assignment {
 namespace {
 
 /// About how long costs and assignments take.
-double secondsFor(const Settings& settings, double persons, double perRow, int channels, bool narrowed) {
-    const double pairs = persons * perRow;
+double secondsFor(const Settings& settings, double rows, double perRow, int channels, bool narrowed) {
+    const double pairs = rows * perRow;
     const double costs = pairs * settings.patch * settings.patch * 1e-10 * (1 + channels);
     if (narrowed)
-        return 2.5 * settings.fineIterations * (5 * costs + persons * 4e-6);
+        return 2.5 * settings.fineIterations * (5 * costs + rows * 4e-6);
     // Later iterations change less and less.
     return settings.epsilon > 0 || settings.relaxed ? 1.5 * costs + 3e-8 * pairs
                                                     : (1.5 + 0.2 * settings.fineIterations) * costs +
@@ -26,25 +26,24 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const std::vector<Size> exemplars = request.exemplarSizes();
     const int channels = request.channels();
     const auto pixel = static_cast<std::uint64_t>(Interleaved({1, 1}, channels).pixel) * sizeof(float);
-    const double objects = Optimizer::exemplarPatches(request, settings);
-    const double persons = static_cast<double>(canvas.area()) / (settings.stride() * settings.stride());
-    const bool narrowed = Optimizer::narrows(persons, objects, settings.fineIterations);
-    const double perRow = narrowed ? Optimizer::kChoices : objects;
+    const double columns = Optimizer::exemplarPatches(request, settings);
+    const double rows = static_cast<double>(canvas.area()) / (settings.stride() * settings.stride());
+    const bool narrowed = Optimizer::narrows(rows, columns, settings.fineIterations);
+    const double perRow = narrowed ? Optimizer::kChoices : columns;
     // One band holds at least a row of the lattice.
     const double finest =
-        std::min(persons * perRow, std::max(Optimizer::kMostCosts, objects * canvas.width)) *
-        (narrowed ? 8 : 4);
+        std::min(rows * perRow, std::max(Optimizer::kMostCosts, columns * canvas.width)) * (narrowed ? 8 : 4);
     // The next coarser scale may have all its choices where the finest has few.
     const double coarser =
-        4 * std::min(persons * objects / 16, Optimizer::kMostWork / settings.coarseIterations);
+        4 * std::min(rows * columns / 16, Optimizer::kMostWork / settings.coarseIterations);
     const double costs = std::max(finest, coarser);
     const double floats = static_cast<double>(settings.patch * settings.patch + 8) * channels;
     Estimate need;
     need.bytes =
         static_cast<std::uint64_t>(padded.area()) * pixel + Image::bytesFor(canvas, channels) * 3 / 2 +
         PositionMap::bytesFor(canvas) + static_cast<std::uint64_t>(costs) +
-        static_cast<std::uint64_t>(persons * (96 + 4 * floats)) +
-        static_cast<std::uint64_t>(objects * (4 * floats + 256)) +
+        static_cast<std::uint64_t>(rows * (96 + 4 * floats)) +
+        static_cast<std::uint64_t>(columns * (4 * floats + 256)) +
         ExemplarPyramid::bytesFor(exemplars, channels) +
         static_cast<std::uint64_t>(threads) * static_cast<std::uint64_t>(canvas.width) * 20 * (pixel + 4) +
         (8U << 20U);
@@ -52,7 +51,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         need.bytes += static_cast<std::uint64_t>(size.area() + 65536) * pixel;
     if (request.initial())
         need.bytes += Image::bytesFor(request.size, channels) * 3 / 2;
-    need.seconds = secondsFor(settings, persons, perRow, channels, narrowed);
+    need.seconds = secondsFor(settings, rows, perRow, channels, narrowed);
     return need;
 }
 

@@ -205,13 +205,13 @@ int ExemplarPatches::nearest(int exemplar, int x, int y) const {
     return m_nearest[e][static_cast<std::size_t>(cell)];
 }
 
-std::vector<int> ExemplarPatches::supply(int persons, Supply kind, JobContext& context) const {
+std::vector<int> ExemplarPatches::supply(int wanted, Supply kind, JobContext& context) const {
     const double whole = std::accumulate(m_weights.begin(), m_weights.end(), 0.0);
     std::vector<int> list;
     if (kind == Supply::Bootstrap) {
         std::vector<double> until(m_weights.size());
         std::partial_sum(m_weights.begin(), m_weights.end(), until.begin());
-        for (int n = 0; n < persons; ++n) {
+        for (int n = 0; n < wanted; ++n) {
             const double draw = context.random().uniform(n, 0, 102) * whole;
             const auto found = std::upper_bound(until.begin(), until.end(), draw) - until.begin();
             list.push_back(std::min(static_cast<int>(found), count() - 1));
@@ -223,12 +223,12 @@ std::vector<int> ExemplarPatches::supply(int persons, Supply kind, JobContext& c
         int patch;
     };
     // In each round every patch is given away as often as its share of one round is.
-    std::vector<std::vector<Copy>> rounds(static_cast<std::size_t>(persons / count() + 3));
+    std::vector<std::vector<Copy>> rounds(static_cast<std::size_t>(wanted / count() + 3));
     for (int n = 0; n < count(); ++n) {
-        const double share = persons * m_weights[static_cast<std::size_t>(n)] / whole;
+        const double share = wanted * m_weights[static_cast<std::size_t>(n)] / whole;
         const double phase = context.random().uniform(n, 0, 104);
         for (int k = 0; k < share + 1; ++k) {
-            const double round = std::floor((k + phase) / share * persons / count());
+            const double round = std::floor((k + phase) / share * wanted / count());
             rounds[static_cast<std::size_t>(std::min(round, static_cast<double>(rounds.size() - 1)))]
                 .push_back({context.random().bits(n, k, 103), n});
         }
@@ -240,7 +240,7 @@ std::vector<int> ExemplarPatches::supply(int persons, Supply kind, JobContext& c
             return a.key != b.key ? a.key < b.key : a.patch < b.patch;
         });
         for (const Copy& copy : round)
-            if (static_cast<int>(list.size()) < persons)
+            if (static_cast<int>(list.size()) < wanted)
                 list.push_back(copy.patch);
     }
     return list;

@@ -31,10 +31,10 @@ public:
     Source unmirrored(const Source& source) const;
     /// The patch nearest to a place in a mirrored exemplar, or −1 far from any.
     int nearest(int exemplar, int x, int y) const;
-    /// How often each patch should be used by `persons` patches, in the order in which they are to be given
+    /// How often each patch should be used by `wanted` patches, in the order in which they are to be given
     /// away: all once, at random, then all again; by the mask's values where there is one, and
     /// by the exemplars' weights.
-    std::vector<int> supply(int persons, Supply kind, JobContext& context) const;
+    std::vector<int> supply(int wanted, Supply kind, JobContext& context) const;
 
     /// Costs are for patches in this form: pixels of one channel after another.
     int patchFloats() const { return m_area * m_channels; }

@@ -215,11 +215,13 @@ std::vector<Param> params() {
             .help(TR("The tile that is repeated: the one whose opposite sides are most alike, or the one at "
                      "a given place.")));
     all.push_back(field(&Settings::tileX, "tile-x", TR("Tile's corner, right"))
+                      .role(lattice_role::kTileRight)
                       .range(0, 65535)
                       .unit("px")
                       .when("tile", std::string("given"))
                       .help(TR("Column of the exemplar at which the tile begins.")));
     all.push_back(field(&Settings::tileY, "tile-y", TR("Tile's corner, down"))
+                      .role(lattice_role::kTileDown)
                       .range(0, 65535)
                       .unit("px")
                       .when("tile", std::string("given"))

@@ -6,6 +6,7 @@
 #include "core/image/normal_map.h"
 #include "core/io/map_file.h"
 #include "core/io/own_file.h"
+#include "core/session/export/output_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +24,7 @@ namespace {
 /// What messages call a file that a recipe names.
 const char* const kSource = TR("a source of the result");
 
-/// One file to write and how.
+/// One file to write and how; nothing where it is written with the one after it.
 struct Step {
     ExportEntry entry;
     std::function<void()> write;
@@ -86,6 +87,19 @@ void writeResult(const Result& result, const ExportOptions& options) {
     writeImage(options.image, converted, write);
 }
 
+void addOutputSteps(const Result& result, const ExportOptions& options, std::vector<Step>& steps) {
+    for (const OutputFile& output : outputFiles(result, options.outputs)) {
+        const AssetKind kind = output.port->kind;
+        AssetWriteOptions write = outputOptions(result, output);
+        write.depth = options.depth;
+        write.check = options.check;
+        checkAssetFile(kind, output.path);
+        for (const fs::path& file : filesFor(kind, *output.asset, output.path, write))
+            steps.push_back({{file, output.content(), false}, {}});
+        steps.back().write = [output, kind, write] { writeAsset(kind, *output.asset, output.path, write); };
+    }
+}
+
 void writeSidecar(const Result& result, const ExportOptions& options, const fs::path& path) {
     Json json = Json::parse(result.plan.recipe.toJson(folderOf(path)));
     Json& outputs = json["outputs"];
@@ -93,6 +107,8 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
                        {"content", "result"},
                        {"space", spaceFor(result, options)},
                        {"depth", depthName(options.depth)}});
+    if (result.stoppedAt) // run again, the recipe makes all of it
+        outputs.back()["stoppedAt"] = *result.stoppedAt;
     if (hasMap(result))
         for (const fs::path& map : options.maps)
             outputs.push_back(
@@ -100,6 +116,12 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
                   fs::absolute(map).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
                  {"content", "position map"},
                  {"convention", mapConvention(map)}});
+    for (const OutputFile& output : outputFiles(result, options.outputs))
+        outputs.push_back(
+            {{"file",
+              fs::absolute(output.path).lexically_relative(fs::absolute(folderOf(path))).generic_string()},
+             {"content", kindId(output.port->kind)},
+             {"output", output.port->id}});
     writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -141,7 +163,7 @@ Depth companionDepth(const ExportOptions& options, const std::string& word, std:
     if (const auto asked = options.depths.find(word); asked != options.depths.end() && holds(asked->second))
         return asked->second;
     const bool whole =
-        own == Depth::Bits8 || own == Depth::Bits16; // a preset lessens no file of real numbers
+        own == Depth::Bits8 || own == Depth::Bits16; // a preset never reduces a file of real numbers
     return preset && whole && holds(*preset) ? *preset : own;
 }
 
@@ -188,7 +210,7 @@ std::string companionSuffix(const std::string& exemplar, const std::string& comp
     return rest.front() == '_' ? rest : "_" + rest;
 }
 
-/// A companion's own format, but never one that loses.
+/// A companion's own format, but never a lossy one.
 std::string extensionFor(const ExemplarFile& companion) {
     const std::string& format = companion.info.format;
     return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
@@ -267,7 +289,8 @@ std::vector<Step> companionSteps(const Result& result, const ExportOptions& opti
     return steps;
 }
 
-std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
+/// @param made whether there is a result; before that its further outputs are unknown, and left out.
+std::vector<Step> stepsFor(const Result& result, const ExportOptions& options, bool made) {
     std::vector<Step> steps;
     steps.push_back(
         {{options.image, TR("result"), false, "", options.depth}, [&] { writeResult(result, options); }});
@@ -281,6 +304,8 @@ std::vector<Step> stepsFor(const Result& result, const ExportOptions& options) {
              }});
     for (Step& step : companionSteps(result, options))
         steps.push_back(std::move(step));
+    if (made)
+        addOutputSteps(result, options, steps);
     if (options.sidecar) {
         const fs::path path = beside(options.image, "", ".json");
         steps.push_back({{path, TR("recipe"), false},
@@ -294,7 +319,7 @@ std::vector<Step> checkedSteps(const Result& result, const ExportOptions& option
     if (!options.maps.empty() && !hasMap(result))
         failUsage("{} copies no pixels, so it has no position map.",
                   Message(result.plan.lastMethod().info().title));
-    std::vector<Step> steps = stepsFor(result, options);
+    std::vector<Step> steps = stepsFor(result, options, true);
     OutputGuard guard;
     guard.reads(sourcesOf(result.plan.recipe), kSource);
     for (Step& step : steps) {
@@ -319,8 +344,15 @@ void announce(const RunPlan& plan, const ExportOptions& options, OutputGuard& gu
     guard.reads(sourcesOf(plan.recipe), kSource);
     Result planned;
     planned.plan = plan;
-    for (const Step& step : stepsFor(planned, options))
+    for (const Step& step : stepsFor(planned, options, false))
         guard.writes(step.entry.path, Message(step.entry.content));
+    for (const auto& [id, path] : options.outputs) {
+        const Port* const port = outputPort(plan, id);
+        const Message content = port != nullptr ? Message(port->title) : Message::verbatim(id);
+        guard.writes(path, content);
+        if (port != nullptr && port->kind == AssetKind::Volume && path.extension() == ".json")
+            guard.writes(fs::path(path).replace_extension(".raw"), content);
+    }
 }
 
 NameWords nameWords(const Result& result, const std::string& map) {
@@ -373,9 +405,10 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
     try {
         for (Step& step : checkedSteps(result, options)) {
             if (options.mayReplace && step.entry.exists && !options.mayReplace->contains(step.entry.path))
-                fail("{} has appeared meanwhile; export again to see what would be replaced.",
+                fail("{} was not there before; export again to see what would be replaced.",
                      step.entry.path.string());
-            step.write();
+            if (step.write)
+                step.write();
             written.push_back(std::move(step.entry));
         }
     } catch (...) {
@@ -391,9 +424,9 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
 Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                     const std::function<Result(RunPlan)>& make) {
     const bool companions = options.companions && !plan.companions.front().empty();
-    if (!options.maps.empty() || companions)
-        failUsage("An output of {} × {} px is made in strips of {} rows, without position or companion maps; "
-                  "choose a region or a smaller size to get those.",
+    if (!options.maps.empty() || companions || !options.outputs.empty())
+        failUsage("An output of {} × {} px is made in strips of {} rows, without position maps, companion "
+                  "maps or anything else beside it; choose a region or a smaller size to get those.",
                   plan.request.part().size.width, plan.request.part().size.height, plan.stripRows);
     Result whole;
     whole.plan = plan;

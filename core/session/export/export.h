@@ -22,8 +22,11 @@ struct ExportOptions {
     std::string space;   ///< of the file; empty for the exemplar's where the format can say it, else sRGB
     bool sidecar = true; ///< the recipe beside it, as NAME.json
     std::vector<std::filesystem::path> maps; ///< position maps to write: .exr and .png
-    bool companions = true;                  ///< companion maps as NAME_COMPANION.EXT, in their own depth
-    std::string preset = "generic";          ///< which companion maps share a file, and what they are called
+    /// Further outputs to write, by the id of their port, as writeAsset() does. Of several from one port the
+    /// others get -2, -3 … after the name.
+    std::map<std::string, std::filesystem::path> outputs;
+    bool companions = true;         ///< companion maps as NAME_COMPANION.EXT, in their own depth
+    std::string preset = "generic"; ///< which companion maps share a file, and what they are called
     /// Template with $map of companion maps' names, without extension; empty: the image's name, with _$map.
     std::string pattern;
     /// Where green points in normal maps: NormalGl or NormalDx; Other for the preset's way.
@@ -32,7 +35,7 @@ struct ExportOptions {
     std::map<std::string, Depth> depths;
     /// Where this is given, files that are there and not among these are refused, not replaced.
     std::optional<std::set<std::filesystem::path>> mayReplace;
-    std::function<void()> check; ///< called all the while; what it throws ends the export
+    std::function<void()> check; ///< called throughout; what it throws ends the export
 };
 
 /// One file of an export, before it is written.

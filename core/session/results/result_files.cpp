@@ -6,6 +6,7 @@
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
 #include "core/io/message_json.h"
+#include "core/session/run/asset_file.h"
 
 #include <unistd.h>
 
@@ -36,6 +37,12 @@ constexpr std::chrono::hours kBrokenOff{24};
 
 std::string numbered(const char* name, std::size_t index) {
     return fmt::format("{}-{}.tif", name, index + 1);
+}
+
+/// The name of a further output's file, or that by which its files are read.
+std::string outputName(AssetKind kind, std::size_t index) {
+    const bool image = kind == AssetKind::Image || kind == AssetKind::Mask; // floats, as the result's
+    return fmt::format("output-{}{}", index + 1, image ? ".tif" : usualExtension(kind));
 }
 
 std::int64_t now() {
@@ -83,6 +90,13 @@ Json stagesJson(const std::vector<StageTime>& stages) {
     return json;
 }
 
+Json outputsJson(const std::vector<KeptOutput>& outputs) {
+    Json json = Json::array();
+    for (const KeptOutput& output : outputs)
+        json.push_back({{"port", output.port}, {"kind", kindId(output.kind)}, {"size", toJson(output.size)}});
+    return json;
+}
+
 std::string entryText(const ResultEntry& entry, const fs::path& folder) {
     Json json = {{"texloomResult", kFormat},
                  {"title", entry.title},
@@ -100,7 +114,8 @@ std::string entryText(const ResultEntry& entry, const fs::path& folder) {
                  {"notes", toJson(entry.notes)},
                  {"stages", stagesJson(entry.stages)},
                  {"pictures", toJson(entry.pictures)},
-                 {"companions", entry.companions}};
+                 {"companions", entry.companions},
+                 {"outputs", outputsJson(entry.outputs)}};
     if (entry.stoppedAt)
         json["stoppedAt"] = *entry.stoppedAt;
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -127,6 +142,14 @@ std::vector<Curve> curvesIn(const Json& json) {
             read.values.push_back(numberIn(value));
     }
     return curves;
+}
+
+std::vector<KeptOutput> outputsIn(const Json& json) {
+    std::vector<KeptOutput> outputs;
+    for (const Json& output : json)
+        outputs.push_back({output.at("port").get<std::string>(),
+                           kindFrom(output.at("kind").get<std::string>()), messageFrom(output.at("size"))});
+    return outputs;
 }
 
 MapKind mapKindIn(const Json& json) {
@@ -160,6 +183,8 @@ ResultEntry entryIn(const Json& json, const fs::path& folder) {
         entry.stages.push_back({messageFrom(stage.at("name")), stage.at("seconds").get<double>()});
     entry.pictures = messagesFrom(json.at("pictures"));
     entry.companions = json.at("companions").get<std::size_t>();
+    if (json.contains("outputs"))
+        entry.outputs = outputsIn(json.at("outputs"));
     return entry;
 }
 
@@ -239,6 +264,24 @@ void readSynthesis(const fs::path& folder, const ResultEntry& entry, Synthesis& 
     synthesis.notes = entry.notes;
     for (std::size_t i = 0; i < entry.pictures.size(); ++i)
         synthesis.pictures.push_back({entry.pictures[i], readImage(folder / numbered("picture", i)).image});
+    for (std::size_t i = 0; i < entry.outputs.size(); ++i) {
+        const KeptOutput& output = entry.outputs[i];
+        synthesis.outputs.add(output.port, readAsset(output.kind, folder / outputName(output.kind, i)));
+    }
+}
+
+void writeOutputs(const fs::path& folder, const ResultEntry& entry, const Synthesis& synthesis) {
+    AssetWriteOptions options;
+    options.depth = Depth::Float;
+    options.space = "raw"; // nothing is converted
+    options.size = synthesis.image.size();
+    std::size_t index = 0; // in the order of the entry's
+    for (const auto& [port, assets] : synthesis.outputs.byPort())
+        for (const Asset& asset : assets) {
+            const AssetKind kind = entry.outputs[index].kind;
+            writeAsset(kind, asset, folder / outputName(kind, index), options);
+            ++index;
+        }
 }
 
 void writeSynthesis(const fs::path& folder, const Synthesis& synthesis) {
@@ -278,6 +321,9 @@ ResultEntry entryFor(const Result& result, bool quick) {
     for (const Picture& picture : result.synthesis.pictures)
         entry.pictures.push_back(picture.name);
     entry.companions = result.companions.size();
+    for (const auto& [port, assets] : result.synthesis.outputs.byPort())
+        for (const Asset& asset : assets)
+            entry.outputs.push_back({port, kindOf(asset), sizeText(asset)});
     return entry;
 }
 
@@ -288,6 +334,9 @@ std::uint64_t memoryOf(const Result& result) {
         bytes += bytesOf(picture.image);
     for (const Image& companion : result.companions)
         bytes += bytesOf(companion);
+    for (const auto& [port, assets] : synthesis.outputs.byPort())
+        for (const Asset& asset : assets)
+            bytes += bytesOf(asset);
     return bytes;
 }
 
@@ -344,6 +393,7 @@ void ResultFolder::write(const ResultEntry& entry, const Result& result) const {
         fail("The folder {} cannot be made: {}.", folder.string(), error.message());
     try {
         writeSynthesis(folder, result.synthesis);
+        writeOutputs(folder, entry, result.synthesis);
         for (std::size_t i = 0; i < result.companions.size(); ++i)
             writePixels(folder / numbered("companion", i), result.companions[i]);
         writeEntry(entry);

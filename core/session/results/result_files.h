@@ -11,6 +11,13 @@
 
 namespace texloom {
 
+/// One of the things that a run made beside its picture and map, as it is kept.
+struct KeptOutput {
+    std::string port;
+    AssetKind kind = AssetKind::Model;
+    Message size; ///< how large it is, as sizeText() says it
+};
+
 /// What is remembered of a run that ended, whether or not its pixels are in memory. Only the title and the
 /// pin ever change.
 struct ResultEntry {
@@ -30,8 +37,9 @@ struct ResultEntry {
     std::vector<Curve> curves;
     std::vector<Message> notes;
     std::vector<StageTime> stages;
-    std::vector<Message> pictures; ///< names of the pictures beside the result
-    std::size_t companions = 0;    ///< number of companion maps made with it
+    std::vector<Message> pictures;   ///< names of the pictures beside the result
+    std::size_t companions = 0;      ///< number of companion maps made with it
+    std::vector<KeptOutput> outputs; ///< further outputs, such as a model or a volume
 
     /// The methods' ids with " + " between them.
     std::string methodIds() const;
@@ -52,7 +60,8 @@ struct StoredResult {
 };
 
 /// A folder of results: NAME/entry.json with all that is known of one, and its pixels beside it as float
-/// TIFFs, bit for bit. entry.json comes last, so that what a crash broke off is told from what is whole.
+/// TIFFs, bit for bit; models, meshes and volumes in files of their own, of volumes without end the part that
+/// keptBox() says. entry.json comes last, so that what a crash broke off is told from what is whole.
 /// Functions of one entry may be called from any thread, those of different entries at the same time.
 class ResultFolder {
 public:

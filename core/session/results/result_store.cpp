@@ -160,7 +160,8 @@ std::optional<double> expectedSeconds(const RunPlan& plan, const std::vector<Res
     std::vector<Witness> witnesses;
     const std::string ids = plan.methodIds(" + ");
     for (const ResultEntry& entry : earlier)
-        if (entry.threads == plan.threads && entry.estimateSeconds > 0 && entry.methodIds() == ids)
+        if (entry.threads == plan.threads && entry.estimateSeconds > 0 && !entry.stoppedAt &&
+            entry.methodIds() == ids)
             witnesses.emplace_back(std::abs(std::log(plan.estimate.seconds / entry.estimateSeconds)),
                                    entry.seconds / entry.estimateSeconds);
     if (witnesses.empty())

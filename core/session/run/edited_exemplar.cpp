@@ -2,9 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/color/color_pipeline.h"
-#include "core/image/flatten.h"
 #include "core/image/normal_map.h"
 #include "core/image/resample.h"
+#include "core/tools/edits.h"
 
 #include <fmt/format.h>
 
@@ -20,23 +20,30 @@ std::shared_ptr<const Image> shared(Image image) {
     return std::make_shared<const Image>(std::move(image));
 }
 
-void place(RunExemplar& exemplar, const Placement& placement, const Check& check) {
-    exemplar.image.image = shared(resampled(*exemplar.image.image, placement, check));
+void place(RunExemplar& exemplar, const Warp& warp, const Check& check) {
+    exemplar.image.image = shared(resampled(*exemplar.image.image, warp, check));
     if (exemplar.mask)
-        exemplar.mask->image = shared(resampledMask(*exemplar.mask->image, placement, check));
+        exemplar.mask->image = shared(resampledMask(*exemplar.mask->image, warp, check));
     for (ExemplarFile& companion : exemplar.companions) {
         const bool normals = isNormal(companion.role) && companion.image->channels() >= 3;
-        companion.image = shared(normals ? placedNormals(*companion.image, companion.role, placement, check)
-                                         : resampled(*companion.image, placement, check));
+        companion.image = shared(normals ? placedNormals(*companion.image, companion.role, warp, check)
+                                         : resampled(*companion.image, warp, check));
     }
+    for (auto& [port, files] : exemplar.inputs)
+        for (InputFile& input : files)
+            if (input.image()) {
+                ExemplarFile picture = input.file;
+                picture.image = shared(resampled(*picture.image, warp, check));
+                input = std::move(picture);
+            }
 }
 
-void flattenColours(RunExemplar& exemplar, const FlattenEdit& edit, const Check& check) {
+void recolor(RunExemplar& exemplar, const Tool& tool, const Values& settings, const Check& check) {
     Image image = *exemplar.image.image;
     const bool data = exemplar.image.space == "raw";
     if (!data)
         color::fromWorking(image, "linear");
-    flatten(image, edit, exemplar.mask ? exemplar.mask->image.get() : nullptr, check);
+    tool.recolor(image, settings, exemplar.mask ? exemplar.mask->image.get() : nullptr, check);
     if (!data)
         color::toWorking(image, "linear");
     exemplar.image.image = shared(std::move(image));
@@ -60,7 +67,11 @@ RunExemplar edited(const RunExemplar& exemplar, const ExemplarEdits& edits, cons
         checkSizeLike(source.image, *source.mask, TR("mask"));
     for (const ExemplarFile& companion : source.companions)
         checkSizeLike(source.image, companion, TR("companion"));
-    Placement pending(source.image.image->size());
+    for (const auto& [port, files] : source.inputs)
+        for (const InputFile& input : files)
+            if (input.image())
+                checkSizeLike(source.image, input.file, Message::verbatim(port));
+    Warp pending{Placement(source.image.image->size())};
     bool moved = false;
     const auto placePending = [&] {
         if (moved)
@@ -68,17 +79,19 @@ RunExemplar edited(const RunExemplar& exemplar, const ExemplarEdits& edits, cons
         pending = Placement(result.image.image->size());
         moved = false;
     };
-    for (const ExemplarEdit& edit : edits) {
-        pending = pending.after(edit);
-        if (const auto* flattening = std::get_if<FlattenEdit>(&edit)) {
-            placePending();
-            flattenColours(result, *flattening, check);
-        } else {
+    result.edits = resolved(edits);
+    for (const ExemplarEdit& edit : result.edits) {
+        const Tool& tool = toolOf(edit);
+        const Values settings = tool.resolved(edit);
+        if (tool.warps()) {
+            pending = pending.after(tool.warp(settings, pending.size()));
             moved = true;
+        } else {
+            placePending();
+            recolor(result, tool, settings, check);
         }
     }
     placePending();
-    result.edits = edits;
     result.source = std::make_shared<const RunExemplar>(source);
     return result;
 }

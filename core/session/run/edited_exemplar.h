@@ -6,8 +6,9 @@
 
 namespace texloom {
 
-/// An exemplar's original with edits made in order, on its mask and companion maps, too: geometry between two
-/// flattenings is resampled once, normal maps as vectors; flattening changes the colours alone.
+/// An exemplar's original with edits made in order. Those that move pixels act on its mask, companion maps
+/// and further pictures, too, normal maps as vectors, and are resampled once as long as none that changes
+/// colours comes between.
 /// @param exemplar its own edits do not count. @param check called every few milliseconds; may throw.
 /// @throws UsageError where an edit cannot be made, or a mask or companion has another size than the image.
 RunExemplar edited(

@@ -1,19 +1,28 @@
 #include "core/session/run/input_file.h"
 
 #include "core/base/error.h"
-#include "core/io/image_file.h"
 #include "core/io/map_file.h"
+#include "core/io/model_file.h"
+#include "core/session/run/asset_file.h"
 
 namespace texloom {
 
 namespace {
 
-InputFile loadedMap(const RecipeFile& file, const std::vector<Size>& exemplars) {
-    InputFile input;
-    input.file.path = file.path;
-    input.file.hash = fileHash(file.path);
-    input.asset = std::make_shared<const PositionMap>(readPositionMap(file.path, exemplars));
-    return input;
+/// What a port takes is one kind of model, and its id says which.
+void checkModel(const Port& port, const std::filesystem::path& path, const Model& model) {
+    if (model.kind != port.id)
+        failUsage("{} is a model of the kind {}; the input {} takes one of its own kind.", path.string(),
+                  model.kind, port.id);
+}
+
+Asset loadedAsset(const Port& port, const std::filesystem::path& path, const std::vector<Size>& exemplars) {
+    if (port.kind == AssetKind::Map)
+        return std::make_shared<const PositionMap>(readPositionMap(path, exemplars));
+    Asset asset = readAsset(port.kind, path);
+    if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&asset))
+        checkModel(port, path, **model);
+    return asset;
 }
 
 } // namespace
@@ -26,13 +35,16 @@ InputFile loadInput(const Port& port, const RecipeFile& file, const std::vector<
     case AssetKind::Mask:
         return loadMask(file.path, file.layer);
     case AssetKind::Map:
-        return loadedMap(file, exemplars);
     case AssetKind::Model:
     case AssetKind::Volume:
     case AssetKind::Mesh:
         break;
     }
-    failUsage("The input {} takes {}; no file of that kind can be read yet.", port.id, kindText(port.kind));
+    InputFile input;
+    input.file.path = file.path;
+    input.asset = loadedAsset(port, file.path, exemplars);
+    input.file.hash = assetHash(port.kind, file.path);
+    return input;
 }
 
 const ExemplarFile* pictureOf(const InputFiles& inputs, std::string_view port) {

@@ -72,16 +72,30 @@ void forgetWeights(Request& request) {
         exemplar.weight = 1;
 }
 
-/// Gives a method what it takes up of what the one before it made.
-void handOver(const MethodInfo& first, Synthesis made, const MethodInfo& second, Request& request) {
-    for (const PortLink& link : linksBetween(first, second)) {
+/// Gives a method what it takes up of what the one before it made, and checks what was not there to be
+/// checked before the run.
+void handOver(const MethodInfo& first, Synthesis made, const RunStep& second, Request& request) {
+    bool further = false;
+    for (const PortLink& link : linksBetween(first, second.method->info())) {
         if (link.from == kImagePort)
             request.inputs.set(link.to, std::make_shared<const Image>(std::move(made.image)));
         else if (link.from == kMapPort)
             request.inputs.set(link.to, std::make_shared<const PositionMap>(std::move(made.map)));
         for (const Asset& asset : made.outputs.at(link.from))
             request.inputs.add(link.to, asset);
+        further = further || link.to != kInitialPort;
     }
+    if (further)
+        second.method->check(request, second.settings);
+}
+
+/// Adds to `outputs` those of an earlier method that no later one gives in their place: what one learned and
+/// the next used is kept.
+void keepEarlier(const Assets& earlier, Assets& outputs) {
+    for (const auto& [port, assets] : earlier.byPort())
+        if (outputs.at(port).empty())
+            for (const Asset& asset : assets)
+                outputs.add(port, asset);
 }
 
 /// How much of a run a step makes up, as far as can be told; where no step says how long it takes, all alike.
@@ -156,8 +170,8 @@ std::string Result::fileName() const {
 
 namespace {
 
-/// Runs all steps; `result` has what the last one begun made.
-void runSteps(const RunPlan& plan, JobContext& context, Result& result) {
+/// Runs all steps; `result` has what the last one begun made, `kept` the outputs of all that have ended.
+void runSteps(const RunPlan& plan, JobContext& context, Result& result, Assets& kept) {
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const RunStep& step = plan.steps[i];
         const MethodInfo& info = step.method->info();
@@ -166,8 +180,10 @@ void runSteps(const RunPlan& plan, JobContext& context, Result& result) {
         if (!info.heedsWeights())
             forgetWeights(request);
         if (i > 0)
-            handOver(plan.steps[i - 1].method->info(), std::move(result.synthesis), info, request);
+            handOver(plan.steps[i - 1].method->info(), std::move(result.synthesis), step, request);
         result.synthesis = step.method->run(request, step.settings, context);
+        keepEarlier(kept, result.synthesis.outputs);
+        kept = result.synthesis.outputs;
         if (weighed(plan.request) && !info.heedsWeights())
             result.synthesis.notes.emplace_back(
                 TR("The method treats all exemplars alike, so their weights had no effect."));
@@ -225,12 +241,14 @@ Synthesis partialSynthesis(const RunPlan& plan, PartialWork work, const std::vec
 
 Result runPlan(const RunPlan& plan, JobContext& context) {
     Result result;
+    Assets kept;
     try {
-        runSteps(plan, context, result);
+        runSteps(plan, context, result, kept);
     } catch (const StoppedEarly&) {
         PartialWork work = context.takePartial();
         result.stoppedAt = work.progress;
         result.synthesis = partialSynthesis(plan, std::move(work), context.curves());
+        result.synthesis.outputs = kept;
     }
     result.synthesis.notes.insert(result.synthesis.notes.begin(), plan.notes.begin(), plan.notes.end());
     unstack(result, plan);

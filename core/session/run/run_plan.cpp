@@ -133,6 +133,42 @@ void planStrips(RunPlan& plan, std::uint64_t limit) {
     plan.estimate = estimateForRows(plan, fitting);
 }
 
+/// Stands for something that is not there yet.
+Asset nothingYet(AssetKind kind) {
+    switch (kind) {
+    case AssetKind::Image:
+    case AssetKind::Mask:
+        break;
+    case AssetKind::Map:
+        return std::shared_ptr<const PositionMap>();
+    case AssetKind::Model:
+        return std::shared_ptr<const Model>();
+    case AssetKind::Volume:
+        return std::shared_ptr<const VolumeSource>();
+    case AssetKind::Mesh:
+        return std::shared_ptr<const Mesh>();
+    }
+    return std::shared_ptr<const Image>();
+}
+
+/// Puts in a request what the method before will have made: null, since it is not there yet. What it makes
+/// must not be given as a file, too, but for a method that comes earlier still.
+void expectWhatIsMade(const RunPlan& plan, const MethodInfo& info, Request& request) {
+    const MethodInfo& before = plan.lastMethod().info();
+    for (const PortLink& link : linksBetween(before, info)) {
+        if (link.to == kInitialPort)
+            continue;
+        const bool forEarlier =
+            std::any_of(plan.steps.begin(), plan.steps.end(), [&link](const RunStep& step) {
+                return step.method->info().input(link.to) != nullptr;
+            });
+        if (!forEarlier && !plan.request.inputs.at(link.to).empty())
+            failUsage("The input {} of {} was given, and {} makes it, too; leave one of them out.", link.to,
+                      Message(info.title), Message(before.title));
+        request.inputs.set(link.to, nothingYet(info.input(link.to)->kind));
+    }
+}
+
 /// Checks each step and adds it with its estimate. A later step finds the image of the one before it in
 /// memory, too.
 void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
@@ -144,7 +180,9 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
         if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
             failUsage("{} takes up nothing that {} makes, so that it cannot follow it.", Message(info.title),
                       Message(plan.lastMethod().info().title));
-        const Request request = plan.requestFor(plan.steps.size(), info);
+        Request request = plan.requestFor(plan.steps.size(), info);
+        if (!plan.steps.empty())
+            expectWhatIsMade(plan, info, request);
         planned.settings = planned.method->resolved(step.parameters, exemplar);
         planned.method->check(request, planned.settings);
         planned.estimate = planned.method->estimate(request, planned.settings, plan.threads);
@@ -230,8 +268,11 @@ void checkMemory(const RunPlan& plan) {
 
 Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
     Request own = request;
-    if (step > 0)
+    if (step > 0) {
         own.inputs.clear(kInitialPort); // what the first starts from is not there for the next
+        for (const PortLink& link : linksBetween(steps[step - 1].method->info(), info))
+            own.inputs.clear(link.to); // the method before makes it
+    }
     for (const auto& [port, given] : request.inputs.byPort())
         if (!info.input(port))
             own.inputs.clear(port);

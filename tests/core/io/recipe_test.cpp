@@ -3,6 +3,7 @@
 #include "core/io/recipe.h"
 #include "tests/core/io/write_as.h"
 #include "tests/core/refusal.h"
+#include "tests/core/tools/sample_edits.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"
 
@@ -32,13 +33,13 @@ Recipe fullRecipe() {
     bark.mask = RecipeFile{"/project/recipes/mask.png", "raw", "C2"};
     bark.companions = {{"/project/images/bark_normal.png", "raw", "D3"},
                        {"/elsewhere/height.exr", "raw", "", "height"}};
-    bark.edits = {CropEdit{{1, 2, {30, 40}}},
-                  RotateEdit{-12.5},
-                  FlipEdit{FlipEdit::Axis::Vertical},
-                  RectifyEdit{{{{0.5, 1}, {20, 0}, {21, 30.25}, {0, 31}}}, {64, 128}},
-                  RectifyEdit{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}}, {}},
-                  FlattenEdit{FlattenEdit::Model::Smooth, 0.125, 2, 0.75},
-                  FlattenEdit{FlattenEdit::Model::Polynomial, 0.25, 3, 1}};
+    bark.edits = {crop(1, 2, 30, 40),
+                  turn(-12.5),
+                  flip("vertical"),
+                  rectify({{0.5, 1}, {20, 0}, {21, 30.25}, {0, 31}}, {64, 128}),
+                  rectify({{0, 0}, {20, 0}, {20, 20}, {0, 20}}),
+                  flatten("smooth", 0.75, {{"width", 0.125}}),
+                  flatten("polynomial", 1, {{"order", 3}})};
     RecipeExemplar moss;
     moss.image = {"/project/images/moss.exr", "linear", ""};
     moss.weight = 2.5;

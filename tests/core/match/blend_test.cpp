@@ -18,13 +18,13 @@ std::vector<BlendCurve> curves() {
             BlendCurve::circular(kSize, 45)};
 }
 
-/// blend() within a job that nobody watches.
+/// blendAlong() within a job that nobody watches.
 Image blended(const ImageView& first, const ImageView& second, const BlendCurve& curve,
               const BlendOptions& options) {
     JobMonitor monitor;
     JobContext context(
         {0, 1, false}, [] { return false; }, monitor);
-    return blend(first, second, curve, options, context);
+    return blendAlong(first, second, curve, options, context);
 }
 
 std::vector<BlendOptions> ways() {
@@ -143,7 +143,7 @@ TEST(Blend, canBeStoppedAllTheWay) {
             JobContext context(
                 {0, 1, false}, [&] { return ++checks > stop; }, monitor);
             try {
-                blend(a, b, BlendCurve::vertical({320, 300}, 160), way, context);
+                blendAlong(a, b, BlendCurve::vertical({320, 300}, 160), way, context);
             } catch (const Cancelled&) {
                 return -checks;
             }

@@ -17,41 +17,41 @@ namespace texloom::test {
 namespace {
 
 /// Whole costs, so that the simplex method's are the same.
-AssignmentCosts randomCosts(int persons, int objects, int largest, int number) {
+AssignmentCosts randomCosts(int rows, int columns, int largest, int number) {
     const Random random(11);
-    AssignmentCosts costs{persons, objects, {}, {}, objects, {}};
-    for (int i = 0; i < persons; ++i)
-        for (int j = 0; j < objects; ++j)
+    AssignmentCosts costs{rows, columns, {}, {}, columns, {}};
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j)
             costs.costs.push_back(static_cast<float>(
                 random.below(static_cast<std::uint32_t>(largest), i, j, static_cast<std::uint32_t>(number))));
     return costs;
 }
 
-double costOf(const AssignmentCosts& costs, const std::vector<int>& objects) {
+double costOf(const AssignmentCosts& costs, const std::vector<int>& columns) {
     double sum = 0;
-    for (int i = 0; i < costs.persons; ++i)
-        sum += static_cast<double>(costs.row(i)[objects[static_cast<std::size_t>(i)]]);
+    for (int i = 0; i < costs.rows; ++i)
+        sum += static_cast<double>(costs.valuesOf(i)[columns[static_cast<std::size_t>(i)]]);
     return sum;
 }
 
 /// The smallest cost by LEMON's network simplex.
 double smallestCost(const AssignmentCosts& costs, const std::vector<int>& places) {
     lemon::SmartDigraph graph;
-    std::vector<lemon::SmartDigraph::Node> persons, objects;
-    for (int i = 0; i < costs.persons; ++i)
-        persons.push_back(graph.addNode());
-    for (int j = 0; j < costs.objects; ++j)
-        objects.push_back(graph.addNode());
+    std::vector<lemon::SmartDigraph::Node> rows, columns;
+    for (int i = 0; i < costs.rows; ++i)
+        rows.push_back(graph.addNode());
+    for (int j = 0; j < costs.columns; ++j)
+        columns.push_back(graph.addNode());
     lemon::SmartDigraph::ArcMap<std::int64_t> cost(graph);
     lemon::SmartDigraph::NodeMap<std::int64_t> supply(graph, 0);
-    for (int i = 0; i < costs.persons; ++i) {
-        supply[persons[static_cast<std::size_t>(i)]] = 1;
-        for (int j = 0; j < costs.objects; ++j)
-            cost[graph.addArc(persons[static_cast<std::size_t>(i)], objects[static_cast<std::size_t>(j)])] =
-                static_cast<std::int64_t>(costs.row(i)[j]);
+    for (int i = 0; i < costs.rows; ++i) {
+        supply[rows[static_cast<std::size_t>(i)]] = 1;
+        for (int j = 0; j < costs.columns; ++j)
+            cost[graph.addArc(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)])] =
+                static_cast<std::int64_t>(costs.valuesOf(i)[j]);
     }
-    for (int j = 0; j < costs.objects; ++j)
-        supply[objects[static_cast<std::size_t>(j)]] = -places[static_cast<std::size_t>(j)];
+    for (int j = 0; j < costs.columns; ++j)
+        supply[columns[static_cast<std::size_t>(j)]] = -places[static_cast<std::size_t>(j)];
     lemon::NetworkSimplex<lemon::SmartDigraph, std::int64_t> simplex(graph);
     simplex.costMap(cost).supplyMap(supply).run();
     return static_cast<double>(simplex.totalCost());
@@ -73,10 +73,10 @@ Solved solved(AssignmentCosts costs, const std::vector<int>& places, const Assig
     return std::get<Solved>(job.take());
 }
 
-std::vector<int> uses(const std::vector<int>& objects, int count) {
+std::vector<int> uses(const std::vector<int>& columns, int count) {
     std::vector<int> counts(static_cast<std::size_t>(count), 0);
-    for (const int object : objects)
-        ++counts[static_cast<std::size_t>(object)];
+    for (const int column : columns)
+        ++counts[static_cast<std::size_t>(column)];
     return counts;
 }
 
@@ -96,7 +96,7 @@ TEST(Assignment, exactCostIsThatOfTheNetworkSimplex) {
         }
 }
 
-TEST(Assignment, objectsWithSeveralPlacesAreFilledExactly) {
+TEST(Assignment, columnsWithSeveralPlacesAreFilledExactly) {
     const std::vector<int> places = {3, 0, 5, 1, 20, 7, 4};
     const AssignmentCosts costs = randomCosts(40, 7, 500, 77);
     const Solved found = solved(costs, places, {});
@@ -106,7 +106,7 @@ TEST(Assignment, objectsWithSeveralPlacesAreFilledExactly) {
     EXPECT_EQ(uses(solved(costs, places, {10}).first, 7), places);
 }
 
-TEST(Assignment, auctionComesWithinEpsilonForEachPerson) {
+TEST(Assignment, auctionComesWithinEpsilonForEachRow) {
     for (const double epsilon : {0.5, 5.0, 50.0}) {
         const AssignmentCosts costs = randomCosts(150, 150, 1000, 5);
         const std::vector<int> places(150, 1);
@@ -122,14 +122,14 @@ TEST(Assignment, auctionComesWithinEpsilonForEachPerson) {
 AssignmentCosts boundsOf(const AssignmentCosts& costs, double nearness, std::atomic<int>& asked) {
     const Random random(12);
     AssignmentCosts bounds = costs;
-    for (int i = 0; i < costs.persons; ++i)
-        for (int j = 0; j < costs.objects; ++j)
-            bounds.row(i)[j] *=
+    for (int i = 0; i < costs.rows; ++i)
+        for (int j = 0; j < costs.columns; ++j)
+            bounds.valuesOf(i)[j] *=
                 -static_cast<float>(std::min(1.0, std::max(0.0, random.uniform(i, j, 1) + nearness)));
-    bounds.cost = [&](int person, std::span<const int> objects, float* to) {
-        asked += static_cast<int>(objects.size());
-        for (const int object : objects)
-            *to++ = costs.row(person)[object];
+    bounds.cost = [&](int row, std::span<const int> columns, float* to) {
+        asked += static_cast<int>(columns.size());
+        for (const int column : columns)
+            *to++ = costs.valuesOf(row)[column];
     };
     return bounds;
 }
@@ -143,12 +143,12 @@ TEST(Assignment, theBestOfARowIsWithinTheSlackAndNoOtherBelowTheSecond) {
             prices[static_cast<std::size_t>(j)] = static_cast<float>(std::floor(600 * random.uniform(j, 0)));
         std::atomic<int> asked = 0;
         AssignmentCosts bounds = boundsOf(costs, 0, asked);
-        for (int person = 0; person < 40; ++person) {
-            const float slack = person % 2 == 0 ? 0.0F : 50.0F;
+        for (int row = 0; row < 40; ++row) {
+            const float slack = row % 2 == 0 ? 0.0F : 50.0F;
             const auto sum = [&](int j) {
-                return costs.row(person)[j] + prices[static_cast<std::size_t>(j)];
+                return costs.valuesOf(row)[j] + prices[static_cast<std::size_t>(j)];
             };
-            const BestTwo<float> two = bestTwo(bounds, person, prices.data(), slack);
+            const BestTwo<float> two = bestTwo(bounds, row, prices.data(), slack);
             EXPECT_EQ(two.best, sum(two.place));
             for (int j = 0; j < count; ++j) {
                 EXPECT_LE(two.best, sum(j) + slack);
@@ -157,8 +157,8 @@ TEST(Assignment, theBestOfARowIsWithinTheSlackAndNoOtherBelowTheSecond) {
             float best = sum(0);
             for (int j = 1; j < count; ++j)
                 best = std::min(best, sum(j));
-            EXPECT_TRUE(anyBelow(bounds, person, prices.data(), best + 1));
-            EXPECT_FALSE(anyBelow(bounds, person, prices.data(), best));
+            EXPECT_TRUE(anyBelow(bounds, row, prices.data(), best + 1));
+            EXPECT_FALSE(anyBelow(bounds, row, prices.data(), best));
         }
     }
 }
@@ -178,9 +178,9 @@ TEST(Assignment, boundsSpareMostCostsAndKeepThePromise) {
     EXPECT_LE(costOf(costs, near.again), smallest + kCount * 2000);
     EXPECT_EQ(uses(near.first, kCount), places);
     const auto total = [&](const AssignmentCosts& given) {
-        const std::vector<int> objects = solved(given, places, {500, 30000}).first;
-        double sum = costOf(costs, objects);
-        for (const int count : uses(objects, kCount))
+        const std::vector<int> columns = solved(given, places, {500, 30000}).first;
+        double sum = costOf(costs, columns);
+        for (const int count : uses(columns, kCount))
             sum += 30000 * std::abs(count - 1);
         return sum;
     };
@@ -199,7 +199,7 @@ TEST(Assignment, relaxedGoesFromTheNearestToTheAssignment) {
     const std::vector<int> places(120, 1);
     double nearest = 0;
     for (int i = 0; i < 120; ++i)
-        nearest += static_cast<double>(*std::min_element(costs.row(i), costs.row(i) + 120));
+        nearest += static_cast<double>(*std::min_element(costs.valuesOf(i), costs.valuesOf(i) + 120));
     const auto cost = [&](double rho) { return costOf(costs, solved(costs, places, {0.01, rho}).first); };
     EXPECT_NEAR(cost(0), nearest, 120 * 0.01);
     const Solved large = solved(costs, places, {0.01, 5000});
@@ -214,9 +214,9 @@ TEST(Assignment, relaxedIsTheBestTradeOfCostsAndUses) {
     const AssignmentCosts costs = randomCosts(5, 4, 40, 9);
     const std::vector<int> places = {1, 2, 0, 2};
     for (const double rho : {0.0, 3.0, 8.0, 30.0}) {
-        const auto total = [&](const std::vector<int>& objects) {
-            double sum = costOf(costs, objects);
-            const std::vector<int> counts = uses(objects, 4);
+        const auto total = [&](const std::vector<int>& columns) {
+            double sum = costOf(costs, columns);
+            const std::vector<int> counts = uses(columns, 4);
             for (std::size_t j = 0; j < 4; ++j)
                 sum += rho * std::abs(counts[j] - places[j]);
             return sum;

@@ -1,14 +1,15 @@
 #include "core/image/normal_map.h"
 #include "core/session/run/edited_exemplar.h"
+#include "core/tools/edits.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
+#include "tests/core/tools/sample_edits.h"
 
 namespace texloom::test {
 
 namespace {
 
-const ExemplarEdits kEdits = {CropEdit{{2, 2, {44, 40}}}, RotateEdit{90}, FlattenEdit{},
-                              FlipEdit{FlipEdit::Axis::Vertical}};
+const ExemplarEdits kEdits = {crop(2, 2, 44, 40), turn(90), flatten("smooth"), flip("vertical")};
 
 Recipe throughJson(const Recipe& recipe, const std::filesystem::path& folder) {
     return Recipe::fromJson(recipe.toJson(folder), folder);
@@ -46,7 +47,7 @@ TEST(EditedExemplar, ARecipeMakesTheSameResultAgain) {
     const Result again = sample.run();
     EXPECT_TRUE(samePixels(first.synthesis.image, again.synthesis.image));
     EXPECT_TRUE(samePixels(first.companion(0), again.companion(0)));
-    EXPECT_EQ(again.plan.recipe.exemplars.front().edits, kEdits);
+    EXPECT_EQ(again.plan.recipe.exemplars.front().edits, resolved(kEdits));
 }
 
 TEST(EditedExemplar, TheRoleInARecipeOverrulesTheName) {
@@ -78,11 +79,8 @@ TEST(EditedExemplar, RefusesWhatDoesNotFit) {
     const RunExemplar& source = sample.input.exemplars.front();
     EXPECT_THAT([&] { edited(source, kEdits); }, usageRefusal("bark_height", "40 × 44", "48 × 44"));
     SampleRun plain;
-    EXPECT_THAT(
-        [&] {
-            edited(plain.input.exemplars.front(), {CropEdit{{0, 0, {49, 10}}}});
-        },
-        usageRefusal("49 × 10", "48 × 44"));
+    EXPECT_THAT([&] { edited(plain.input.exemplars.front(), {crop(0, 0, 49, 10)}); },
+                usageRefusal("49 × 10", "48 × 44"));
 }
 
 } // namespace texloom::test

@@ -2,8 +2,10 @@
 #include "core/session/preset.h"
 #include "core/session/run/edited_exemplar.h"
 #include "core/session/session.h"
+#include "core/tools/edits.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
+#include "tests/core/tools/sample_edits.h"
 
 namespace texloom::test {
 
@@ -17,7 +19,7 @@ struct SampleSession : SampleRun {
         addCompanion("bark_normal", {48, 44});
         RunExemplar& bark = input.exemplars.front();
         bark.mask = loadMask(write("hidden", {48, 44}, 1));
-        bark = edited(bark, {CropEdit{{0, 0, {40, 40}}}});
+        bark = edited(bark, {crop(0, 0, 40, 40)});
         input.exemplars.push_back({loadExemplar(write("moss", {40, 40}, 3)), {}, {}});
         Recipe& recipe = session.settings;
         recipe.steps.front().method = "quilting";
@@ -177,12 +179,12 @@ TEST(Preset, ComesBackAndRefusesANewerOne) {
 }
 
 TEST(PaintedMask, LiesWhereItWasPaintedOnTheEditedImage) {
-    const Placement placement = placementOf({CropEdit{{10, 5, {20, 30}}}, RotateEdit{90}}, {48, 44});
-    Image stroke(placement.size(), 1);
+    const Warp warp = warpOf({crop(10, 5, 20, 30), turn(90)}, {48, 44});
+    Image stroke(warp.size(), 1);
     for (int y = 4; y < 9; ++y)
         for (int x = 7; x < 11; ++x)
             stroke(x, y, 0) = 1;
-    const Image mask = paintedMask(nullptr, {48, 44}, placement, stroke, true);
+    const Image mask = paintedMask(nullptr, {48, 44}, warp, stroke, true);
     int hidden = 0;
     for (int y = 0; y < 44; ++y)
         for (int x = 0; x < 48; ++x)
@@ -191,7 +193,7 @@ TEST(PaintedMask, LiesWhereItWasPaintedOnTheEditedImage) {
     // The quarter turn makes (x, y) of the crop's 20 × 30 px (29 - y, x).
     EXPECT_EQ(mask(10 + 4, 5 + 29 - 7, 0), 0);
     EXPECT_EQ(mask(10 + 8, 5 + 29 - 10, 0), 0);
-    const Image shown = paintedMask(&mask, {48, 44}, placement, stroke, false);
+    const Image shown = paintedMask(&mask, {48, 44}, warp, stroke, false);
     EXPECT_TRUE(samePixels(shown, constant({48, 44}, 1, 1)));
 }
 

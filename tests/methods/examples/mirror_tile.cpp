@@ -1,6 +1,7 @@
 #include "core/base/text.h"
 #include "core/match/patch_canvas.h"
 #include "core/methods/method.h"
+#include "core/methods/patch_request.h"
 
 #include <algorithm>
 
@@ -15,7 +16,8 @@ struct Settings {
 void check(const Request&, const Settings&) {}
 
 Estimate estimate(const Request& request, const Settings&, int) {
-    return {Image::bytesFor(request.size, request.channels()) + PositionMap::bytesFor(request.size),
+    return {Image::bytesFor(request.size, request.channels()) + PositionMap::bytesFor(request.size) +
+                (1U << 20U),
             1e-8 * static_cast<double>(request.size.area())};
 }
 
@@ -27,15 +29,17 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     Synthesis result;
     result.map = PositionMap(size, {side});
     result.mapKind = MapKind::Exact;
-    context.parallel(0, size.height, [&](int y) {
+    for (int y = 0; y < size.height; ++y) {
+        context.check();
         const int fromY = mirrored(request.wrap.y ? std::min(y, size.height - 1 - y) : y, side.height);
         for (int x = 0; x < size.width; ++x) {
             const int at = request.wrap.x ? std::min(x, size.width - 1 - x) : x;
             result.map.at(x, y) = {static_cast<std::uint16_t>(mirrored(at + settings.shift, side.width)),
                                    static_cast<std::uint16_t>(fromY), 0};
         }
-    });
-    result.image = result.map.apply(*request.exemplars.front().image);
+        context.progress((y + 1.0) / size.height);
+    }
+    result.image = copied(result.map, request, context);
     return result;
 }
 

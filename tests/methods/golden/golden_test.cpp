@@ -11,6 +11,7 @@
 #include "core/session/run/exemplar_file.h"
 #include "tests/methods/every_method.h"
 #include "tests/methods/golden/rounding.h"
+#include "tests/methods/made_up_ports.h"
 #include "tests/methods/process_memory.h"
 #include "tests/support/textures.h"
 
@@ -82,7 +83,8 @@ Values briefSettings(const Method& method) {
 }
 
 /// The hash of what the method makes, or "-" where it refuses.
-std::string made(const Method& method, const Request& request) {
+std::string made(const Method& method, Request request) {
+    fillPorts(method.info(), request);
     const Values settings = briefSettings(method);
     try {
         method.check(request, settings);

@@ -1,0 +1,83 @@
+#include "app/cli/join_commands.h"
+
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "core/session/export/export.h"
+#include "core/session/run/exemplar_file.h"
+#include "core/tools/tool.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+
+namespace texloom::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct JoinCommand {
+    const Tool* tool = nullptr;
+    fs::path first, second, output;
+    std::map<std::string, std::string> settings; ///< as written, by parameter
+    bool overwrite = false;
+    bool quiet = false;
+};
+
+Values settingsOf(const JoinCommand& command) {
+    Values values;
+    for (const auto& [name, text] : command.settings)
+        values[name] = command.tool->param(name).parse(text);
+    return command.tool->resolved(values);
+}
+
+void run(const JoinCommand& command) {
+    const Tool& tool = *command.tool;
+    const Values settings = settingsOf(command);
+    const ExemplarFile first = loadExemplar(command.first);
+    checkInterrupt();
+    const ExemplarFile second = loadExemplar(command.second);
+    checkInterrupt();
+    tool.checkJoin(*first.image, *second.image, settings);
+    checkWritable(command.output, first.image->channels(), depthLike(first, command.output));
+    checkOnlyOutput({command.first, command.second}, command.output, command.overwrite);
+    Job<Image> job(
+        {}, [&](JobContext& context) { return tool.joined(*first.image, *second.image, settings, context); });
+    const Image made = followed(job, command.quiet);
+    exportPicture(command.output, made, first, checkInterrupt);
+    if (!command.quiet)
+        fmt::print("{}: {} × {} px\n", command.output.string(), made.width(), made.height());
+}
+
+/// A command for one tool, with an option for each of its parameters.
+void addJoin(CLI::App& app, const Tool& tool) {
+    const auto options = std::make_shared<JoinCommand>();
+    options->tool = &tool;
+    CLI::App* command = app.add_subcommand(tool.id(), tool.info().summary);
+    command->add_option("first", options->first, "First image")->required();
+    command->add_option("second", options->second, "Second image")->required();
+    command->add_option("-o,--output", options->output, "File to write: .png .jpg .tif .exr .hdr")
+        ->required();
+    for (const Param& param : tool.params())
+        command->add_option_function<std::string>(
+            "--" + param.name(),
+            [options, name = param.name()](const std::string& text) { options->settings[name] = text; },
+            param.help() + " " + param.limits().text());
+    addMemory(*command);
+    addReproducible(*command, false);
+    addOverwrite(*command, options->overwrite);
+    command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+    command->callback([options] { run(*options); });
+}
+
+} // namespace
+
+void addJoins(CLI::App& app) {
+    for (const Tool& tool : tools())
+        if (tool.joins())
+            addJoin(app, tool);
+}
+
+} // namespace texloom::cli

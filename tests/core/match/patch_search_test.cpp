@@ -1,0 +1,59 @@
+#include "core/match/patch_search.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace texloom::test {
+namespace {
+
+constexpr int kPatch = 6;
+
+double distance(const Image& exemplar, int x, int y, const Image& known) {
+    double sum = 0;
+    for (int c = 0; c < known.channels(); ++c)
+        for (int v = 0; v < kPatch; ++v)
+            for (int u = 0; u < kPatch; ++u)
+                sum += std::pow(exemplar(x + u, y + v, c) - known(u, v, c), 2);
+    return sum;
+}
+
+/// Two searches over exemplars of one size, of other channels, and what both of them look for.
+struct Pair {
+    Image colours = blobs({40, 30}, 3), heights = noise({40, 30}, 1);
+    Image colour{colours.view().crop(5, 8, {kPatch, kPatch})},
+        height{heights.view().crop(21, 3, {kPatch, kPatch})};
+    Footprint whole = Footprint::filled({kPatch, kPatch});
+    PatchSearch first{{{colours, {}}}, kPatch, [] {}};
+    PatchSearch second{{{heights, {}}}, kPatch, [] {}};
+
+    PatchSearch::Scratch added(double weight) {
+        first.prepare(whole);
+        second.prepare(whole);
+        PatchSearch::Scratch sum = first.scratch(), other = second.scratch();
+        first.compute(colour, whole, sum, [] {});
+        second.compute(height, whole, other, [] {});
+        first.add(other, weight, sum);
+        return sum;
+    }
+};
+
+TEST(PatchSearch, addedDistancesLeaveTheNearestOfTheSum) {
+    Pair pair;
+    for (const double weight : {0.1, 1.0, 5.0}) {
+        double least = HUGE_VAL;
+        for (int y = 0; y + kPatch <= pair.colours.height(); ++y)
+            for (int x = 0; x + kPatch <= pair.colours.width(); ++x)
+                least = std::min(least, weight * distance(pair.colours, x, y, pair.colour) +
+                                            distance(pair.heights, x, y, pair.height));
+        const std::vector<PatchPosition> found = pair.first.within(0, pair.added(weight));
+        ASSERT_EQ(found.size(), 1U) << weight;
+        EXPECT_NEAR(weight * distance(pair.colours, found[0].x, found[0].y, pair.colour) +
+                        distance(pair.heights, found[0].x, found[0].y, pair.height),
+                    least, 1e-4 * least);
+    }
+}
+
+} // namespace
+} // namespace texloom::test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/methods/method.h"
+
+namespace texloom::test {
+
+/// Something made up for every port that the method cannot do without: pictures that tile, as inputs of
+/// outputs that wrap must; models as another method makes them of the same exemplar.
+void fillPorts(const MethodInfo& info, Request& request);
+
+} // namespace texloom::test

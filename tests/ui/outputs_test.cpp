@@ -1,0 +1,168 @@
+// What methods take and give beside pictures, in the window.
+
+#include "core/io/model_file.h"
+#include "core/volume/slice.h"
+#include "core/volume/volume_file.h"
+#include "tests/support/volumes.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/common/message_bar.h"
+#include "ui/export/export_dialog.h"
+#include "ui/inspector/inspector.h"
+#include "ui/inspector/output_group.h"
+#include "ui/inspector/port_row.h"
+#include "ui/maps/result_view.h"
+#include "ui/runs/result_text.h"
+#include "ui/viewers/image_viewer.h"
+#include "ui/volume/slice_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableWidget>
+
+using namespace texloom;
+using namespace texloom::test;
+using namespace texloom::ui;
+
+class OutputsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() {
+        m_window = std::make_unique<MainWindow>();
+        m_window->show();
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("felt.png"), {48, 48})));
+    }
+
+    void cleanupTestCase() { m_window.reset(); }
+
+    void aVolumeIsShownByASliceInATabOfItsOwn() {
+        auto* panel = child<SlicePanel>(*m_window, "slicePanel");
+        QVERIFY2(!m_window->results()->pageOffered(panel), "quilting makes none");
+        run("solid-noise");
+        QVERIFY(m_window->results()->pageOffered(panel));
+        m_window->results()->showPage(panel);
+        QTRY_VERIFY(!panel->busy());
+        QVERIFY2(panel->viewer()->picture(), qPrintable(panel->message()));
+        QCOMPARE(m_window->results()->currentViewer(), panel->viewer());
+        const auto volume = m_window->desk()->result()->synthesis.outputs.first<VolumeSource>("volume");
+        TestContext context;
+        QVERIFY(samePixels(panel->viewer()->picture()->values(),
+                           slice(*volume, panel->plane(), panel->pictureSize(), context)));
+        if (const QString folder = qEnvironmentVariable("TEXLOOM_LOOK"); !folder.isEmpty())
+            m_window->grab().save(folder + QStringLiteral("/volume.png"));
+    }
+
+    void theVolumeOfAStoredResultIsShownToo() {
+        auto* panel = child<SlicePanel>(*m_window, "slicePanel");
+        run("solid-noise");
+        const std::string key = m_window->desk()->last().key;
+        run("quilting");
+        QVERIFY(!m_window->results()->pageOffered(panel));
+        ResultHistory* const history = m_window->desk()->history();
+        history->waitForDisk();
+        QCoreApplication::processEvents();
+        history->setMemoryBudget(0);
+        m_window->desk()->show(key);
+        QTRY_VERIFY(m_window->results()->pageOffered(panel));
+        const auto volume = m_window->desk()->result()->synthesis.outputs.first<VolumeSource>("volume");
+        QVERIFY2(volume->bounds(), "it was read back");
+        history->setMemoryBudget(ResultStore::kMemoryBudget);
+    }
+
+    void aModelIsListedAndExported() {
+        run("learn-moments");
+        const ResultEntry* entry = m_window->desk()->history()->find(m_window->desk()->last().key);
+        const QString details = detailsText(*entry);
+        QVERIFY2(details.contains(QStringLiteral("Colour moments")), qPrintable(details));
+        QVERIFY(details.contains(QStringLiteral("12 numbers, 96 B")));
+        const QTemporaryDir target;
+        ExportDialog* const dialog = openDialog(target.path());
+        QVERIFY(child<QCheckBox>(*dialog, "export_moments")->isChecked());
+        if (const QString folder = qEnvironmentVariable("TEXLOOM_LOOK"); !folder.isEmpty())
+            dialog->grab().save(folder + QStringLiteral("/export.png"));
+        write(*dialog, target);
+        const QStringList models = QDir(target.path()).entryList({QStringLiteral("*.safetensors")});
+        QCOMPARE(models.size(), 1);
+        m_model = m_folder.filePath(models.front());
+        QVERIFY(QFile::copy(target.filePath(models.front()), m_model));
+        QCOMPARE(readModel(m_model.toStdString()).kind, std::string("moments"));
+    }
+
+    void aVolumeIsExportedInTheFormThatIsChosen() {
+        run("solid-noise");
+        const QTemporaryDir target;
+        ExportDialog* const dialog = openDialog(target.path());
+        auto* box = child<QCheckBox>(*dialog, "export_volume");
+        auto* format = child<QComboBox>(*dialog, "format_volume");
+        QVERIFY2(!box->isChecked() && !format->isEnabled(), "volumes may be large");
+        const int without = child<QTableWidget>(*dialog, "exportTable")->rowCount();
+        box->setChecked(true);
+        QCOMPARE(child<QTableWidget>(*dialog, "exportTable")->rowCount(), without + 2);
+        format->setCurrentIndex(format->findData(QStringLiteral(".png")));
+        QCOMPARE(child<QTableWidget>(*dialog, "exportTable")->rowCount(), without + 96);
+        format->setCurrentIndex(0);
+        write(*dialog, target);
+        const QStringList raws = QDir(target.path()).entryList({QStringLiteral("*_volume.json")});
+        QCOMPARE(raws.size(), 1);
+        TestContext context;
+        QCOMPARE(readVolume(target.filePath(raws.front()).toStdString(), context).source->volume().depth(),
+                 96);
+    }
+
+    void aModelGoesIntoItsRow() {
+        choose("draw-moments");
+        auto* row = child<PortRow>(*m_window, "port_moments");
+        const RunInput without = m_window->input(false);
+        QVERIFY(without.inputs.empty());
+        row->add(loadInput(row->port(), {m_model.toStdString(), "", ""}, {}));
+        run("draw-moments");
+        const auto& result = m_window->desk()->result();
+        QCOMPARE(result->plan.steps.front().method->id(), std::string("draw-moments"));
+        QCOMPARE(result->plan.recipe.inputs.at("moments").front().path, m_model.toStdString());
+    }
+
+private:
+    void choose(const char* id) {
+        auto* method = child<QComboBox>(*m_window, "method");
+        method->setCurrentIndex(method->findData(QLatin1String(id)));
+        QCOMPARE(m_window->inspector()->method()->id(), std::string(id));
+    }
+
+    /// Runs a method to its end, with the result on show.
+    void run(const char* id) {
+        choose(id);
+        QSignalSpy shown(m_window->desk(), &RunDesk::shown);
+        QTRY_VERIFY(!m_window->desk()->running());
+        m_window->startRun(false);
+        QVERIFY2(shown.wait(60'000), qPrintable(m_window->messages()->text()));
+    }
+
+    ExportDialog* openDialog(const QString& folder) {
+        child<QAction>(*m_window, "export")->trigger();
+        ExportDialog* dialog = nullptr;
+        for (auto* opened : m_window->findChildren<ExportDialog*>())
+            if (opened->isVisible())
+                dialog = opened;
+        child<QLineEdit>(*dialog, "exportFolder")->setText(folder);
+        return dialog;
+    }
+
+    void write(const ExportDialog& dialog, const QTemporaryDir& target) {
+        child<QPushButton>(dialog, "exportWrite")->click();
+        QTRY_VERIFY(m_window->messages()->text().startsWith(QStringLiteral("Wrote ")));
+        QVERIFY(m_window->messages()->text().contains(target.path()));
+    }
+
+    QTemporaryDir m_folder;
+    QString m_model;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+TEXLOOM_UI_TESTS(OutputsTest)
+#include "outputs_test.moc"
