@@ -75,7 +75,7 @@ ocio::TransformRcPtr curveOf(const FileColor& color) {
 
 /// From a file's numbers to linear Rec.709.
 ocio::GroupTransformRcPtr lightOf(const FileColor& color) {
-    const auto group = ocio::GroupTransform::Create();
+    auto group = ocio::GroupTransform::Create();
     if (color.curve != FileColor::Curve::Linear)
         group->appendTransform(curveOf(color));
     std::array<double, 16> matrix{};

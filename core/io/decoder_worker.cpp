@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Seconds of work that a header may take, and samples for which there is one more.
-constexpr std::uint64_t kSeconds = 20, kSamplesASecond = 4'000'000;
+constexpr std::uint64_t kSeconds = 20, kSamplesASecond = 8'000'000;
 /// How much longer it may take by the clock: disks far away are slow.
 constexpr std::uint64_t kPatience = 15;
 /// What a decoder may take beside the samples.

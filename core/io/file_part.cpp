@@ -25,7 +25,7 @@ std::vector<FilePart> layersOf(const OIIO::ImageSpec& spec, int index) {
     for (int c = 0; c < spec.nchannels; ++c) {
         const std::string layer = layerOf(spec.channelnames[static_cast<std::size_t>(c)]);
         if (layers.empty() || layers.back().name != layer)
-            layers.push_back({layer, index, c, 0, false});
+            layers.push_back({layer, index, c, 0});
         ++layers.back().channels;
     }
     return layers;
@@ -46,8 +46,9 @@ std::vector<FilePart> partsOf(OIIO::ImageInput& input) {
     const bool several = input.seek_subimage(1, 0);
     for (int index = 0; index < kMostParts && input.seek_subimage(index, 0); ++index) {
         const OIIO::ImageSpec spec = input.spec();
-        parts.push_back({several ? partName(spec, index) : "", index, 0, spec.nchannels, true});
+        parts.push_back({several ? partName(spec, index) : "", index, 0, spec.nchannels});
         const std::vector<FilePart> layers = layersOf(spec, index);
+        parts.back().only = layers.size() == 1 ? layers.front().name : "";
         if (layers.size() > 1)
             std::copy_if(layers.begin(), layers.end(), std::back_inserter(parts),
                          [](const FilePart& layer) { return !layer.name.empty(); });
@@ -62,8 +63,9 @@ FilePart chosenPart(const std::filesystem::path& path, const std::vector<FilePar
                     const std::string& name) {
     if (name.empty())
         return parts.front();
-    const auto found =
-        std::find_if(parts.begin(), parts.end(), [&](const FilePart& part) { return part.name == name; });
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const FilePart& part) {
+        return part.name == name || part.only == name;
+    });
     if (found != parts.end())
         return *found;
     const std::vector<std::string> names = namesOf(parts);

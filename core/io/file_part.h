@@ -16,7 +16,7 @@ struct FilePart {
     int index = 0;    ///< of the part
     int firstChannel = 0;
     int channels = 0;
-    bool whole = true; ///< whether it is all of a part
+    std::string only = {}; ///< the layer that all its channels are in, which names it as well
 };
 
 /// Everything that can be read of a file: each part, and the layers in it where it has several.

@@ -116,9 +116,49 @@ void checkRoom(const DecodeRequest& request, const DecodedHeader& header) {
              byteText(needed), request.memoryText);
 }
 
+/// How many bytes one of a file's bytes can stand for at most, by its compression; 0 for no bound.
+std::uintmax_t densityOf(const OIIO::ImageSpec& spec, const std::string& format) {
+    const std::string kind = spec.get_string_attribute("compression");
+    if (kind == "none")
+        return 1;
+    if (kind == "packbits")
+        return 64;
+    return format == "png" || kind == "zip" || kind == "zips" || kind == "lzw" ? 2000 : 0;
+}
+
+/// A decoder fills what a file cut short claims to hold, which takes minutes where that is much.
+void checkBytes(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& format) {
+    const int bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.size()));
+    const auto pixels = static_cast<std::uintmax_t>(Size{spec.width, spec.height}.area());
+    const std::uintmax_t least =
+        pixels * static_cast<std::uintmax_t>(std::max(bits, 1)) / 8; // of one channel
+    std::error_code error;
+    const std::uintmax_t held = fs::file_size(path, error), density = densityOf(spec, format);
+    if (!error && density > 0 && least / density > held)
+        fail("{} says it is {} × {} px, but has only {} bytes: it is cut short or damaged.", path.string(),
+             spec.width, spec.height, grouped(held));
+}
+
 /// Stray bytes between a JPEG's parts harm nothing; every viewer skips them.
 bool harmless(const std::string& remark, const std::string& format) {
     return format == "jpeg" && remark.find("extraneous bytes before marker") != std::string::npos;
+}
+
+/// A decoder may fill what is missing and only remark on it.
+void takeRemark(const fs::path& path, const std::string& remark, ImageFileInfo& info) {
+    if (remark.empty())
+        return;
+    if (!harmless(remark, info.format))
+        fail("{} cannot be read: {}.", path.string(), reason(remark));
+    info.notes.push_back(message("{} holds stray bytes, which were skipped.", info.name));
+}
+
+[[noreturn]] void failReading(const fs::path& path, const std::string& format, const std::string& why) {
+    if (format == "hdr")
+        fail("{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which "
+             "Texloom does not read. Save it anew with another program.",
+             path.string());
+    fail("{} cannot be read: {}.", path.string(), reason(why));
 }
 
 /// Whole numbers of 32 bits say nothing of what is white: the largest one in the file is taken for it.
@@ -148,13 +188,8 @@ void readSamples(const DecodeRequest& request, OIIO::ImageInput& input, const Fi
     const bool wide = stored.basetype == OIIO::TypeDesc::UINT32 || stored.basetype == OIIO::TypeDesc::INT32;
     if (!input.read_image(part.index, 0, part.firstChannel, part.firstChannel + part.channels,
                           wide ? stored : OIIO::TypeDesc::FLOAT, samples))
-        fail("{} cannot be read: {}.", request.path.string(), reason(input.geterror()));
-    // A decoder may fill what is missing and only remark on it.
-    if (const std::string remark = input.geterror(); !remark.empty()) {
-        if (!harmless(remark, header.info.format))
-            fail("{} cannot be read: {}.", request.path.string(), reason(remark));
-        header.info.notes.push_back(message("{} holds stray bytes, which were skipped.", header.info.name));
-    }
+        failReading(request.path, header.info.format, input.geterror());
+    takeRemark(request.path, input.geterror(), header.info);
     if (stored.basetype == OIIO::TypeDesc::UINT32)
         scaleToSpan<std::uint32_t>(samples, header.samples, header);
     else if (wide)
@@ -178,6 +213,7 @@ void noteWindow(ImageFileInfo& info, const OIIO::ImageSpec& spec) {
 DecodedHeader decode(const DecodeRequest& request, const SamplePlace& place) {
     const std::string format = formatOf(request.path);
     const auto input = openInput(request.path, format);
+    const std::string remark = input->geterror(); // before looking for parts drops it
     const std::vector<FilePart> parts = partsOf(*input);
     if (parts.empty())
         fail("{} cannot be read: {}.", request.path.string(), reason(input->geterror()));
@@ -195,9 +231,11 @@ DecodedHeader decode(const DecodeRequest& request, const SamplePlace& place) {
     if (!request.pixels)
         return header;
     checkSpec(request.path, spec, request.largestPixels);
+    checkBytes(request.path, spec, format);
     header.steps = stepsOf(spec.format);
     header.samples = spec.image_pixels() * static_cast<std::size_t>(part.channels);
     checkRoom(request, header);
+    takeRemark(request.path, remark, header.info);
     readSamples(request, *input, part, header, place(header.samples));
     return header;
 }

@@ -1318,16 +1318,8 @@
         <translation>Eine Ausgabe von {} × {} px lässt sich mit einer Kachel von {} × {} px nicht kacheln; machen Sie sie mindestens so groß.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px would need {} of memory, more than the {} that are free; choose a smaller size.</source>
-        <translation>Eine Ausgabe von {} × {} px bräuchte {} Speicher, mehr als die {}, die frei sind; wählen Sie eine kleinere Größe.</translation>
-    </message>
-    <message>
         <source>At the coarsest of {} scales {} is {} × {} px, smaller than the patch of {} px; choose fewer scales or a smaller patch.</source>
         <translation>In der gröbsten von {} Stufen ist {} {} × {} px groß, kleiner als der Patch von {} px; wählen Sie weniger Stufen oder einen kleineren Patch.</translation>
-    </message>
-    <message>
-        <source>Blending takes {}, of which only {} are free; use smaller images.</source>
-        <translation>Das Überblenden braucht {}, wovon nur {} frei sind; nehmen Sie kleinere Bilder.</translation>
     </message>
     <message>
         <source>Corner {} of the rectification lies at {:.1f}, {:.1f}, outside the image of {} × {} px.</source>
@@ -1416,10 +1408,6 @@
     <message>
         <source>The output cannot be {} × {} px: its sides go from 1 to {} px.</source>
         <translation>Die Ausgabe kann nicht {} × {} px groß sein: ihre Seiten gehen von 1 bis {} px.</translation>
-    </message>
-    <message>
-        <source>The painted mask could not be kept in {}; check that there is room.</source>
-        <translation>Die gemalte Maske ließ sich nicht in {} ablegen; sehen Sie nach, ob dort Platz ist.</translation>
     </message>
     <message>
         <source>The pasted picture could not be kept in {}; check that there is room.</source>
@@ -1742,10 +1730,6 @@
         <translation>Das Modell der Art {} hat kein Feld {}; eine andere Version hat es gemacht.</translation>
     </message>
     <message>
-        <source>The model was made by {}; one made by {} is needed.</source>
-        <translation>Das Modell stammt von {}; nötig ist eines von {}.</translation>
-    </message>
-    <message>
         <source>The model&apos;s array {} has {} values and a shape of {}.</source>
         <translation>Das Feld {} des Modells hat {} Werte und die Form {}.</translation>
     </message>
@@ -2038,14 +2022,6 @@
         <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; oder &quot;xy&quot;</translation>
     </message>
     <message>
-        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
-        <translation>&quot;horizontal&quot; oder &quot;vertical&quot;</translation>
-    </message>
-    <message>
-        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
-        <translation>&quot;smooth&quot; oder &quot;polynomial&quot;</translation>
-    </message>
-    <message>
         <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
         <translation>--shard {}: als I/N zu schreiben, mit I von 1 bis N, etwa 3/8.</translation>
     </message>
@@ -2064,10 +2040,6 @@
     <message>
         <source>An image of the result&apos;s size that the method begins with.</source>
         <translation>Ein Bild in der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
-    </message>
-    <message>
-        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
-        <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, für die keine Positions- oder Begleitkarten geschrieben werden; wählen Sie dafür einen Teil oder eine kleinere Größe.</translation>
     </message>
     <message>
         <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
@@ -2298,10 +2270,6 @@
         <translation>Dünn besetzt</translation>
     </message>
     <message>
-        <source>The angle in degrees</source>
-        <translation>Der Winkel in Grad</translation>
-    </message>
-    <message>
         <source>The checkpoint is of a run with other settings or exemplars; begin the run anew.</source>
         <translation>Der Zwischenstand gehört zu einem Lauf mit anderen Einstellungen oder Vorlagen; beginnen Sie den Lauf neu.</translation>
     </message>
@@ -2318,10 +2286,6 @@
         <translation>Das Pixel der Vorlage, von dem jedes Pixel des Ergebnisses kopiert wurde.</translation>
     </message>
     <message>
-        <source>The flattening&apos;s strength</source>
-        <translation>Die Stärke des Ausgleichs</translation>
-    </message>
-    <message>
         <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
         <translation>Die vier Ecken der Entzerrung müssen von links oben im Uhrzeigersinn um eine Fläche ohne Delle gehen.</translation>
     </message>
@@ -2336,10 +2300,6 @@
     <message>
         <source>The input {} of {} takes {}.</source>
         <translation>Der Eingang {} von {} nimmt: {}.</translation>
-    </message>
-    <message>
-        <source>The input {} takes {}; no file of that kind can be read yet.</source>
-        <translation>Der Eingang {} nimmt: {}; eine solche Datei lässt sich noch nicht lesen.</translation>
     </message>
     <message>
         <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
@@ -2374,10 +2334,6 @@
         <translation>Das Bild für „{}“ ist {} × {} px groß, {} aber {} × {} px; es muss so groß sein.</translation>
     </message>
     <message>
-        <source>The polynomial&apos;s order</source>
-        <translation>Der Grad des Polynoms</translation>
-    </message>
-    <message>
         <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
         <translation>Die Reihen im Abstand von {} px sind größer als die Blöcke von {} px, sodass neue aus Teilen mehrerer zusammengesetzt werden. {}</translation>
     </message>
@@ -2388,10 +2344,6 @@
     <message>
         <source>The texture that was made.</source>
         <translation>Die Textur, die entstanden ist.</translation>
-    </message>
-    <message>
-        <source>The window&apos;s width</source>
-        <translation>Die Breite des Fensters</translation>
     </message>
     <message>
         <source>The work ended for an unknown reason; try again.</source>
@@ -2562,10 +2514,6 @@
         <translation>ein oder aus</translation>
     </message>
     <message>
-        <source>one of crop, rotate, flip, rectify and flatten</source>
-        <translation>eines von crop, rotate, flip, rectify und flatten</translation>
-    </message>
-    <message>
         <source>one of {}</source>
         <translation>eines von {}</translation>
     </message>
@@ -2602,10 +2550,6 @@
         <translation>{} (andere)</translation>
     </message>
     <message>
-        <source>{} = {}: it goes from {} to {}.</source>
-        <translation>{} = {}: geht von {} bis {}.</translation>
-    </message>
-    <message>
         <source>{} = {}: {} goes from {}.</source>
         <translation>{} = {}: {} geht von {}.</translation>
     </message>
@@ -2640,10 +2584,6 @@
     <message>
         <source>{} copies no pixels, so it has no position map.</source>
         <translation>{} kopiert keine Pixel und hat darum keine Positionskarte.</translation>
-    </message>
-    <message>
-        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
-        <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
     </message>
     <message>
         <source>{} has no input {}.</source>
@@ -2692,10 +2632,6 @@
     <message>
         <source>{} is not part of this build. {}</source>
         <translation>{} gehört nicht zu dieser Ausgabe von Texloom. {}</translation>
-    </message>
-    <message>
-        <source>{} is what the result is made from and would be overwritten; name another file.</source>
-        <translation>Aus {} wird das Ergebnis gemacht, die Datei ginge verloren; bitte eine andere nennen.</translation>
     </message>
     <message>
         <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
@@ -2837,6 +2773,522 @@
         <source>{} has no picture that corresponds to the target, but another exemplar has; give one for each or for none.</source>
         <translation>{} hat kein Bild, das dem Ziel entspricht, aber eine andere Vorlage hat eines; bitte jeder eines geben oder keiner.</translation>
     </message>
+    <message>
+        <source>An edit is empty; write it as tool=value, with one of {}.</source>
+        <translation>Eine Bearbeitung ist leer; schreiben Sie sie als Werkzeug=Wert, mit einem von {}.</translation>
+    </message>
+    <message>
+        <source>An edit names no tool; those that edit are {}.</source>
+        <translation>Eine Bearbeitung nennt kein Werkzeug; die zum Bearbeiten sind {}.</translation>
+    </message>
+    <message>
+        <source>An edit with {} names no tool that is known here; those that edit are {}.</source>
+        <translation>Eine Bearbeitung mit {} nennt kein Werkzeug, das hier bekannt ist; die zum Bearbeiten sind {}.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px is made in strips of {} rows, without position maps, companion maps or anything else beside it; choose a region or a smaller size to get those.</source>
+        <translation>Eine Ausgabe von {} × {} px entsteht in Streifen von {} Zeilen, ohne Positionskarten, Begleitkarten oder anderes daneben; wählen Sie einen Ausschnitt oder eine kleinere Größe, um sie zu bekommen.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px would need {} of memory, more than {}; choose a smaller size.</source>
+        <translation>Eine Ausgabe von {} × {} px bräuchte {} Speicher, mehr als {}; wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>As the file&apos;s tags say</source>
+        <translation>Wie die Angaben in der Datei sagen</translation>
+    </message>
+    <message>
+        <source>As they are (RGB)</source>
+        <translation>Wie sie sind (RGB)</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>Unten links</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>Unten rechts</translation>
+    </message>
+    <message>
+        <source>Circular</source>
+        <translation>Kreisförmig</translation>
+    </message>
+    <message>
+        <source>Clockwise, in degrees.</source>
+        <translation>Im Uhrzeigersinn, in Grad.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Cosine axes (DCT)</source>
+        <translation>Kosinusachsen (DCT)</translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation>Zuschneiden</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Cuts where the images differ least.</source>
+        <translation>Schneidet, wo sich die Bilder am wenigsten unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Deforms both images until they agree; draws lines from the middle to the border.</source>
+        <translation>Verformt beide Bilder, bis sie übereinstimmen; zieht Linien von der Mitte zum Rand.</translation>
+    </message>
+    <message>
+        <source>Deforms both images until they agree; fades out evenly.</source>
+        <translation>Verformt beide Bilder, bis sie übereinstimmen; klingt gleichmäßig ab.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Fading</source>
+        <translation>Abklingen</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Waagrecht</translation>
+    </message>
+    <message>
+        <source>How far from the curve, on either side, pixels may change: up to half the images&apos; shorter side.</source>
+        <translation>Wie weit von der Kurve, auf beiden Seiten, sich Pixel ändern dürfen: bis zur halben kürzeren Seite der Bilder.</translation>
+    </message>
+    <message>
+        <source>How midway blending fades out towards the border of the band.</source>
+        <translation>Wie das Midway-Überblenden zum Rand des Bandes hin abklingt.</translation>
+    </message>
+    <message>
+        <source>How much of the unevenness is taken out; 1 is all.</source>
+        <translation>Wie viel der Ungleichmäßigkeit entfernt wird; 1 ist alles.</translation>
+    </message>
+    <message>
+        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
+        <translation>Wie oft sich das Licht über die Vorlage biegen darf: 1 ist ein einfaches Gefälle.</translation>
+    </message>
+    <message>
+        <source>How the images meet.</source>
+        <translation>Wie die Bilder zusammentreffen.</translation>
+    </message>
+    <message>
+        <source>Joins the gradients of both images.</source>
+        <translation>Fügt die Gradienten beider Bilder zusammen.</translation>
+    </message>
+    <message>
+        <source>Joins two images along a curve, so that the seam does not show.</source>
+        <translation>Fügt zwei Bilder entlang einer Kurve zusammen, sodass die Naht nicht auffällt.</translation>
+    </message>
+    <message>
+        <source>Keeps a rectangle of the exemplar.</source>
+        <translation>Behält ein Rechteck der Vorlage.</translation>
+    </message>
+    <message>
+        <source>Leaves the images as they are, to compare with.</source>
+        <translation>Lässt die Bilder, wie sie sind, zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Left and upper edge, width and height, in the exemplar as the edits before it left it.</source>
+        <translation>Linke und obere Kante, Breite und Höhe, in der Vorlage nach den vorherigen Bearbeitungen.</translation>
+    </message>
+    <message>
+        <source>Left to right</source>
+        <translation>Links nach rechts</translation>
+    </message>
+    <message>
+        <source>Makes a rectangle of a surface that was photographed at a slant.</source>
+        <translation>Macht ein Rechteck aus einer Fläche, die schräg fotografiert wurde.</translation>
+    </message>
+    <message>
+        <source>Midway, linear</source>
+        <translation>Midway, linear</translation>
+    </message>
+    <message>
+        <source>Midway, progressive</source>
+        <translation>Midway, fortschreitend</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror left to right</source>
+        <translation>Links und rechts spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror top to bottom</source>
+        <translation>Oben und unten spiegeln</translation>
+    </message>
+    <message>
+        <source>Not blended</source>
+        <translation>Nicht überblendet</translation>
+    </message>
+    <message>
+        <source>Of the rectangle; if not given, as long as the longer of opposite sides.</source>
+        <translation>Des Rechtecks; ohne Angabe so lang wie die längere der gegenüberliegenden Seiten.</translation>
+    </message>
+    <message>
+        <source>Poisson editing</source>
+        <translation>Poisson-Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Principal axes (PCA)</source>
+        <translation>Hauptachsen (PCA)</translation>
+    </message>
+    <message>
+        <source>Put the corners on four that are a rectangle in reality.</source>
+        <translation>Setzen Sie die Ecken auf vier Punkte, die in Wirklichkeit ein Rechteck sind.</translation>
+    </message>
+    <message>
+        <source>Rectify</source>
+        <translation>Entzerren</translation>
+    </message>
+    <message>
+        <source>Swaps left and right, or top and bottom.</source>
+        <translation>Vertauscht links und rechts oder oben und unten.</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
+        <translation>Nimmt langsame Helligkeitsänderungen aus den Farben, sodass Teile von hellen und dunklen Stellen zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>The colour axes that midway blending treats one by one.</source>
+        <translation>Die Farbachsen, die Midway-Überblenden einzeln behandelt.</translation>
+    </message>
+    <message>
+        <source>The edit &quot;{}&quot; says {} twice.</source>
+        <translation>Die Bearbeitung „{}“ nennt {} zweimal.</translation>
+    </message>
+    <message>
+        <source>The first image lies above, left of or outside the curve; circles go around the bottom right corner.</source>
+        <translation>Das erste Bild liegt über, links von oder außerhalb der Kurve; Kreise laufen um die untere rechte Ecke.</translation>
+    </message>
+    <message>
+        <source>The folder {} cannot be made; check that there is room.</source>
+        <translation>Der Ordner {} kann nicht angelegt werden; prüfen Sie, ob Platz ist.</translation>
+    </message>
+    <message>
+        <source>The input {} of {} takes a model of its own kind, and was given one of the kind {}.</source>
+        <translation>Der Eingang {} von {} nimmt ein Modell seiner eigenen Art und bekam eines der Art {}.</translation>
+    </message>
+    <message>
+        <source>The input {} of {} was given, and {} makes it, too; leave one of them out.</source>
+        <translation>Der Eingang {} von {} wurde angegeben, und {} macht ihn auch; lassen Sie eines davon weg.</translation>
+    </message>
+    <message>
+        <source>The model is of the kind {}; one of the kind {} is needed.</source>
+        <translation>Das Modell ist von der Art {}; nötig ist eines von der Art {}.</translation>
+    </message>
+    <message>
+        <source>The result has no output {}.</source>
+        <translation>Das Ergebnis hat keinen Ausgang {}.</translation>
+    </message>
+    <message>
+        <source>The {} says {} twice in one place; only one of them can hold.</source>
+        <translation>{0}: {1} steht zweimal an einer Stelle; nur eines davon kann gelten.</translation>
+    </message>
+    <message>
+        <source>The {} would replace {}, which Texloom did not write; name another file, or allow it with --overwrite.</source>
+        <translation>{0} würde {1} ersetzen, das nicht von Texloom ist; nennen Sie eine andere Datei, oder erlauben Sie es mit --overwrite.</translation>
+    </message>
+    <message>
+        <source>The {} {} and the {} {} are the same file; name another one.</source>
+        <translation>{0} {1} und {2} {3} sind dieselbe Datei; nennen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The {} {} would replace {}, {}, which would be lost; name another file.</source>
+        <translation>{0} {1} würde {2} ersetzen ({3}), das damit verloren wäre; nennen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>There is no tool {}; the tools are {}.</source>
+        <translation>Es gibt kein Werkzeug {}; die Werkzeuge sind {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to take up an image: {}.</source>
+        <translation>Der Speicher reicht nicht, um ein Bild aufzunehmen: {}.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the kind {}; there are {}.</source>
+        <translation>Von der Art {} gibt es nichts; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>Top left</source>
+        <translation>Oben links</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>Oben rechts</translation>
+    </message>
+    <message>
+        <source>Top to bottom</source>
+        <translation>Oben nach unten</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Turn left by 90°</source>
+        <translation>Um 90° nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn right by 90°</source>
+        <translation>Um 90° nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turns the exemplar clockwise. Quarter turns move pixels as they are; other angles keep the largest upright rectangle inside.</source>
+        <translation>Dreht die Vorlage im Uhrzeigersinn. Vierteldrehungen verschieben Pixel unverändert; andere Winkel behalten das größte aufrechte Rechteck darin.</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>What the light is taken to be: what a wide window sees, or a low polynomial.</source>
+        <translation>Wofür das Licht gehalten wird: was ein weites Fenster sieht, oder ein niedriges Polynom.</translation>
+    </message>
+    <message>
+        <source>Where the curve lies, from 0 (top, left, the whole circle) to 1.</source>
+        <translation>Wo die Kurve liegt, von 0 (oben, links, der ganze Kreis) bis 1.</translation>
+    </message>
+    <message>
+        <source>Which sides change places.</source>
+        <translation>Welche Seiten die Plätze tauschen.</translation>
+    </message>
+    <message>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
+        <translation>Breite des Fensters, das das Licht findet, als Anteil der kürzeren Seite: größer lässt mehr von den eigenen Tönen der Textur.</translation>
+    </message>
+    <message>
+        <source>a profile</source>
+        <translation>ein Profil</translation>
+    </message>
+    <message>
+        <source>a source of the result</source>
+        <translation>woraus das Ergebnis entsteht</translation>
+    </message>
+    <message>
+        <source>bytes in hexadecimal</source>
+        <translation>Bytes in hexadezimaler Schreibweise</translation>
+    </message>
+    <message>
+        <source>bytes in hexadecimal, two digits each</source>
+        <translation>Bytes in hexadezimaler Schreibweise, je zwei Ziffern</translation>
+    </message>
+    <message>
+        <source>gamma {:.3g}</source>
+        <translation>Gamma {:.3g}</translation>
+    </message>
+    <message>
+        <source>gamma {:.3g} and primaries of its own</source>
+        <translation>Gamma {:.3g} und eigene Primärfarben</translation>
+    </message>
+    <message>
+        <source>primaries of its own</source>
+        <translation>eigene Primärfarben</translation>
+    </message>
+    <message>
+        <source>repeats after {} voxels, {} channels</source>
+        <translation>wiederholt sich nach {} Voxeln, {} Kanäle</translation>
+    </message>
+    <message>
+        <source>the codes {}-{}-{}-{} of cICP</source>
+        <translation>die Kennzahlen {}-{}-{}-{} von cICP</translation>
+    </message>
+    <message>
+        <source>the name of a file, in which there is no zero byte</source>
+        <translation>der Name einer Datei, in dem kein Nullbyte steht</translation>
+    </message>
+    <message>
+        <source>the profile “{}”</source>
+        <translation>das Profil „{}“</translation>
+    </message>
+    <message>
+        <source>the {} that are free</source>
+        <translation>die {}, die frei sind</translation>
+    </message>
+    <message>
+        <source>the {} that it may take</source>
+        <translation>die {}, die erlaubt sind</translation>
+    </message>
+    <message>
+        <source>the {} that the limit of {} leaves</source>
+        <translation>die {}, die die Grenze von {} übrig lässt</translation>
+    </message>
+    <message>
+        <source>width,height, each {} to {} px</source>
+        <translation>Breite,Höhe, je {} bis {} px</translation>
+    </message>
+    <message>
+        <source>without end, {} channels</source>
+        <translation>ohne Ende, {} Kanäle</translation>
+    </message>
+    <message>
+        <source>x,y,width,height in whole px</source>
+        <translation>x,y,Breite,Höhe in ganzen px</translation>
+    </message>
+    <message>
+        <source>{} = {}: this is no number in decimal digits, without spaces; {}: {}.</source>
+        <translation>{} = {}: das ist keine Zahl in Dezimalziffern ohne Leerzeichen; {}: {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: this is not a whole number; {}: {}.</source>
+        <translation>{} = {}: das ist keine ganze Zahl; {}: {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: this number is too large, or too near 0, to be held; {}: {}.</source>
+        <translation>{} = {}: diese Zahl ist zu groß oder zu nahe an 0, um sich darstellen zu lassen; {}: {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it anew with another program.</source>
+        <translation>{} kann nicht gelesen werden: Der Decoder ist abgestürzt; die Datei ist beschädigt oder von einer Art, die er nicht kennt. Speichern Sie sie mit einem anderen Programm neu.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: it is no ordinary file.</source>
+        <translation>{} kann nicht geschrieben werden: Es ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>{} carries {}, which Texloom cannot convert; its colours are taken as {}.</source>
+        <translation>{} enthält {}, was Texloom nicht umrechnen kann; die Farben gelten als {}.</translation>
+    </message>
+    <message>
+        <source>{} gives no output {}; it gives nothing beside its picture and map.</source>
+        <translation>{} hat keinen Ausgang {}; außer Bild und Karte gibt es nichts.</translation>
+    </message>
+    <message>
+        <source>{} gives no output {}; there are {}.</source>
+        <translation>{} hat keinen Ausgang {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>{} has no layer {}; all that it holds is one picture.</source>
+        <translation>{} hat keine Ebene {}; die Datei enthält nur ein einziges Bild.</translation>
+    </message>
+    <message>
+        <source>{} has no layer {}; there is {}.</source>
+        <translation>{} hat keine Ebene {}; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>{} has several parts: {}. Only {} is used; another can be chosen instead.</source>
+        <translation>{} hat mehrere Teile: {}. Nur {} wird verwendet; stattdessen lässt sich ein anderer wählen.</translation>
+    </message>
+    <message>
+        <source>{} has the layers {}; all its channels are used. One layer can be chosen instead.</source>
+        <translation>{} hat die Ebenen {}; alle Kanäle werden verwendet. Stattdessen lässt sich eine Ebene wählen.</translation>
+    </message>
+    <message>
+        <source>{} holds stray bytes, which were skipped.</source>
+        <translation>{} enthält überzählige Bytes, die übergangen wurden.</translation>
+    </message>
+    <message>
+        <source>{} holds whole numbers of 32 bits from {:.0f} to {:.0f}, which are taken as 0 to 1.</source>
+        <translation>{} enthält ganze Zahlen zu 32 Bit von {:.0f} bis {:.0f}, die als 0 bis 1 gelten.</translation>
+    </message>
+    <message>
+        <source>{} holds {} × {} px from ({}, {}) on, but is meant to show {} × {} px from ({}, {}) on; all that it holds is used.</source>
+        <translation>{} enthält {} × {} px ab ({}, {}), soll aber {} × {} px ab ({}, {}) zeigen; verwendet wird alles, was die Datei enthält.</translation>
+    </message>
+    <message>
+        <source>{} in the edit &quot;{}&quot;: write it as name=value.</source>
+        <translation>{} in der Bearbeitung „{}“: schreiben Sie es als Name=Wert.</translation>
+    </message>
+    <message>
+        <source>{} is a model of the kind {}; the input {} takes one of its own kind.</source>
+        <translation>{} ist ein Modell der Art {}; der Eingang {} nimmt nur eines seiner eigenen Art.</translation>
+    </message>
+    <message>
+        <source>{} is compressed with loss ({}), which moves the places that a map addresses; save it with zip, piz or none.</source>
+        <translation>{} ist mit Verlust komprimiert ({}), was die Stellen verschiebt, auf die eine Karte zeigt; speichern Sie mit zip, piz oder none.</translation>
+    </message>
+    <message>
+        <source>{} is in colours of its own ({}), which were converted.</source>
+        <translation>{} ist in eigenen Farben ({}), die umgerechnet wurden.</translation>
+    </message>
+    <message>
+        <source>{} is no tool that edits an exemplar; those are {}.</source>
+        <translation>{} ist kein Werkzeug, das eine Vorlage bearbeitet; diese sind {}.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px with {} channels and takes {} of memory to read, more than {}; scale it down or cut it to size first.</source>
+        <translation>{} hat {} × {} px mit {} Kanälen und braucht zum Lesen {} Speicher, mehr als {}; verkleinern oder beschneiden Sie das Bild zuerst.</translation>
+    </message>
+    <message>
+        <source>{} numbers, {}</source>
+        <translation>{} Zahlen, {}</translation>
+    </message>
+    <message>
+        <source>{} points as x,y,x,y,… in px</source>
+        <translation>{} Punkte als x,y,x,y,… in px</translation>
+    </message>
+    <message>
+        <source>{} takes more memory to decode than there is.</source>
+        <translation>{} braucht zum Decodieren mehr Speicher, als da ist.</translation>
+    </message>
+    <message>
+        <source>{} takes too long to decode; save it anew with another program.</source>
+        <translation>{} braucht zu lange zum Decodieren; speichern Sie die Datei mit einem anderen Programm neu.</translation>
+    </message>
+    <message>
+        <source>{} triangles</source>
+        <translation>{} Dreiecke</translation>
+    </message>
+    <message>
+        <source>{} voxels, {} channels</source>
+        <translation>{} Voxel, {} Kanäle</translation>
+    </message>
+    <message>
+        <source>{} was not there before; export again to see what would be replaced.</source>
+        <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
+    </message>
+    <message>
+        <source>{} would take {} of memory, of which {} are free; use smaller images.</source>
+        <translation>{} bräuchte {} Speicher, von dem {} frei sind; verwenden Sie kleinere Bilder.</translation>
+    </message>
+    <message>
+        <source>{} × {} px, {} channels</source>
+        <translation>{} × {} px, {} Kanäle</translation>
+    </message>
+    <message>
+        <source>{}, {}</source>
+        <translation>{}, {}</translation>
+    </message>
+    <message>
+        <source>{}: meshes are written as .ply.</source>
+        <translation>{}: Netze werden als .ply geschrieben.</translation>
+    </message>
+    <message>
+        <source>{}: {} is written as {}; give the file that extension.</source>
+        <translation>{}: {} wird als {} geschrieben; geben Sie der Datei diese Endung.</translation>
+    </message>
+    <message>
+        <source>↺ 90°</source>
+        <translation>↺ 90°</translation>
+    </message>
+    <message>
+        <source>↻ 90°</source>
+        <translation>↻ 90°</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -2893,6 +3345,42 @@
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 bei %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>at %1 of the work</source>
+        <translation>bei %1 der Arbeit</translation>
+    </message>
+    <message>
+        <source>It cannot go on, since these files changed after it began: %1.</source>
+        <translation>Er kann nicht fortgesetzt werden, da sich diese Dateien seit seinem Beginn geändert haben: %1.</translation>
     </message>
 </context>
 <context>
@@ -2984,14 +3472,6 @@
     <message>
         <source>Make a small preview with the same settings</source>
         <translation>Eine kleine Vorschau mit denselben Einstellungen erzeugen</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>A&amp;nhalten</translation>
-    </message>
-    <message>
-        <source>Stop the run under way and keep what is there; those that wait go on</source>
-        <translation>Den laufenden Vorgang anhalten und behalten, was da ist; die wartenden gehen weiter</translation>
     </message>
     <message>
         <source>&amp;New seed and run</source>
@@ -3105,29 +3585,29 @@
         <source>Make a texture of the texture of the texture, to see what the method loses</source>
         <translation>Eine Textur der Textur der Textur machen, um zu sehen, was das Verfahren verliert</translation>
     </message>
+    <message>
+        <source>&amp;Stop and keep</source>
+        <translation>An&amp;halten und behalten</translation>
+    </message>
+    <message>
+        <source>End the run under way and keep what is there as a result; those that wait go on</source>
+        <translation>Den laufenden Vorgang beenden und behalten, was da ist, als Ergebnis; die wartenden gehen weiter</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel run</source>
+        <translation>Vorgang &amp;abbrechen</translation>
+    </message>
+    <message>
+        <source>End the run under way and keep nothing of it; those that wait go on</source>
+        <translation>Den laufenden Vorgang beenden und nichts davon behalten; die wartenden gehen weiter</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::BlendWindow</name>
-    <message>
-        <source>Minimum-error cut</source>
-        <translation>Schnitt mit kleinstem Fehler</translation>
-    </message>
-    <message>
-        <source>Poisson editing</source>
-        <translation>Poisson-Bearbeitung</translation>
-    </message>
-    <message>
-        <source>Midway, linear</source>
-        <translation>Midway, linear</translation>
-    </message>
-    <message>
-        <source>Midway, progressive</source>
-        <translation>Midway, fortschreitend</translation>
-    </message>
-    <message>
-        <source>Not blended</source>
-        <translation>Nicht überblendet</translation>
-    </message>
     <message>
         <source>Show the cur&amp;ve and its band</source>
         <translation>K&amp;urve und Streifen zeigen</translation>
@@ -3153,62 +3633,6 @@
         <translation>&amp;Zweites</translation>
     </message>
     <message>
-        <source>Horizontal</source>
-        <translation>Waagrecht</translation>
-    </message>
-    <message>
-        <source>Vertical</source>
-        <translation>Senkrecht</translation>
-    </message>
-    <message>
-        <source>Circular</source>
-        <translation>Kreisförmig</translation>
-    </message>
-    <message>
-        <source>The first image lies above, left of or outside the curve; circles go around the bottom right corner.</source>
-        <translation>Das erste Bild liegt über, links von oder außerhalb der Kurve; Kreise laufen um die untere rechte Ecke.</translation>
-    </message>
-    <message>
-        <source>&amp;Curve</source>
-        <translation>&amp;Kurve</translation>
-    </message>
-    <message>
-        <source>&amp;Position</source>
-        <translation>&amp;Position</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>How far from the curve, on either side, pixels may change: up to half the images&apos; shorter side.</source>
-        <translation>Wie weit von der Kurve, zu beiden Seiten, sich Pixel ändern dürfen: bis zur Hälfte der kürzeren Bildseite.</translation>
-    </message>
-    <message>
-        <source>&amp;Band</source>
-        <translation>&amp;Streifen</translation>
-    </message>
-    <message>
-        <source>As they are (RGB)</source>
-        <translation>Wie sie sind (RGB)</translation>
-    </message>
-    <message>
-        <source>Cosine axes (DCT)</source>
-        <translation>Kosinusachsen (DCT)</translation>
-    </message>
-    <message>
-        <source>Principal axes (PCA)</source>
-        <translation>Hauptachsen (PCA)</translation>
-    </message>
-    <message>
-        <source>The colour axes that midway blending treats one by one.</source>
-        <translation>Die Farbachsen, die Midway-Überblenden einzeln behandelt.</translation>
-    </message>
-    <message>
-        <source>Co&amp;lours</source>
-        <translation>&amp;Farben</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
@@ -3225,18 +3649,6 @@
         <translation>Eine Datei als zweites Bild öffnen</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Position of the curve</source>
-        <translation>Lage der Kurve</translation>
-    </message>
-    <message>
-        <source>Choose two images of one size.</source>
-        <translation>Wählen Sie zwei Bilder gleicher Größe.</translation>
-    </message>
-    <message>
         <source>%1…</source>
         <translation>%1 …</translation>
     </message>
@@ -3245,16 +3657,8 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Stopped. The pictures are those of earlier settings; any change begins anew.</source>
-        <translation>Angehalten. Die Bilder gehören zu früheren Einstellungen; jede Änderung beginnt neu.</translation>
-    </message>
-    <message>
         <source>Open an image</source>
         <translation>Bild öffnen</translation>
-    </message>
-    <message>
-        <source>Open two images of one size to blend.</source>
-        <translation>Öffnen Sie zwei Bilder gleicher Größe zum Überblenden.</translation>
     </message>
     <message>
         <source>Tick at least one way to show.</source>
@@ -3285,8 +3689,28 @@
         <translation>„%1“ wird gelesen …</translation>
     </message>
     <message>
-        <source>Both images are “%1”. Open or choose another one of its size to blend it with.</source>
-        <translation>Beide Bilder sind „%1“. Öffnen oder wählen Sie ein anderes in dieser Größe, um es damit zu überblenden.</translation>
+        <source>&amp;Tool</source>
+        <translation>&amp;Werkzeug</translation>
+    </message>
+    <message>
+        <source>Choose two images.</source>
+        <translation>Wählen Sie zwei Bilder.</translation>
+    </message>
+    <message>
+        <source>Stopped. The pictures are those of earlier settings; any change starts again.</source>
+        <translation>Angehalten. Die Bilder gehören zu früheren Einstellungen; jede Änderung beginnt neu.</translation>
+    </message>
+    <message>
+        <source>Open two images to blend.</source>
+        <translation>Öffnen Sie zwei Bilder, um sie zu überblenden.</translation>
+    </message>
+    <message>
+        <source>Both images are “%1”. Open or choose another one to blend it with.</source>
+        <translation>Beide Bilder sind „%1“. Öffnen oder wählen Sie ein anderes, um es damit zu überblenden.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2 px, “%3” is %4 px: both are cropped to %5 px from the top left.</source>
+        <translation>„%1“ hat %2 px, „%3“ hat %4 px: beide werden von links oben auf %5 px beschnitten.</translation>
     </message>
 </context>
 <context>
@@ -3567,76 +3991,6 @@
     </message>
 </context>
 <context>
-    <name>texloom::ui::CornersPage</name>
-    <message>
-        <source>Top left</source>
-        <translation>Oben links</translation>
-    </message>
-    <message>
-        <source>Top right</source>
-        <translation>Oben rechts</translation>
-    </message>
-    <message>
-        <source>Bottom right</source>
-        <translation>Unten rechts</translation>
-    </message>
-    <message>
-        <source>Bottom left</source>
-        <translation>Unten links</translation>
-    </message>
-    <message>
-        <source>%1 corner, across</source>
-        <translation>Ecke %1, waagrecht</translation>
-    </message>
-    <message>
-        <source>%1 corner, down</source>
-        <translation>Ecke %1, senkrecht</translation>
-    </message>
-    <message>
-        <source>Recti&amp;fy</source>
-        <translation>En&amp;tzerren</translation>
-    </message>
-    <message>
-        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
-        <translation>Legen Sie die Ecken auf vier, die in Wirklichkeit ein Rechteck sind. N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::CropPage</name>
-    <message>
-        <source>Left edge of the crop</source>
-        <translation>Linker Rand des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Upper edge of the crop</source>
-        <translation>Oberer Rand des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Width of the crop</source>
-        <translation>Breite des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Height of the crop</source>
-        <translation>Höhe des Zuschnitts</translation>
-    </message>
-    <message>
-        <source>Cr&amp;op</source>
-        <translation>Zu&amp;schneiden</translation>
-    </message>
-    <message>
-        <source>Left, top</source>
-        <translation>Links, oben</translation>
-    </message>
-    <message>
-        <source>Width, height</source>
-        <translation>Breite, Höhe</translation>
-    </message>
-    <message>
-        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
-        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
-    </message>
-</context>
-<context>
     <name>texloom::ui::DifferenceDialog</name>
     <message>
         <source>Differences in settings</source>
@@ -3647,7 +4001,7 @@
         <translation>Einstellung</translation>
     </message>
     <message>
-        <source>Both were made with the same settings, so that they are the same.</source>
+        <source>Both were made with the same settings, so they are the same.</source>
         <translation>Beide entstanden mit denselben Einstellungen und sind daher gleich.</translation>
     </message>
 </context>
@@ -3694,10 +4048,6 @@
         <translation>Geöffnet, aber ohne einige Dateien: %1</translation>
     </message>
     <message>
-        <source>Opened, but these files changed since the session was saved, so that results will differ: %1.</source>
-        <translation>Geöffnet, aber diese Dateien haben sich seit dem Speichern geändert, sodass Ergebnisse anders ausfallen: %1.</translation>
-    </message>
-    <message>
         <source>Save session</source>
         <translation>Sitzung speichern</translation>
     </message>
@@ -3724,6 +4074,10 @@
     <message>
         <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
         <translation>Die Vorlagen wurden bearbeitet, und noch keine Sitzung enthält das. Ergebnisse bleiben auf jeden Fall.</translation>
+    </message>
+    <message>
+        <source>Opened, but these files changed since the session was saved, so results will differ: %1.</source>
+        <translation>Geöffnet, aber diese Dateien haben sich seit dem Speichern geändert, sodass Ergebnisse anders ausfallen: %1.</translation>
     </message>
 </context>
 <context>
@@ -3770,33 +4124,6 @@
     </message>
 </context>
 <context>
-    <name>texloom::ui::EditText</name>
-    <message>
-        <source>Cropped to %1 at %2, %3</source>
-        <translation>Zugeschnitten auf %1 bei %2, %3</translation>
-    </message>
-    <message>
-        <source>Turned by %1°</source>
-        <translation>Gedreht um %1°</translation>
-    </message>
-    <message>
-        <source>Mirrored left to right</source>
-        <translation>Links und rechts gespiegelt</translation>
-    </message>
-    <message>
-        <source>Mirrored top to bottom</source>
-        <translation>Oben und unten gespiegelt</translation>
-    </message>
-    <message>
-        <source>Rectified by four corners</source>
-        <translation>Nach vier Ecken entzerrt</translation>
-    </message>
-    <message>
-        <source>Light evened out by %1 %</source>
-        <translation>Licht zu %1 % ausgeglichen</translation>
-    </message>
-</context>
-<context>
     <name>texloom::ui::ExemplarEditor</name>
     <message>
         <source>Exemplar being edited</source>
@@ -3813,22 +4140,6 @@
     <message>
         <source>Zoom and pan</source>
         <translation>Zoomen und verschieben</translation>
-    </message>
-    <message>
-        <source>&amp;Crop</source>
-        <translation>&amp;Zuschnitt</translation>
-    </message>
-    <message>
-        <source>Keep a rectangle of the exemplar</source>
-        <translation>Ein Rechteck der Vorlage behalten</translation>
-    </message>
-    <message>
-        <source>Re&amp;ctify</source>
-        <translation>&amp;Entzerren</translation>
-    </message>
-    <message>
-        <source>Make a rectangle of a surface that was photographed at a slant</source>
-        <translation>Aus einer schräg fotografierten Fläche ein Rechteck machen</translation>
     </message>
     <message>
         <source>&amp;Hide</source>
@@ -3863,46 +4174,6 @@
         <translation>&amp;Maske löschen</translation>
     </message>
     <message>
-        <source>Turn and mirror</source>
-        <translation>Drehen und spiegeln</translation>
-    </message>
-    <message>
-        <source>↺ 90°</source>
-        <translation>↺ 90°</translation>
-    </message>
-    <message>
-        <source>Turn left by 90°</source>
-        <translation>Um 90° nach links drehen</translation>
-    </message>
-    <message>
-        <source>↻ 90°</source>
-        <translation>↻ 90°</translation>
-    </message>
-    <message>
-        <source>Turn right by 90°</source>
-        <translation>Um 90° nach rechts drehen</translation>
-    </message>
-    <message>
-        <source>↔</source>
-        <translation>↔</translation>
-    </message>
-    <message>
-        <source>Mirror left to right</source>
-        <translation>Links und rechts spiegeln</translation>
-    </message>
-    <message>
-        <source>↕</source>
-        <translation>↕</translation>
-    </message>
-    <message>
-        <source>Mirror top to bottom</source>
-        <translation>Oben und unten spiegeln</translation>
-    </message>
-    <message>
-        <source>Even out the light</source>
-        <translation>Licht ausgleichen</translation>
-    </message>
-    <message>
         <source>Edits, in order</source>
         <translation>Bearbeitungen, der Reihe nach</translation>
     </message>
@@ -3921,10 +4192,6 @@
     <message>
         <source>Before</source>
         <translation>Vorher</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
     </message>
     <message>
         <source>Take back an edit</source>
@@ -4285,6 +4552,42 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Export “%1”</source>
         <translation>„%1“ exportieren</translation>
     </message>
+    <message>
+        <source>Replace &amp;files that Texloom did not write</source>
+        <translation>&amp;Dateien ersetzen, die nicht von Texloom sind</translation>
+    </message>
+    <message>
+        <source>Written as</source>
+        <translation>Geschrieben als</translation>
+    </message>
+    <message>
+        <source>Raw numbers with JSON</source>
+        <translation>Rohe Zahlen mit JSON</translation>
+    </message>
+    <message>
+        <source>Slices as PNG</source>
+        <translation>Schnitte als PNG</translation>
+    </message>
+    <message>
+        <source>Slices as TIFF</source>
+        <translation>Schnitte als TIFF</translation>
+    </message>
+    <message>
+        <source>Slices as OpenEXR</source>
+        <translation>Schnitte als OpenEXR</translation>
+    </message>
+    <message>
+        <source>%1 voxels are written.</source>
+        <translation>%1 Voxel werden geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 is there, and Texloom did not write it. Choose another name or folder, or allow that it is replaced.</source>
+        <translation>%1 ist schon da und nicht von Texloom. Wählen Sie einen anderen Namen oder Ordner, oder erlauben Sie, dass es ersetzt wird.</translation>
+    </message>
+    <message>
+        <source>replaces a file that is not Texloom&apos;s</source>
+        <translation>ersetzt eine Datei, die nicht von Texloom ist</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::FiguresPanel</name>
@@ -4333,10 +4636,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Stopped. Make another result, or close and open this dock to begin anew.</source>
-        <translation>Angehalten. Erzeugen Sie ein anderes Ergebnis, oder schließen und öffnen Sie diesen Bereich, um neu zu beginnen.</translation>
-    </message>
-    <message>
         <source>Looking at the result…</source>
         <translation>Ergebnis wird betrachtet …</translation>
     </message>
@@ -4380,6 +4679,17 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>How often pixels are used: %1</source>
         <translation>Wie oft Pixel benutzt werden: %1</translation>
     </message>
+    <message>
+        <source>Stopped. Make another result, or close and open this dock to start again.</source>
+        <translation>Angehalten. Erzeugen Sie ein anderes Ergebnis, oder schließen und öffnen Sie diesen Bereich, um neu zu beginnen.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::FramePage</name>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
+        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::GridRun</name>
@@ -4388,12 +4698,16 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Läuft …</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Angehalten.</translation>
-    </message>
-    <message>
         <source>Waiting…</source>
         <translation>Wartet …</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -4476,40 +4790,20 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Nach &amp;oben</translation>
     </message>
     <message>
-        <source>Make the chosen run sooner</source>
-        <translation>Den gewählten Vorgang früher ausführen</translation>
-    </message>
-    <message>
         <source>Move &amp;down</source>
         <translation>Nach &amp;unten</translation>
-    </message>
-    <message>
-        <source>Make the chosen run later</source>
-        <translation>Den gewählten Vorgang später ausführen</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Take the chosen run off the queue</source>
-        <translation>Den gewählten Vorgang aus der Warteschlange nehmen</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Begin no run that waits; the one under way goes on, and Run still works</source>
-        <translation>Keinen wartenden Vorgang beginnen; der laufende geht weiter, und „Ausführen“ wirkt noch</translation>
-    </message>
-    <message>
         <source>C&amp;lear</source>
         <translation>&amp;Leeren</translation>
-    </message>
-    <message>
-        <source>Take everything off the queue that waits or failed</source>
-        <translation>Alles Wartende und Fehlgeschlagene aus der Warteschlange nehmen</translation>
     </message>
     <message>
         <source>Runs that wait or are under way</source>
@@ -4526,10 +4820,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Nothing waits. “Add to queue” puts a run here, to be made after those before it.</source>
-        <translation>Nichts wartet. „In die Warteschlange“ stellt einen Vorgang hierher.</translation>
     </message>
     <message>
         <source>At &amp;most</source>
@@ -4552,8 +4842,40 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Wie viele Threads des Prozessors Vorgänge von jetzt an benutzen dürfen. Weniger lassen den Rechner für anderes frei; die Ergebnisse sind dieselben.</translation>
     </message>
     <message>
-        <source>Double click or Return on the run under way shows it as it goes</source>
+        <source>Move the chosen run forward in the queue</source>
+        <translation>Den gewählten Vorgang früher ausführen</translation>
+    </message>
+    <message>
+        <source>Move the chosen run back in the queue</source>
+        <translation>Den gewählten Vorgang später ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and keep</source>
+        <translation>An&amp;halten und behalten</translation>
+    </message>
+    <message>
+        <source>End the run under way and keep what is there as a result</source>
+        <translation>Den laufenden Vorgang beenden und behalten, was da ist, als Ergebnis</translation>
+    </message>
+    <message>
+        <source>Take the chosen run off the queue; of one under way, nothing is kept</source>
+        <translation>Den gewählten Vorgang aus der Warteschlange nehmen; von einem laufenden bleibt nichts</translation>
+    </message>
+    <message>
+        <source>Start none of the waiting runs; the one under way goes on, and Run still works</source>
+        <translation>Keinen wartenden Vorgang beginnen; der laufende geht weiter, und „Ausführen“ wirkt noch</translation>
+    </message>
+    <message>
+        <source>Take all waiting and failed runs off the queue</source>
+        <translation>Alles Wartende und Fehlgeschlagene aus der Warteschlange nehmen</translation>
+    </message>
+    <message>
+        <source>Double click or Return on the run under way shows its pictures as they are made</source>
         <translation>Doppelklick oder Eingabe auf dem laufenden Vorgang zeigt ihn, wie er wächst</translation>
+    </message>
+    <message>
+        <source>No run is waiting. “Add to queue” puts one here, to be made after those before it.</source>
+        <translation>Nichts wartet. „In die Warteschlange“ stellt einen Vorgang hierher.</translation>
     </message>
 </context>
 <context>
@@ -4678,39 +5000,16 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>%1 wiederholt sich in Reihen (Sicherheit %2); was in ihnen liegt, darf von irgendwo in einer Reihe kommen.</translation>
     </message>
     <message>
-        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if not, methods without a lattice suit it, such as image quilting.</source>
+        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first (Ctrl+D) where it is seen at an angle, or drag the vectors.</source>
+        <translation>Nichts in %1 wiederholt sich, aber Reihen laufen durch alles hindurch (Sicherheit %2): Sie behalten ihre Reihenfolge und beginnen nach %3 px von vorn. Wenn Sie sehen, dass es sich wiederholt, entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist, oder ziehen Sie die Vektoren.</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if not, methods without a lattice suit it, such as image quilting.</source>
         <translation>Nichts in %1 wiederholt sich. Ein Vektor muss etwa zweimal in die Vorlage passen, um gefunden zu werden. Wenn Sie eine Wiederholung sehen, geben Sie die Vektoren an, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn nicht, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
     </message>
     <message>
-        <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
+        <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines, ziehen Sie die Vektoren auf das, was Sie sehen, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn sich nichts wiederholt, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
-    </message>
-    <message>
-        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first (Ctrl+D) where it is seen aslant, or drag the vectors.</source>
-        <translation>Nichts in %1 wiederholt sich, aber Reihen laufen durch alles hindurch (Sicherheit %2): Sie behalten ihre Reihenfolge und beginnen nach %3 px von vorn. Wenn Sie sehen, dass es sich wiederholt, entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist, oder ziehen Sie die Vektoren.</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::LightGroup</name>
-    <message>
-        <source>Even out the light</source>
-        <translation>Licht ausgleichen</translation>
-    </message>
-    <message>
-        <source>Show &amp;before</source>
-        <translation>&amp;Vorher zeigen</translation>
-    </message>
-    <message>
-        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
-        <translation>Nimmt langsame Helligkeitsänderungen aus den Farben, sodass Teile von hellen und dunklen Stellen zusammenpassen.</translation>
-    </message>
-    <message>
-        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
-        <translation>Breite des Fensters, das das Licht findet, als Anteil der kürzeren Seite: größer lässt mehr von den eigenen Tönen der Textur.</translation>
-    </message>
-    <message>
-        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
-        <translation>Wie oft sich das Licht über die Vorlage biegen darf: 1 ist ein einfaches Gefälle.</translation>
     </message>
 </context>
 <context>
@@ -4742,6 +5041,18 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source> GiB</source>
         <translation> GiB</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>%1 in memory, %2 on the disk</source>
+        <translation>%1 im Speicher, %2 auf der Platte</translation>
+    </message>
+    <message>
+        <source>&amp;Show the folder</source>
+        <translation>&amp;Ordner zeigen</translation>
     </message>
 </context>
 <context>
@@ -4953,6 +5264,10 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
+    <message>
+        <source>The recipe was made by Texloom %1; this is %2, so the result may differ.</source>
+        <translation>Das Rezept stammt von Texloom %1; dies ist %2, daher kann das Ergebnis abweichen.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapPage</name>
@@ -5051,6 +5366,33 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&amp;Go on without them</source>
         <translation>&amp;Ohne sie fortfahren</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::NumbersEditor</name>
+    <message>
+        <source>%1, across</source>
+        <translation>%1, waagerecht</translation>
+    </message>
+    <message>
+        <source>%1, down</source>
+        <translation>%1, senkrecht</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Left, top</source>
+        <translation>Links, oben</translation>
+    </message>
+    <message>
+        <source>Width, height</source>
+        <translation>Breite, Höhe</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
     </message>
 </context>
 <context>
@@ -5288,10 +5630,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Datei wählen: %1</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
         <source>Take the result that is shown: %1</source>
         <translation>Das gezeigte Ergebnis nehmen: %1</translation>
     </message>
@@ -5302,6 +5640,26 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Nothing</source>
         <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Models (%1)</source>
+        <translation>Modelle (%1)</translation>
+    </message>
+    <message>
+        <source>Volumes and slices (%1)</source>
+        <translation>Volumen und Schnitte (%1)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Netze (%1)</translation>
+    </message>
+    <message>
+        <source>Use result</source>
+        <translation>Ergebnis verwenden</translation>
     </message>
 </context>
 <context>
@@ -5385,16 +5743,8 @@ Ziehen Sie ein Bild hierher.</translation>
 <context>
     <name>texloom::ui::RecoveryCopy</name>
     <message>
-        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
-    </message>
-    <message>
         <source>Recover a session</source>
         <translation>Sitzung wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
-        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -5407,6 +5757,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&amp;Later</source>
         <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>The session could not be kept for recovery, so a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed properly. The session of %1 can be recovered.</source>
+        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
     </message>
 </context>
 <context>
@@ -5438,10 +5796,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&amp;Pin</source>
         <translation>An&amp;heften</translation>
-    </message>
-    <message>
-        <source>Keep the chosen results: those pinned are never removed by themselves</source>
-        <translation>Die gewählten Ergebnisse behalten: Angeheftete werden nie von selbst entfernt</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -5478,6 +5832,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&amp;Results</source>
         <translation>&amp;Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Keep the chosen results: pinned ones are never removed automatically</source>
+        <translation>Die gewählten Ergebnisse behalten: Angeheftete werden nie von selbst entfernt</translation>
     </message>
 </context>
 <context>
@@ -5524,6 +5882,13 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>shown</source>
         <translation>angezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultInputs</name>
+    <message>
+        <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
+        <translation>Noch gibt es kein Ergebnis, das hier hinein könnte; starten Sie zuerst einen Lauf oder wählen Sie eine Datei.</translation>
     </message>
 </context>
 <context>
@@ -5680,14 +6045,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Dieses Verfahren sagt erst am Ende oder gar nicht, woher Pixel kommen.</translation>
     </message>
     <message>
-        <source>This method makes new pixels and copies none,
-so there is no map of where they came from.
-An estimated one shows what in the exemplar each is most like.</source>
-        <translation>Dieses Verfahren erzeugt neue Pixel und kopiert keine,
-also gibt es keine Karte ihrer Herkunft.
-Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translation>
-    </message>
-    <message>
         <source>Looking at what was copied…</source>
         <translation>Kopiertes wird betrachtet …</translation>
     </message>
@@ -5698,6 +6055,10 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>%1 · estimated</source>
         <translation>%1 · geschätzt</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels and copies none, so there is no map of where they came from. An estimated one shows what in the exemplar each is most like.</source>
+        <translation>Dieses Verfahren erzeugt neue Pixel und kopiert keine, also gibt es keine Karte ihrer Herkunft. Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translation>
     </message>
 </context>
 <context>
@@ -5710,16 +6071,20 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <source>Preparing the pictures</source>
         <translation>Bilder werden vorbereitet</translation>
     </message>
+    <message>
+        <source>The run goes on, but a crash would lose it; make room on the disk. %1</source>
+        <translation>Der Vorgang läuft weiter, ginge aber bei einem Absturz verloren; schaffen Sie Platz auf dem Datenträger. %1</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Wird angehalten …</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::RunDesk</name>
     <message>
         <source>Started: %1</source>
         <translation>Begonnen: %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1: %2</source>
-        <translation>Angehalten bei %1: %2</translation>
     </message>
     <message>
         <source>Failed: %1: %2</source>
@@ -5732,6 +6097,14 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>Note: %1</source>
         <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled at %1: %2</source>
+        <translation>Abgebrochen bei %1: %2</translation>
+    </message>
+    <message>
+        <source>Stopped at %1 and kept, after %2: %3</source>
+        <translation>Angehalten bei %1 und behalten, nach %2: %3</translation>
     </message>
 </context>
 <context>
@@ -5765,20 +6138,32 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1. The picture is as far as it got.</source>
-        <translation>%1. Das Bild ist so weit, wie es kam.</translation>
-    </message>
-    <message>
-        <source>Back to the last result</source>
-        <translation>Zurück zum letzten Ergebnis</translation>
-    </message>
-    <message>
         <source>Finished: %1.</source>
         <translation>Fertig: %1.</translation>
     </message>
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>A slice of the volume that the result has: any plane, at any place.</source>
+        <translation>Ein Schnitt durch das Volumen, das zum Ergebnis gehört: jede Ebene, an jeder Stelle.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet that could be kept; the run ends as soon as there is one.</source>
+        <translation>Noch gibt es kein Bild, das behalten werden könnte; der Vorgang endet, sobald eines da ist.</translation>
+    </message>
+    <message>
+        <source>Cancel it now</source>
+        <translation>Jetzt abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled at %1, and nothing of it kept: %2.</source>
+        <translation>Abgebrochen bei %1, nichts davon behalten: %2.</translation>
     </message>
 </context>
 <context>
@@ -5818,6 +6203,33 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>%1, %2 left</source>
         <translation>%1, noch %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunRecovery</name>
+    <message>
+        <source>A run was broken off at %1: %2.</source>
+        <translation>Ein Vorgang brach bei %1 ab: %2.</translation>
+    </message>
+    <message>
+        <source>Go on with a run</source>
+        <translation>Vorgang fortsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on from %1</source>
+        <translation>Ab %1 &amp;fortsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Restore settings</source>
+        <translation>&amp;Einstellungen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
     </message>
 </context>
 <context>
@@ -5927,12 +6339,12 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
         <translation>&amp;Neue Tasten</translation>
     </message>
     <message>
-        <source>These keys belong to the place they work in and stay as they are.</source>
-        <translation>Diese Tasten gehören zu dem Ort, an dem sie wirken, und bleiben, wie sie sind.</translation>
-    </message>
-    <message>
         <source>%1 is taken by “%2”; give that other keys first.</source>
         <translation>%1 ist schon für „%2“ vergeben; geben Sie dem zuerst andere Tasten.</translation>
+    </message>
+    <message>
+        <source>These keys work only in the place that is named, and cannot be changed.</source>
+        <translation>Diese Tasten gehören zu dem Ort, an dem sie wirken, und bleiben, wie sie sind.</translation>
     </message>
 </context>
 <context>
@@ -6198,6 +6610,17 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     </message>
 </context>
 <context>
+    <name>texloom::ui::ToolForm</name>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>&amp;Vorher zeigen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::Tries</name>
     <message>
         <source>Try &amp;all methods</source>
@@ -6355,6 +6778,10 @@ Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translati
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>stopped at %1</source>
+        <translation>angehalten bei %1</translation>
     </message>
 </context>
 </TS>

@@ -1318,16 +1318,8 @@
         <translation>Une sortie de {} × {} px ne peut se raccorder avec un carreau de {} × {} px ; donnez-lui au moins cette taille.</translation>
     </message>
     <message>
-        <source>An output of {} × {} px would need {} of memory, more than the {} that are free; choose a smaller size.</source>
-        <translation>Une sortie de {} × {} px demanderait {} de mémoire, plus que les {} disponibles ; choisissez une taille plus petite.</translation>
-    </message>
-    <message>
         <source>At the coarsest of {} scales {} is {} × {} px, smaller than the patch of {} px; choose fewer scales or a smaller patch.</source>
         <translation>À la plus grossière des {} échelles, {} fait {} × {} px, moins que le patch de {} px ; choisissez moins d’échelles ou un patch plus petit.</translation>
-    </message>
-    <message>
-        <source>Blending takes {}, of which only {} are free; use smaller images.</source>
-        <translation>Le raccord demande {}, dont seuls {} sont libres ; prenez des images plus petites.</translation>
     </message>
     <message>
         <source>Corner {} of the rectification lies at {:.1f}, {:.1f}, outside the image of {} × {} px.</source>
@@ -1416,10 +1408,6 @@
     <message>
         <source>The output cannot be {} × {} px: its sides go from 1 to {} px.</source>
         <translation>La sortie ne peut faire {} × {} px : ses côtés vont de 1 à {} px.</translation>
-    </message>
-    <message>
-        <source>The painted mask could not be kept in {}; check that there is room.</source>
-        <translation>Le masque peint n’a pu être gardé dans {} ; vérifiez qu’il y a de la place.</translation>
     </message>
     <message>
         <source>The pasted picture could not be kept in {}; check that there is room.</source>
@@ -1742,10 +1730,6 @@
         <translation>Le modèle de type {} n’a pas de tableau {} ; il vient d’une autre version.</translation>
     </message>
     <message>
-        <source>The model was made by {}; one made by {} is needed.</source>
-        <translation>Le modèle vient de {} ; il en faut un de {}.</translation>
-    </message>
-    <message>
         <source>The model&apos;s array {} has {} values and a shape of {}.</source>
         <translation>Le tableau {} du modèle a {} valeurs et la forme {}.</translation>
     </message>
@@ -2038,14 +2022,6 @@
         <translation>&quot;&quot;, &quot;x&quot;, &quot;y&quot; ou &quot;xy&quot;</translation>
     </message>
     <message>
-        <source>&quot;horizontal&quot; or &quot;vertical&quot;</source>
-        <translation>&quot;horizontal&quot; ou &quot;vertical&quot;</translation>
-    </message>
-    <message>
-        <source>&quot;smooth&quot; or &quot;polynomial&quot;</source>
-        <translation>&quot;smooth&quot; ou &quot;polynomial&quot;</translation>
-    </message>
-    <message>
         <source>--shard {}: write it as I/N with I from 1 to N, as 3/8.</source>
         <translation>--shard {} : à écrire I/N, avec I de 1 à N, par exemple 3/8.</translation>
     </message>
@@ -2064,10 +2040,6 @@
     <message>
         <source>An image of the result&apos;s size that the method begins with.</source>
         <translation>Une image de la taille du résultat, d’où part la méthode.</translation>
-    </message>
-    <message>
-        <source>An output of {} × {} px is made in strips of {} rows, without position or companion maps; choose a region or a smaller size to get those.</source>
-        <translation>Une sortie de {} × {} px se fait par bandes de {} lignes, sans cartes de position ni cartes associées ; pour celles-ci, choisissez une partie ou une taille plus petite.</translation>
     </message>
     <message>
         <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
@@ -2298,10 +2270,6 @@
         <translation>Parcimonie</translation>
     </message>
     <message>
-        <source>The angle in degrees</source>
-        <translation>L’angle en degrés</translation>
-    </message>
-    <message>
         <source>The checkpoint is of a run with other settings or exemplars; begin the run anew.</source>
         <translation>Le point de reprise vient d’un calcul avec d’autres réglages ou échantillons ; recommencez le calcul.</translation>
     </message>
@@ -2318,10 +2286,6 @@
         <translation>Le pixel de l’échantillon dont chaque pixel du résultat a été copié.</translation>
     </message>
     <message>
-        <source>The flattening&apos;s strength</source>
-        <translation>La force de l’égalisation</translation>
-    </message>
-    <message>
         <source>The four corners of the rectification must go clockwise from the top left around an area without a dent.</source>
         <translation>Les quatre coins du redressement doivent entourer dans le sens horaire, depuis le haut à gauche, une surface sans creux.</translation>
     </message>
@@ -2336,10 +2300,6 @@
     <message>
         <source>The input {} of {} takes {}.</source>
         <translation>L’entrée {} de {} prend : {}.</translation>
-    </message>
-    <message>
-        <source>The input {} takes {}; no file of that kind can be read yet.</source>
-        <translation>L’entrée {} prend : {} ; un tel fichier ne peut pas encore être lu.</translation>
     </message>
     <message>
         <source>The lattice&apos;s tile of {:.0f} × {:.0f} px is larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
@@ -2374,10 +2334,6 @@
         <translation>L’image pour « {} » fait {} × {} px, mais {} fait {} × {} px ; elle doit avoir cette taille.</translation>
     </message>
     <message>
-        <source>The polynomial&apos;s order</source>
-        <translation>Le degré du polynôme</translation>
-    </message>
-    <message>
         <source>The rows, {:.0f} px apart, are larger than the blocks of {} px, so new ones are pieced together from parts of several. {}</source>
         <translation>Les rangées, distantes de {} px, dépassent les blocs de {} px : les nouvelles sont faites de morceaux de plusieurs. {}</translation>
     </message>
@@ -2388,10 +2344,6 @@
     <message>
         <source>The texture that was made.</source>
         <translation>La texture obtenue.</translation>
-    </message>
-    <message>
-        <source>The window&apos;s width</source>
-        <translation>La largeur de la fenêtre</translation>
     </message>
     <message>
         <source>The work ended for an unknown reason; try again.</source>
@@ -2562,10 +2514,6 @@
         <translation>activé ou désactivé</translation>
     </message>
     <message>
-        <source>one of crop, rotate, flip, rectify and flatten</source>
-        <translation>l’un de crop, rotate, flip, rectify et flatten</translation>
-    </message>
-    <message>
         <source>one of {}</source>
         <translation>l’un de {}</translation>
     </message>
@@ -2602,10 +2550,6 @@
         <translation>{} (d’autres)</translation>
     </message>
     <message>
-        <source>{} = {}: it goes from {} to {}.</source>
-        <translation>{} = {} : va de {} à {}.</translation>
-    </message>
-    <message>
         <source>{} = {}: {} goes from {}.</source>
         <translation>{} = {} : {} va de {}.</translation>
     </message>
@@ -2640,10 +2584,6 @@
     <message>
         <source>{} copies no pixels, so it has no position map.</source>
         <translation>{} ne copie pas de pixels et n’a donc pas de carte de position.</translation>
-    </message>
-    <message>
-        <source>{} has appeared meanwhile; export again to see what would be replaced.</source>
-        <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
     </message>
     <message>
         <source>{} has no input {}.</source>
@@ -2692,10 +2632,6 @@
     <message>
         <source>{} is not part of this build. {}</source>
         <translation>{} ne fait pas partie de cette version. {}</translation>
-    </message>
-    <message>
-        <source>{} is what the result is made from and would be overwritten; name another file.</source>
-        <translation>{} sert à faire le résultat et serait perdu ; indiquez un autre fichier.</translation>
     </message>
     <message>
         <source>{} names an exemplar of {} × {} px; sides go from 1 to {} px.</source>
@@ -2837,6 +2773,522 @@
         <source>{} has no picture that corresponds to the target, but another exemplar has; give one for each or for none.</source>
         <translation>{} n’a pas d’image qui corresponde à la cible, mais un autre exemplaire en a une ; donnez-en une à chacun ou à aucun.</translation>
     </message>
+    <message>
+        <source>An edit is empty; write it as tool=value, with one of {}.</source>
+        <translation>Une modification est vide ; écrivez-la sous la forme outil=valeur, avec l’un de {}.</translation>
+    </message>
+    <message>
+        <source>An edit names no tool; those that edit are {}.</source>
+        <translation>Une modification ne nomme aucun outil ; ceux qui modifient sont {}.</translation>
+    </message>
+    <message>
+        <source>An edit with {} names no tool that is known here; those that edit are {}.</source>
+        <translation>Une modification avec {} ne nomme aucun outil connu ici ; ceux qui modifient sont {}.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px is made in strips of {} rows, without position maps, companion maps or anything else beside it; choose a region or a smaller size to get those.</source>
+        <translation>Une sortie de {} × {} px est faite par bandes de {} lignes, sans cartes de positions, cartes associées ni rien d'autre à côté ; choisissez une région ou une taille plus petite pour les obtenir.</translation>
+    </message>
+    <message>
+        <source>An output of {} × {} px would need {} of memory, more than {}; choose a smaller size.</source>
+        <translation>Une sortie de {} × {} px demanderait {} de mémoire, plus que {} ; choisissez une taille plus petite.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>As the file&apos;s tags say</source>
+        <translation>Comme le disent les balises du fichier</translation>
+    </message>
+    <message>
+        <source>As they are (RGB)</source>
+        <translation>Telles quelles (RVB)</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Bande</translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation>En bas à gauche</translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation>En bas à droite</translation>
+    </message>
+    <message>
+        <source>Circular</source>
+        <translation>Circulaire</translation>
+    </message>
+    <message>
+        <source>Clockwise, in degrees.</source>
+        <translation>Dans le sens horaire, en degrés.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Coins</translation>
+    </message>
+    <message>
+        <source>Cosine axes (DCT)</source>
+        <translation>Axes cosinus (DCT)</translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation>Recadrer</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Cuts where the images differ least.</source>
+        <translation>Coupe là où les images diffèrent le moins.</translation>
+    </message>
+    <message>
+        <source>Deforms both images until they agree; draws lines from the middle to the border.</source>
+        <translation>Déforme les deux images jusqu’à ce qu’elles concordent ; trace des lignes du milieu au bord.</translation>
+    </message>
+    <message>
+        <source>Deforms both images until they agree; fades out evenly.</source>
+        <translation>Déforme les deux images jusqu’à ce qu’elles concordent ; s’estompe régulièrement.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Fading</source>
+        <translation>Atténuation</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontale</translation>
+    </message>
+    <message>
+        <source>How far from the curve, on either side, pixels may change: up to half the images&apos; shorter side.</source>
+        <translation>Jusqu’où, de part et d’autre de la courbe, les pixels peuvent changer : au plus la moitié du petit côté des images.</translation>
+    </message>
+    <message>
+        <source>How midway blending fades out towards the border of the band.</source>
+        <translation>Comment le fondu midway s’atténue vers le bord de la bande.</translation>
+    </message>
+    <message>
+        <source>How much of the unevenness is taken out; 1 is all.</source>
+        <translation>Quelle part de l’inégalité est retirée ; 1 : tout.</translation>
+    </message>
+    <message>
+        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
+        <translation>Combien de fois la lumière peut se courber sur l’échantillon : 1 est une simple pente.</translation>
+    </message>
+    <message>
+        <source>How the images meet.</source>
+        <translation>Comment les images se rejoignent.</translation>
+    </message>
+    <message>
+        <source>Joins the gradients of both images.</source>
+        <translation>Joint les gradients des deux images.</translation>
+    </message>
+    <message>
+        <source>Joins two images along a curve, so that the seam does not show.</source>
+        <translation>Joint deux images le long d’une courbe sans que la couture se voie.</translation>
+    </message>
+    <message>
+        <source>Keeps a rectangle of the exemplar.</source>
+        <translation>Garde un rectangle de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Leaves the images as they are, to compare with.</source>
+        <translation>Laisse les images telles quelles, pour comparer.</translation>
+    </message>
+    <message>
+        <source>Left and upper edge, width and height, in the exemplar as the edits before it left it.</source>
+        <translation>Bord gauche et bord supérieur, largeur et hauteur, dans l’échantillon après les modifications précédentes.</translation>
+    </message>
+    <message>
+        <source>Left to right</source>
+        <translation>De gauche à droite</translation>
+    </message>
+    <message>
+        <source>Makes a rectangle of a surface that was photographed at a slant.</source>
+        <translation>Fait un rectangle d’une surface photographiée de biais.</translation>
+    </message>
+    <message>
+        <source>Midway, linear</source>
+        <translation>Midway, linéaire</translation>
+    </message>
+    <message>
+        <source>Midway, progressive</source>
+        <translation>Midway, progressif</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Mirror left to right</source>
+        <translation>Retourner gauche-droite</translation>
+    </message>
+    <message>
+        <source>Mirror top to bottom</source>
+        <translation>Retourner haut-bas</translation>
+    </message>
+    <message>
+        <source>Not blended</source>
+        <translation>Sans fondu</translation>
+    </message>
+    <message>
+        <source>Of the rectangle; if not given, as long as the longer of opposite sides.</source>
+        <translation>Du rectangle ; sans indication, aussi long que le plus grand des côtés opposés.</translation>
+    </message>
+    <message>
+        <source>Poisson editing</source>
+        <translation>Édition de Poisson</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Principal axes (PCA)</source>
+        <translation>Axes principaux (ACP)</translation>
+    </message>
+    <message>
+        <source>Put the corners on four that are a rectangle in reality.</source>
+        <translation>Placez les coins sur quatre points qui forment un rectangle en réalité.</translation>
+    </message>
+    <message>
+        <source>Rectify</source>
+        <translation>Redresser</translation>
+    </message>
+    <message>
+        <source>Swaps left and right, or top and bottom.</source>
+        <translation>Échange la gauche et la droite, ou le haut et le bas.</translation>
+    </message>
+    <message>
+        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
+        <translation>Ôte les lentes variations de luminosité des couleurs, pour que les parties claires et sombres s’accordent.</translation>
+    </message>
+    <message>
+        <source>The colour axes that midway blending treats one by one.</source>
+        <translation>Les axes de couleur que le fondu midway traite un à un.</translation>
+    </message>
+    <message>
+        <source>The edit &quot;{}&quot; says {} twice.</source>
+        <translation>La modification « {} » indique {} deux fois.</translation>
+    </message>
+    <message>
+        <source>The first image lies above, left of or outside the curve; circles go around the bottom right corner.</source>
+        <translation>La première image est au-dessus, à gauche ou en dehors de la courbe ; les cercles entourent le coin inférieur droit.</translation>
+    </message>
+    <message>
+        <source>The folder {} cannot be made; check that there is room.</source>
+        <translation>Le dossier {} ne peut pas être créé ; vérifiez qu’il y a de la place.</translation>
+    </message>
+    <message>
+        <source>The input {} of {} takes a model of its own kind, and was given one of the kind {}.</source>
+        <translation>L'entrée {} de {} prend un modèle de son propre genre et en a reçu un du genre {}.</translation>
+    </message>
+    <message>
+        <source>The input {} of {} was given, and {} makes it, too; leave one of them out.</source>
+        <translation>L'entrée {} de {} a été donnée, et {} la produit aussi ; omettez l'une des deux.</translation>
+    </message>
+    <message>
+        <source>The model is of the kind {}; one of the kind {} is needed.</source>
+        <translation>Le modèle est du genre {} ; il en faut un du genre {}.</translation>
+    </message>
+    <message>
+        <source>The result has no output {}.</source>
+        <translation>Le résultat n'a pas de sortie {}.</translation>
+    </message>
+    <message>
+        <source>The {} says {} twice in one place; only one of them can hold.</source>
+        <translation>{0} : {1} figure deux fois au même endroit ; un seul peut valoir.</translation>
+    </message>
+    <message>
+        <source>The {} would replace {}, which Texloom did not write; name another file, or allow it with --overwrite.</source>
+        <translation>{0} remplacerait {1}, que Texloom n'a pas écrit ; nommez un autre fichier, ou permettez-le avec --overwrite.</translation>
+    </message>
+    <message>
+        <source>The {} {} and the {} {} are the same file; name another one.</source>
+        <translation>{0} {1} et {2} {3} sont le même fichier ; nommez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The {} {} would replace {}, {}, which would be lost; name another file.</source>
+        <translation>{0} {1} remplacerait {2} ({3}), qui serait perdu ; nommez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>There is no tool {}; the tools are {}.</source>
+        <translation>Il n’y a pas d’outil {} ; les outils sont {}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to take up an image: {}.</source>
+        <translation>La mémoire ne suffit pas pour recevoir une image : {}.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the kind {}; there are {}.</source>
+        <translation>Il n'y a rien du genre {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>Top left</source>
+        <translation>En haut à gauche</translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation>En haut à droite</translation>
+    </message>
+    <message>
+        <source>Top to bottom</source>
+        <translation>De haut en bas</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Turn left by 90°</source>
+        <translation>Tourner de 90° à gauche</translation>
+    </message>
+    <message>
+        <source>Turn right by 90°</source>
+        <translation>Tourner de 90° à droite</translation>
+    </message>
+    <message>
+        <source>Turns the exemplar clockwise. Quarter turns move pixels as they are; other angles keep the largest upright rectangle inside.</source>
+        <translation>Tourne l’échantillon dans le sens horaire. Les quarts de tour déplacent les pixels tels quels ; les autres angles gardent le plus grand rectangle droit à l’intérieur.</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Verticale</translation>
+    </message>
+    <message>
+        <source>What the light is taken to be: what a wide window sees, or a low polynomial.</source>
+        <translation>Ce que l’on prend pour la lumière : ce que voit une large fenêtre, ou un polynôme de bas degré.</translation>
+    </message>
+    <message>
+        <source>Where the curve lies, from 0 (top, left, the whole circle) to 1.</source>
+        <translation>Où se trouve la courbe, de 0 (haut, gauche, cercle entier) à 1.</translation>
+    </message>
+    <message>
+        <source>Which sides change places.</source>
+        <translation>Quels côtés échangent leurs places.</translation>
+    </message>
+    <message>
+        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
+        <translation>Largeur de la fenêtre qui trouve la lumière, en parts du petit côté : plus laisse davantage des nuances propres à la texture.</translation>
+    </message>
+    <message>
+        <source>a profile</source>
+        <translation>un profil</translation>
+    </message>
+    <message>
+        <source>a source of the result</source>
+        <translation>une source du résultat</translation>
+    </message>
+    <message>
+        <source>bytes in hexadecimal</source>
+        <translation>des octets en hexadécimal</translation>
+    </message>
+    <message>
+        <source>bytes in hexadecimal, two digits each</source>
+        <translation>des octets en hexadécimal, deux chiffres pour chacun</translation>
+    </message>
+    <message>
+        <source>gamma {:.3g}</source>
+        <translation>gamma {:.3g}</translation>
+    </message>
+    <message>
+        <source>gamma {:.3g} and primaries of its own</source>
+        <translation>gamma {:.3g} et primaires propres</translation>
+    </message>
+    <message>
+        <source>primaries of its own</source>
+        <translation>primaires propres</translation>
+    </message>
+    <message>
+        <source>repeats after {} voxels, {} channels</source>
+        <translation>se répète après {} voxels, {} canaux</translation>
+    </message>
+    <message>
+        <source>the codes {}-{}-{}-{} of cICP</source>
+        <translation>les codes {}-{}-{}-{} de cICP</translation>
+    </message>
+    <message>
+        <source>the name of a file, in which there is no zero byte</source>
+        <translation>le nom d'un fichier, sans octet nul</translation>
+    </message>
+    <message>
+        <source>the profile “{}”</source>
+        <translation>le profil « {} »</translation>
+    </message>
+    <message>
+        <source>the {} that are free</source>
+        <translation>les {} qui sont libres</translation>
+    </message>
+    <message>
+        <source>the {} that it may take</source>
+        <translation>les {} qui sont permis</translation>
+    </message>
+    <message>
+        <source>the {} that the limit of {} leaves</source>
+        <translation>les {} que laisse la limite de {}</translation>
+    </message>
+    <message>
+        <source>width,height, each {} to {} px</source>
+        <translation>largeur,hauteur, de {} à {} px chacune</translation>
+    </message>
+    <message>
+        <source>without end, {} channels</source>
+        <translation>sans fin, {} canaux</translation>
+    </message>
+    <message>
+        <source>x,y,width,height in whole px</source>
+        <translation>x,y,largeur,hauteur en px entiers</translation>
+    </message>
+    <message>
+        <source>{} = {}: this is no number in decimal digits, without spaces; {}: {}.</source>
+        <translation>{} = {} : ce n'est pas un nombre en chiffres décimaux, sans espaces ; {} : {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: this is not a whole number; {}: {}.</source>
+        <translation>{} = {} : ce n'est pas un nombre entier ; {} : {}.</translation>
+    </message>
+    <message>
+        <source>{} = {}: this number is too large, or too near 0, to be held; {}: {}.</source>
+        <translation>{} = {} : ce nombre est trop grand, ou trop près de 0, pour être représenté ; {} : {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it anew with another program.</source>
+        <translation>{} ne peut pas être lu : son décodeur s'est arrêté net ; le fichier est abîmé, ou d'une sorte qu'il ne connaît pas. Enregistrez-le de nouveau avec un autre programme.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: it is no ordinary file.</source>
+        <translation>{} ne peut pas être écrit : ce n'est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>{} carries {}, which Texloom cannot convert; its colours are taken as {}.</source>
+        <translation>{} porte {}, que Texloom ne sait pas convertir ; ses couleurs sont prises pour {}.</translation>
+    </message>
+    <message>
+        <source>{} gives no output {}; it gives nothing beside its picture and map.</source>
+        <translation>{} n'a pas de sortie {} ; en dehors de l'image et de la carte, il n'y a rien.</translation>
+    </message>
+    <message>
+        <source>{} gives no output {}; there are {}.</source>
+        <translation>{} n'a pas de sortie {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>{} has no layer {}; all that it holds is one picture.</source>
+        <translation>{} n'a pas de calque {} ; le fichier ne contient qu'une image.</translation>
+    </message>
+    <message>
+        <source>{} has no layer {}; there is {}.</source>
+        <translation>{} n'a pas de calque {} ; il y a {}.</translation>
+    </message>
+    <message>
+        <source>{} has several parts: {}. Only {} is used; another can be chosen instead.</source>
+        <translation>{} a plusieurs parties : {}. Seule {} est utilisée ; on peut en choisir une autre.</translation>
+    </message>
+    <message>
+        <source>{} has the layers {}; all its channels are used. One layer can be chosen instead.</source>
+        <translation>{} a les calques {} ; tous ses canaux sont utilisés. On peut choisir un seul calque.</translation>
+    </message>
+    <message>
+        <source>{} holds stray bytes, which were skipped.</source>
+        <translation>{} contient des octets égarés, qui ont été sautés.</translation>
+    </message>
+    <message>
+        <source>{} holds whole numbers of 32 bits from {:.0f} to {:.0f}, which are taken as 0 to 1.</source>
+        <translation>{} contient des entiers de 32 bits de {:.0f} à {:.0f}, pris pour 0 à 1.</translation>
+    </message>
+    <message>
+        <source>{} holds {} × {} px from ({}, {}) on, but is meant to show {} × {} px from ({}, {}) on; all that it holds is used.</source>
+        <translation>{} contient {} × {} px à partir de ({}, {}), mais doit montrer {} × {} px à partir de ({}, {}) ; tout ce qu'il contient est utilisé.</translation>
+    </message>
+    <message>
+        <source>{} in the edit &quot;{}&quot;: write it as name=value.</source>
+        <translation>{} dans la modification « {} » : écrivez nom=valeur.</translation>
+    </message>
+    <message>
+        <source>{} is a model of the kind {}; the input {} takes one of its own kind.</source>
+        <translation>{} est un modèle du genre {} ; l'entrée {} n'en prend que du sien.</translation>
+    </message>
+    <message>
+        <source>{} is compressed with loss ({}), which moves the places that a map addresses; save it with zip, piz or none.</source>
+        <translation>{} est compressé avec perte ({}), ce qui déplace les points visés par une carte ; enregistrez-le avec zip, piz ou none.</translation>
+    </message>
+    <message>
+        <source>{} is in colours of its own ({}), which were converted.</source>
+        <translation>{} est en couleurs propres ({}), qui ont été converties.</translation>
+    </message>
+    <message>
+        <source>{} is no tool that edits an exemplar; those are {}.</source>
+        <translation>{} n’est pas un outil qui modifie un échantillon ; ce sont {}.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px with {} channels and takes {} of memory to read, more than {}; scale it down or cut it to size first.</source>
+        <translation>{} fait {} × {} px avec {} canaux et demande {} de mémoire pour être lu, plus que {} ; réduisez-le ou recadrez-le d'abord.</translation>
+    </message>
+    <message>
+        <source>{} numbers, {}</source>
+        <translation>{} nombres, {}</translation>
+    </message>
+    <message>
+        <source>{} points as x,y,x,y,… in px</source>
+        <translation>{} points sous la forme x,y,x,y,… en px</translation>
+    </message>
+    <message>
+        <source>{} takes more memory to decode than there is.</source>
+        <translation>{} demande pour être décodé plus de mémoire qu'il n'y en a.</translation>
+    </message>
+    <message>
+        <source>{} takes too long to decode; save it anew with another program.</source>
+        <translation>{} est trop long à décoder ; enregistrez-le de nouveau avec un autre programme.</translation>
+    </message>
+    <message>
+        <source>{} triangles</source>
+        <translation>{} triangles</translation>
+    </message>
+    <message>
+        <source>{} voxels, {} channels</source>
+        <translation>{} voxels, {} canaux</translation>
+    </message>
+    <message>
+        <source>{} was not there before; export again to see what would be replaced.</source>
+        <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
+    </message>
+    <message>
+        <source>{} would take {} of memory, of which {} are free; use smaller images.</source>
+        <translation>{} prendrait {} de mémoire, dont {} sont libres ; utilisez des images plus petites.</translation>
+    </message>
+    <message>
+        <source>{} × {} px, {} channels</source>
+        <translation>{} × {} px, {} canaux</translation>
+    </message>
+    <message>
+        <source>{}, {}</source>
+        <translation>{}, {}</translation>
+    </message>
+    <message>
+        <source>{}: meshes are written as .ply.</source>
+        <translation>{} : les maillages s'écrivent en .ply.</translation>
+    </message>
+    <message>
+        <source>{}: {} is written as {}; give the file that extension.</source>
+        <translation>{} : {} s'écrit en {} ; donnez cette extension au fichier.</translation>
+    </message>
+    <message>
+        <source>↺ 90°</source>
+        <translation>↺ 90°</translation>
+    </message>
+    <message>
+        <source>↻ 90°</source>
+        <translation>↻ 90°</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -2893,6 +3345,42 @@
     <message>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activé</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 en %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>at %1 of the work</source>
+        <translation>à %1 du travail</translation>
+    </message>
+    <message>
+        <source>It cannot go on, since these files changed after it began: %1.</source>
+        <translation>Il ne peut pas continuer, car ces fichiers ont changé depuis son début : %1.</translation>
     </message>
 </context>
 <context>
@@ -2984,14 +3472,6 @@
     <message>
         <source>Make a small preview with the same settings</source>
         <translation>Produire un petit aperçu avec les mêmes réglages</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>Stop the run under way and keep what is there; those that wait go on</source>
-        <translation>Arrêter le calcul en cours et garder ce qui est là ; ceux qui attendent continuent</translation>
     </message>
     <message>
         <source>&amp;New seed and run</source>
@@ -3105,29 +3585,29 @@
         <source>Make a texture of the texture of the texture, to see what the method loses</source>
         <translation>Faire une texture de la texture de la texture, pour voir ce que la méthode perd</translation>
     </message>
+    <message>
+        <source>&amp;Stop and keep</source>
+        <translation>&amp;Arrêter et garder</translation>
+    </message>
+    <message>
+        <source>End the run under way and keep what is there as a result; those that wait go on</source>
+        <translation>Terminer le calcul en cours et garder ce qui est là comme résultat ; ceux qui attendent continuent</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel run</source>
+        <translation>Ann&amp;uler le calcul</translation>
+    </message>
+    <message>
+        <source>End the run under way and keep nothing of it; those that wait go on</source>
+        <translation>Terminer le calcul en cours sans rien en garder ; ceux qui attendent continuent</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::BlendWindow</name>
-    <message>
-        <source>Minimum-error cut</source>
-        <translation>Coupe d’erreur minimale</translation>
-    </message>
-    <message>
-        <source>Poisson editing</source>
-        <translation>Édition de Poisson</translation>
-    </message>
-    <message>
-        <source>Midway, linear</source>
-        <translation>Midway, linéaire</translation>
-    </message>
-    <message>
-        <source>Midway, progressive</source>
-        <translation>Midway, progressif</translation>
-    </message>
-    <message>
-        <source>Not blended</source>
-        <translation>Sans fondu</translation>
-    </message>
     <message>
         <source>Show the cur&amp;ve and its band</source>
         <translation>Montrer la cour&amp;be et sa bande</translation>
@@ -3153,62 +3633,6 @@
         <translation>&amp;Seconde</translation>
     </message>
     <message>
-        <source>Horizontal</source>
-        <translation>Horizontale</translation>
-    </message>
-    <message>
-        <source>Vertical</source>
-        <translation>Verticale</translation>
-    </message>
-    <message>
-        <source>Circular</source>
-        <translation>Circulaire</translation>
-    </message>
-    <message>
-        <source>The first image lies above, left of or outside the curve; circles go around the bottom right corner.</source>
-        <translation>La première image est au-dessus, à gauche ou en dehors de la courbe ; les cercles entourent le coin inférieur droit.</translation>
-    </message>
-    <message>
-        <source>&amp;Curve</source>
-        <translation>&amp;Courbe</translation>
-    </message>
-    <message>
-        <source>&amp;Position</source>
-        <translation>&amp;Position</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>How far from the curve, on either side, pixels may change: up to half the images&apos; shorter side.</source>
-        <translation>À quelle distance de la courbe, de part et d’autre, les pixels peuvent changer : jusqu’à la moitié du petit côté des images.</translation>
-    </message>
-    <message>
-        <source>&amp;Band</source>
-        <translation>&amp;Bande</translation>
-    </message>
-    <message>
-        <source>As they are (RGB)</source>
-        <translation>Telles quelles (RVB)</translation>
-    </message>
-    <message>
-        <source>Cosine axes (DCT)</source>
-        <translation>Axes cosinus (DCT)</translation>
-    </message>
-    <message>
-        <source>Principal axes (PCA)</source>
-        <translation>Axes principaux (ACP)</translation>
-    </message>
-    <message>
-        <source>The colour axes that midway blending treats one by one.</source>
-        <translation>Les axes de couleur que le fondu midway traite un à un.</translation>
-    </message>
-    <message>
-        <source>Co&amp;lours</source>
-        <translation>Co&amp;uleurs</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Montrer</translation>
     </message>
@@ -3225,18 +3649,6 @@
         <translation>Ouvrir un fichier comme seconde image</translation>
     </message>
     <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Position of the curve</source>
-        <translation>Position de la courbe</translation>
-    </message>
-    <message>
-        <source>Choose two images of one size.</source>
-        <translation>Choisissez deux images de même taille.</translation>
-    </message>
-    <message>
         <source>%1…</source>
         <translation>%1…</translation>
     </message>
@@ -3245,16 +3657,8 @@
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Stopped. The pictures are those of earlier settings; any change begins anew.</source>
-        <translation>Arrêté. Les images sont celles de réglages antérieurs ; tout changement recommence.</translation>
-    </message>
-    <message>
         <source>Open an image</source>
         <translation>Ouvrir une image</translation>
-    </message>
-    <message>
-        <source>Open two images of one size to blend.</source>
-        <translation>Ouvrez deux images de même taille à fondre.</translation>
     </message>
     <message>
         <source>Tick at least one way to show.</source>
@@ -3285,8 +3689,28 @@
         <translation>Lecture de « %1 »…</translation>
     </message>
     <message>
-        <source>Both images are “%1”. Open or choose another one of its size to blend it with.</source>
-        <translation>Les deux images sont « %1 ». Ouvrez ou choisissez-en une autre de même taille pour les fondre.</translation>
+        <source>&amp;Tool</source>
+        <translation>&amp;Outil</translation>
+    </message>
+    <message>
+        <source>Choose two images.</source>
+        <translation>Choisissez deux images.</translation>
+    </message>
+    <message>
+        <source>Stopped. The pictures are those of earlier settings; any change starts again.</source>
+        <translation>Arrêté. Les images sont celles de réglages antérieurs ; tout changement recommence.</translation>
+    </message>
+    <message>
+        <source>Open two images to blend.</source>
+        <translation>Ouvrez deux images à fondre.</translation>
+    </message>
+    <message>
+        <source>Both images are “%1”. Open or choose another one to blend it with.</source>
+        <translation>Les deux images sont « %1 ». Ouvrez ou choisissez-en une autre pour la fondre avec.</translation>
+    </message>
+    <message>
+        <source>“%1” is %2 px, “%3” is %4 px: both are cropped to %5 px from the top left.</source>
+        <translation>« %1 » fait %2 px, « %3 » fait %4 px : les deux sont recadrées à %5 px depuis le coin supérieur gauche.</translation>
     </message>
 </context>
 <context>
@@ -3567,76 +3991,6 @@
     </message>
 </context>
 <context>
-    <name>texloom::ui::CornersPage</name>
-    <message>
-        <source>Top left</source>
-        <translation>En haut à gauche</translation>
-    </message>
-    <message>
-        <source>Top right</source>
-        <translation>En haut à droite</translation>
-    </message>
-    <message>
-        <source>Bottom right</source>
-        <translation>En bas à droite</translation>
-    </message>
-    <message>
-        <source>Bottom left</source>
-        <translation>En bas à gauche</translation>
-    </message>
-    <message>
-        <source>%1 corner, across</source>
-        <translation>Coin %1, horizontalement</translation>
-    </message>
-    <message>
-        <source>%1 corner, down</source>
-        <translation>Coin %1, verticalement</translation>
-    </message>
-    <message>
-        <source>Recti&amp;fy</source>
-        <translation>Red&amp;resser</translation>
-    </message>
-    <message>
-        <source>Put the corners on four that are a rectangle in reality. N takes the next one, the arrow keys move it.</source>
-        <translation>Placez les coins sur quatre qui forment un rectangle en réalité. N prend le suivant, les flèches le déplacent.</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::CropPage</name>
-    <message>
-        <source>Left edge of the crop</source>
-        <translation>Bord gauche du cadre</translation>
-    </message>
-    <message>
-        <source>Upper edge of the crop</source>
-        <translation>Bord supérieur du cadre</translation>
-    </message>
-    <message>
-        <source>Width of the crop</source>
-        <translation>Largeur du cadre</translation>
-    </message>
-    <message>
-        <source>Height of the crop</source>
-        <translation>Hauteur du cadre</translation>
-    </message>
-    <message>
-        <source>Cr&amp;op</source>
-        <translation>Re&amp;cadrer</translation>
-    </message>
-    <message>
-        <source>Left, top</source>
-        <translation>Gauche, haut</translation>
-    </message>
-    <message>
-        <source>Width, height</source>
-        <translation>Largeur, hauteur</translation>
-    </message>
-    <message>
-        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
-        <translation>Glissez les coins ; N prend le suivant, les flèches le déplacent.</translation>
-    </message>
-</context>
-<context>
     <name>texloom::ui::DifferenceDialog</name>
     <message>
         <source>Differences in settings</source>
@@ -3647,7 +4001,7 @@
         <translation>Réglage</translation>
     </message>
     <message>
-        <source>Both were made with the same settings, so that they are the same.</source>
+        <source>Both were made with the same settings, so they are the same.</source>
         <translation>Les deux ont été produits avec les mêmes réglages et sont donc identiques.</translation>
     </message>
 </context>
@@ -3694,10 +4048,6 @@
         <translation>Ouverte, mais sans certains fichiers : %1</translation>
     </message>
     <message>
-        <source>Opened, but these files changed since the session was saved, so that results will differ: %1.</source>
-        <translation>Ouverte, mais ces fichiers ont changé depuis l’enregistrement, et les résultats différeront : %1.</translation>
-    </message>
-    <message>
         <source>Save session</source>
         <translation>Enregistrer la session</translation>
     </message>
@@ -3724,6 +4074,10 @@
     <message>
         <source>The exemplars were edited, and no session holds that yet. Results are kept in any case.</source>
         <translation>Les modèles ont été retouchés et aucune session ne le garde encore. Les résultats sont conservés de toute façon.</translation>
+    </message>
+    <message>
+        <source>Opened, but these files changed since the session was saved, so results will differ: %1.</source>
+        <translation>Ouverte, mais ces fichiers ont changé depuis l’enregistrement, et les résultats différeront : %1.</translation>
     </message>
 </context>
 <context>
@@ -3770,33 +4124,6 @@
     </message>
 </context>
 <context>
-    <name>texloom::ui::EditText</name>
-    <message>
-        <source>Cropped to %1 at %2, %3</source>
-        <translation>Recadré à %1 en %2, %3</translation>
-    </message>
-    <message>
-        <source>Turned by %1°</source>
-        <translation>Tourné de %1°</translation>
-    </message>
-    <message>
-        <source>Mirrored left to right</source>
-        <translation>Retourné gauche-droite</translation>
-    </message>
-    <message>
-        <source>Mirrored top to bottom</source>
-        <translation>Retourné haut-bas</translation>
-    </message>
-    <message>
-        <source>Rectified by four corners</source>
-        <translation>Redressé par quatre coins</translation>
-    </message>
-    <message>
-        <source>Light evened out by %1 %</source>
-        <translation>Lumière égalisée à %1 %</translation>
-    </message>
-</context>
-<context>
     <name>texloom::ui::ExemplarEditor</name>
     <message>
         <source>Exemplar being edited</source>
@@ -3813,22 +4140,6 @@
     <message>
         <source>Zoom and pan</source>
         <translation>Zoomer et déplacer</translation>
-    </message>
-    <message>
-        <source>&amp;Crop</source>
-        <translation>&amp;Recadrer</translation>
-    </message>
-    <message>
-        <source>Keep a rectangle of the exemplar</source>
-        <translation>Garder un rectangle de l’échantillon</translation>
-    </message>
-    <message>
-        <source>Re&amp;ctify</source>
-        <translation>Re&amp;dresser</translation>
-    </message>
-    <message>
-        <source>Make a rectangle of a surface that was photographed at a slant</source>
-        <translation>Faire un rectangle d’une surface photographiée de biais</translation>
     </message>
     <message>
         <source>&amp;Hide</source>
@@ -3863,46 +4174,6 @@
         <translation>Effacer le &amp;masque</translation>
     </message>
     <message>
-        <source>Turn and mirror</source>
-        <translation>Tourner et retourner</translation>
-    </message>
-    <message>
-        <source>↺ 90°</source>
-        <translation>↺ 90°</translation>
-    </message>
-    <message>
-        <source>Turn left by 90°</source>
-        <translation>Tourner de 90° à gauche</translation>
-    </message>
-    <message>
-        <source>↻ 90°</source>
-        <translation>↻ 90°</translation>
-    </message>
-    <message>
-        <source>Turn right by 90°</source>
-        <translation>Tourner de 90° à droite</translation>
-    </message>
-    <message>
-        <source>↔</source>
-        <translation>↔</translation>
-    </message>
-    <message>
-        <source>Mirror left to right</source>
-        <translation>Retourner gauche-droite</translation>
-    </message>
-    <message>
-        <source>↕</source>
-        <translation>↕</translation>
-    </message>
-    <message>
-        <source>Mirror top to bottom</source>
-        <translation>Retourner haut-bas</translation>
-    </message>
-    <message>
-        <source>Even out the light</source>
-        <translation>Égaliser la lumière</translation>
-    </message>
-    <message>
         <source>Edits, in order</source>
         <translation>Retouches, dans l’ordre</translation>
     </message>
@@ -3921,10 +4192,6 @@
     <message>
         <source>Before</source>
         <translation>Avant</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Tourner</translation>
     </message>
     <message>
         <source>Take back an edit</source>
@@ -4285,6 +4552,42 @@ Déposez une image ici.</translation>
         <source>Export “%1”</source>
         <translation>Exporter « %1 »</translation>
     </message>
+    <message>
+        <source>Replace &amp;files that Texloom did not write</source>
+        <translation>Remplacer les &amp;fichiers que Texloom n'a pas écrits</translation>
+    </message>
+    <message>
+        <source>Written as</source>
+        <translation>Écrit en</translation>
+    </message>
+    <message>
+        <source>Raw numbers with JSON</source>
+        <translation>Nombres bruts avec JSON</translation>
+    </message>
+    <message>
+        <source>Slices as PNG</source>
+        <translation>Coupes en PNG</translation>
+    </message>
+    <message>
+        <source>Slices as TIFF</source>
+        <translation>Coupes en TIFF</translation>
+    </message>
+    <message>
+        <source>Slices as OpenEXR</source>
+        <translation>Coupes en OpenEXR</translation>
+    </message>
+    <message>
+        <source>%1 voxels are written.</source>
+        <translation>%1 voxels sont écrits.</translation>
+    </message>
+    <message>
+        <source>%1 is there, and Texloom did not write it. Choose another name or folder, or allow that it is replaced.</source>
+        <translation>%1 existe, et Texloom ne l'a pas écrit. Choisissez un autre nom ou dossier, ou permettez son remplacement.</translation>
+    </message>
+    <message>
+        <source>replaces a file that is not Texloom&apos;s</source>
+        <translation>remplace un fichier qui n'est pas de Texloom</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::FiguresPanel</name>
@@ -4333,10 +4636,6 @@ Déposez une image ici.</translation>
         <translation>Valeur</translation>
     </message>
     <message>
-        <source>Stopped. Make another result, or close and open this dock to begin anew.</source>
-        <translation>Arrêté. Produisez un autre résultat, ou fermez et rouvrez ce volet pour recommencer.</translation>
-    </message>
-    <message>
         <source>Looking at the result…</source>
         <translation>Examen du résultat…</translation>
     </message>
@@ -4380,6 +4679,17 @@ Déposez une image ici.</translation>
         <source>How often pixels are used: %1</source>
         <translation>Fréquence d’emploi des pixels : %1</translation>
     </message>
+    <message>
+        <source>Stopped. Make another result, or close and open this dock to start again.</source>
+        <translation>Arrêté. Produisez un autre résultat, ou fermez et rouvrez ce volet pour recommencer.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::FramePage</name>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
+        <translation>Glissez les coins ; N prend le suivant, les flèches le déplacent.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::GridRun</name>
@@ -4388,12 +4698,16 @@ Déposez une image ici.</translation>
         <translation>En cours…</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Arrêté.</translation>
-    </message>
-    <message>
         <source>Waiting…</source>
         <translation>En attente…</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -4476,40 +4790,20 @@ Déposez une image ici.</translation>
         <translation>&amp;Monter</translation>
     </message>
     <message>
-        <source>Make the chosen run sooner</source>
-        <translation>Faire plus tôt le calcul choisi</translation>
-    </message>
-    <message>
         <source>Move &amp;down</source>
         <translation>&amp;Descendre</translation>
-    </message>
-    <message>
-        <source>Make the chosen run later</source>
-        <translation>Faire plus tard le calcul choisi</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
         <translation>A&amp;nnuler</translation>
     </message>
     <message>
-        <source>Take the chosen run off the queue</source>
-        <translation>Retirer de la file le calcul choisi</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Begin no run that waits; the one under way goes on, and Run still works</source>
-        <translation>Ne commencer aucun calcul en attente ; celui en cours continue, et Lancer marche toujours</translation>
-    </message>
-    <message>
         <source>C&amp;lear</source>
         <translation>&amp;Vider</translation>
-    </message>
-    <message>
-        <source>Take everything off the queue that waits or failed</source>
-        <translation>Retirer de la file tout ce qui attend ou a échoué</translation>
     </message>
     <message>
         <source>Runs that wait or are under way</source>
@@ -4526,10 +4820,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Time</source>
         <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Nothing waits. “Add to queue” puts a run here, to be made after those before it.</source>
-        <translation>Rien n’attend. « Ajouter à la file » met ici un calcul, fait après ceux qui le précèdent.</translation>
     </message>
     <message>
         <source>At &amp;most</source>
@@ -4552,8 +4842,40 @@ Déposez une image ici.</translation>
         <translation>Combien de threads du processeur les calculs peuvent utiliser désormais. Moins laisse l’ordinateur libre pour autre chose ; les résultats sont les mêmes.</translation>
     </message>
     <message>
-        <source>Double click or Return on the run under way shows it as it goes</source>
+        <source>Move the chosen run forward in the queue</source>
+        <translation>Faire plus tôt le calcul choisi</translation>
+    </message>
+    <message>
+        <source>Move the chosen run back in the queue</source>
+        <translation>Faire plus tard le calcul choisi</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and keep</source>
+        <translation>&amp;Arrêter et garder</translation>
+    </message>
+    <message>
+        <source>End the run under way and keep what is there as a result</source>
+        <translation>Terminer le calcul en cours et garder ce qui est là comme résultat</translation>
+    </message>
+    <message>
+        <source>Take the chosen run off the queue; of one under way, nothing is kept</source>
+        <translation>Retirer de la file le calcul choisi ; de celui en cours, rien n’est gardé</translation>
+    </message>
+    <message>
+        <source>Start none of the waiting runs; the one under way goes on, and Run still works</source>
+        <translation>Ne commencer aucun calcul en attente ; celui en cours continue, et Lancer marche toujours</translation>
+    </message>
+    <message>
+        <source>Take all waiting and failed runs off the queue</source>
+        <translation>Retirer de la file tout ce qui attend ou a échoué</translation>
+    </message>
+    <message>
+        <source>Double click or Return on the run under way shows its pictures as they are made</source>
         <translation>Un double-clic ou Entrée sur le calcul en cours le montre tel qu’il avance</translation>
+    </message>
+    <message>
+        <source>No run is waiting. “Add to queue” puts one here, to be made after those before it.</source>
+        <translation>Rien n’attend. « Ajouter à la file » met ici un calcul, fait après ceux qui le précèdent.</translation>
     </message>
 </context>
 <context>
@@ -4678,39 +5000,16 @@ Déposez une image ici.</translation>
         <translation>%1 se répète par rangées (confiance %2) ; ce qu’elles contiennent peut venir de n’importe où dans une rangée.</translation>
     </message>
     <message>
-        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if not, methods without a lattice suit it, such as image quilting.</source>
+        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first (Ctrl+D) where it is seen at an angle, or drag the vectors.</source>
+        <translation>Rien dans %1 ne se répète, mais des rangées la traversent entièrement (confiance %2) : elles gardent leur ordre et recommencent après %3 px. Si vous la voyez se répéter, redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais, ou glissez les vecteurs.</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if not, methods without a lattice suit it, such as image quilting.</source>
         <translation>Rien ne se répète dans %1. Un vecteur doit tenir environ deux fois dans l’échantillon pour être trouvé. Si vous voyez une répétition, donnez les vecteurs, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; sinon, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
     </message>
     <message>
-        <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen aslant; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
+        <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous, glissez les vecteurs sur ce que vous voyez, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
-    </message>
-    <message>
-        <source>Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first (Ctrl+D) where it is seen aslant, or drag the vectors.</source>
-        <translation>Rien dans %1 ne se répète, mais des rangées la traversent entièrement (confiance %2) : elles gardent leur ordre et recommencent après %3 px. Si vous la voyez se répéter, redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais, ou glissez les vecteurs.</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::LightGroup</name>
-    <message>
-        <source>Even out the light</source>
-        <translation>Égaliser la lumière</translation>
-    </message>
-    <message>
-        <source>Show &amp;before</source>
-        <translation>Montrer a&amp;vant</translation>
-    </message>
-    <message>
-        <source>Takes slow changes of brightness out of the colours, so that parts from light and dark places match.</source>
-        <translation>Ôte les lentes variations de luminosité des couleurs, pour que les parties claires et sombres s’accordent.</translation>
-    </message>
-    <message>
-        <source>Width of the window that finds the light, in shares of the shorter side: larger leaves more of the texture&apos;s own shades.</source>
-        <translation>Largeur de la fenêtre qui trouve la lumière, en parts du petit côté : plus laisse davantage des nuances propres à la texture.</translation>
-    </message>
-    <message>
-        <source>How often the light may bend over the exemplar: 1 is a plain slope.</source>
-        <translation>Combien de fois la lumière peut se courber sur l’échantillon : 1 est une simple pente.</translation>
     </message>
 </context>
 <context>
@@ -4742,6 +5041,18 @@ Déposez une image ici.</translation>
     <message>
         <source> GiB</source>
         <translation> Gio</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Actuellement</translation>
+    </message>
+    <message>
+        <source>%1 in memory, %2 on the disk</source>
+        <translation>%1 en mémoire, %2 sur le disque</translation>
+    </message>
+    <message>
+        <source>&amp;Show the folder</source>
+        <translation>&amp;Montrer le dossier</translation>
     </message>
 </context>
 <context>
@@ -4953,6 +5264,10 @@ Déposez une image ici.</translation>
         <source>Undo</source>
         <translation>Annuler</translation>
     </message>
+    <message>
+        <source>The recipe was made by Texloom %1; this is %2, so the result may differ.</source>
+        <translation>La recette a été faite par Texloom %1 ; ceci est %2, le résultat peut donc différer.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapPage</name>
@@ -5051,6 +5366,33 @@ Déposez une image ici.</translation>
     <message>
         <source>&amp;Go on without them</source>
         <translation>Continuer &amp;sans eux</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::NumbersEditor</name>
+    <message>
+        <source>%1, across</source>
+        <translation>%1, horizontal</translation>
+    </message>
+    <message>
+        <source>%1, down</source>
+        <translation>%1, vertical</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Left, top</source>
+        <translation>Gauche, haut</translation>
+    </message>
+    <message>
+        <source>Width, height</source>
+        <translation>Largeur, hauteur</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Point %1</translation>
     </message>
 </context>
 <context>
@@ -5288,10 +5630,6 @@ Déposez une image ici.</translation>
         <translation>Choisir un fichier : %1</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
         <source>Take the result that is shown: %1</source>
         <translation>Prendre le résultat affiché : %1</translation>
     </message>
@@ -5302,6 +5640,26 @@ Déposez une image ici.</translation>
     <message>
         <source>Nothing</source>
         <translation>Rien</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Models (%1)</source>
+        <translation>Modèles (%1)</translation>
+    </message>
+    <message>
+        <source>Volumes and slices (%1)</source>
+        <translation>Volumes et coupes (%1)</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>Maillages (%1)</translation>
+    </message>
+    <message>
+        <source>Use result</source>
+        <translation>Utiliser le résultat</translation>
     </message>
 </context>
 <context>
@@ -5385,16 +5743,8 @@ Déposez une image ici.</translation>
 <context>
     <name>texloom::ui::RecoveryCopy</name>
     <message>
-        <source>The session could not be kept for recovery, so that a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
-    </message>
-    <message>
         <source>Recover a session</source>
         <translation>Récupérer une session</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed in order. The session of %1 can be recovered.</source>
-        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -5407,6 +5757,14 @@ Déposez une image ici.</translation>
     <message>
         <source>&amp;Later</source>
         <translation>Plus &amp;tard</translation>
+    </message>
+    <message>
+        <source>The session could not be kept for recovery, so a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed properly. The session of %1 can be recovered.</source>
+        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
     </message>
 </context>
 <context>
@@ -5438,10 +5796,6 @@ Déposez une image ici.</translation>
     <message>
         <source>&amp;Pin</source>
         <translation>É&amp;pingler</translation>
-    </message>
-    <message>
-        <source>Keep the chosen results: those pinned are never removed by themselves</source>
-        <translation>Garder les résultats choisis : ceux épinglés ne sont jamais retirés d’office</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -5478,6 +5832,10 @@ Déposez une image ici.</translation>
     <message>
         <source>&amp;Results</source>
         <translation>&amp;Résultats</translation>
+    </message>
+    <message>
+        <source>Keep the chosen results: pinned ones are never removed automatically</source>
+        <translation>Garder les résultats choisis : ceux épinglés ne sont jamais retirés d’office</translation>
     </message>
 </context>
 <context>
@@ -5524,6 +5882,13 @@ Déposez une image ici.</translation>
     <message>
         <source>shown</source>
         <translation>affiché</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ResultInputs</name>
+    <message>
+        <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
+        <translation>Il n’y a pas encore de résultat à mettre ici ; lancez d’abord un calcul, ou choisissez un fichier.</translation>
     </message>
 </context>
 <context>
@@ -5680,14 +6045,6 @@ Déposez une image ici.</translation>
         <translation>Cette méthode ne dit d’où viennent les pixels qu’à la fin, ou pas du tout.</translation>
     </message>
     <message>
-        <source>This method makes new pixels and copies none,
-so there is no map of where they came from.
-An estimated one shows what in the exemplar each is most like.</source>
-        <translation>Cette méthode crée des pixels et n’en copie aucun,
-il n’y a donc pas de carte de leur provenance.
-Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon.</translation>
-    </message>
-    <message>
         <source>Looking at what was copied…</source>
         <translation>Examen de ce qui a été copié…</translation>
     </message>
@@ -5698,6 +6055,10 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>%1 · estimated</source>
         <translation>%1 · estimée</translation>
+    </message>
+    <message>
+        <source>This method makes new pixels and copies none, so there is no map of where they came from. An estimated one shows what in the exemplar each is most like.</source>
+        <translation>Cette méthode crée des pixels et n’en copie aucun, il n’y a donc pas de carte de leur provenance. Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon.</translation>
     </message>
 </context>
 <context>
@@ -5710,16 +6071,20 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <source>Preparing the pictures</source>
         <translation>Préparation des images</translation>
     </message>
+    <message>
+        <source>The run goes on, but a crash would lose it; make room on the disk. %1</source>
+        <translation>Le calcul continue, mais serait perdu en cas de plantage ; libérez de la place sur le disque. %1</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Arrêt en cours…</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::RunDesk</name>
     <message>
         <source>Started: %1</source>
         <translation>Commencé : %1</translation>
-    </message>
-    <message>
-        <source>Stopped at %1: %2</source>
-        <translation>Arrêté à %1 : %2</translation>
     </message>
     <message>
         <source>Failed: %1: %2</source>
@@ -5732,6 +6097,14 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>Note: %1</source>
         <translation>Remarque : %1</translation>
+    </message>
+    <message>
+        <source>Cancelled at %1: %2</source>
+        <translation>Annulé à %1 : %2</translation>
+    </message>
+    <message>
+        <source>Stopped at %1 and kept, after %2: %3</source>
+        <translation>Arrêté à %1 et gardé, après %2 : %3</translation>
     </message>
 </context>
 <context>
@@ -5765,20 +6138,32 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <translation>%1 : %2</translation>
     </message>
     <message>
-        <source>%1. The picture is as far as it got.</source>
-        <translation>%1. L’image en est restée là.</translation>
-    </message>
-    <message>
-        <source>Back to the last result</source>
-        <translation>Revenir au dernier résultat</translation>
-    </message>
-    <message>
         <source>Finished: %1.</source>
         <translation>Terminé : %1.</translation>
     </message>
     <message>
         <source>Show</source>
         <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>A slice of the volume that the result has: any plane, at any place.</source>
+        <translation>Une coupe du volume qui accompagne le résultat : tout plan, à tout endroit.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet that could be kept; the run ends as soon as there is one.</source>
+        <translation>Il n’y a pas encore d’image à garder ; le calcul se termine dès qu’il y en a une.</translation>
+    </message>
+    <message>
+        <source>Cancel it now</source>
+        <translation>Annuler maintenant</translation>
+    </message>
+    <message>
+        <source>Cancelled at %1, and nothing of it kept: %2.</source>
+        <translation>Annulé à %1, sans rien en garder : %2.</translation>
     </message>
 </context>
 <context>
@@ -5818,6 +6203,33 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>%1, %2 left</source>
         <translation>%1, reste %2</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunRecovery</name>
+    <message>
+        <source>A run was broken off at %1: %2.</source>
+        <translation>Un calcul s’est interrompu à %1 : %2.</translation>
+    </message>
+    <message>
+        <source>Go on with a run</source>
+        <translation>Continuer un calcul</translation>
+    </message>
+    <message>
+        <source>&amp;Go on from %1</source>
+        <translation>&amp;Continuer à partir de %1</translation>
+    </message>
+    <message>
+        <source>&amp;Restore settings</source>
+        <translation>&amp;Rétablir les réglages</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Abandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>Plus &amp;tard</translation>
     </message>
 </context>
 <context>
@@ -5927,12 +6339,12 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
         <translation>&amp;Nouvelles touches</translation>
     </message>
     <message>
-        <source>These keys belong to the place they work in and stay as they are.</source>
-        <translation>Ces touches appartiennent à l’endroit où elles agissent et restent comme elles sont.</translation>
-    </message>
-    <message>
         <source>%1 is taken by “%2”; give that other keys first.</source>
         <translation>%1 sert déjà à « %2 » ; donnez-lui d’abord d’autres touches.</translation>
+    </message>
+    <message>
+        <source>These keys work only in the place that is named, and cannot be changed.</source>
+        <translation>Ces touches appartiennent à l’endroit où elles agissent et restent comme elles sont.</translation>
     </message>
 </context>
 <context>
@@ -6198,6 +6610,17 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     </message>
 </context>
 <context>
+    <name>texloom::ui::ToolForm</name>
+    <message>
+        <source>Show &amp;before</source>
+        <translation>Montrer a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::Tries</name>
     <message>
         <source>Try &amp;all methods</source>
@@ -6355,6 +6778,10 @@ Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>stopped at %1</source>
+        <translation>arrêté à %1</translation>
     </message>
 </context>
 </TS>

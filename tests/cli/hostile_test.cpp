@@ -37,10 +37,14 @@ protected:
 } // namespace
 
 TEST_F(Hostile, AFileThatClaimsMoreThanMayBeTakenIsRefused) {
-    writeEmptyTiff(m_folder / "claims.tif", 16000, false);
+    writeEmptyTiff(m_folder / "claims.tif", 6000, true);
     refused(synth("claims.tif", {"--memory", "200"}), "more than the");
-    refused(runCli({"analyze", "lattice", "claims.tif", "--memory", "200"}, m_folder.path()),
-            "16000 × 16000");
+    refused(runCli({"analyze", "lattice", "claims.tif", "--memory", "200"}, m_folder.path()), "6000 × 6000");
+}
+
+TEST_F(Hostile, AFileThatHoldsLessThanItClaimsIsRefusedAtOnce) {
+    writeEmptyTiff(m_folder / "claims.tif", 16000, false);
+    refused(synth("claims.tif"), "cut short");
 }
 
 TEST_F(Hostile, AnAnalysisTakesNoMoreThanItMay) {

@@ -71,7 +71,7 @@ TEST_F(Overwrite, NothingThatACallReads) {
     fs::create_symlink("tex.png", m_folder / "soft.png");
     remember();
     for (const char* output : {"tex.png", "hard.png", "soft.png"})
-        refused(synth({"--overwrite"}, output), {output, "tex.png", "lost"});
+        refused(synth({"--overwrite"}, output), {output, "tex.png", "overwritten"});
     refused(synth({"--report", "tex.png", "--overwrite"}), {"report tex.png"});
     refused(synth({"--map", "tex.png", "--overwrite"}), {"position map", "tex.png"});
     refused({"run", "bark.json", "-o", "bark.png", "--overwrite"}, {"bark.json", "the recipe of this run"});

@@ -34,6 +34,8 @@ void ResultInputs::open(const std::string& key) {
 void ResultInputs::withFile(const std::string& key, const std::function<void(const QString& path)>& done) {
     const auto refuse = [this](const QString& why) { Q_EMIT failed(why); };
     const auto write = [this, done, refuse](const std::shared_ptr<const Result>& result) {
+        if (result->synthesis.image.empty())
+            return refuse(tr("This result has no picture; choose another."));
         inBackground(
             this, [result] { return fileFor(*result); }, done, refuse);
     };

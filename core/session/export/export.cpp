@@ -263,8 +263,9 @@ std::vector<Step> companionSteps(const Result& result, const ExportOptions& opti
         const fs::path path = names.next(word, extensionFor(companions[i]));
         const Depth depth = companionDepth(options, word, preset, depthLike(companions[i], path), path);
         const MapRole role = companions[i].role;
-        const ExportEntry entry{path, role == MapRole::Other ? TR("companion map") : mapRoleTitle(role),
-                                false, word, depth};
+        const ExportEntry entry{
+            path, role == MapRole::Other ? Message(TR("companion map")) : Message(mapRoleTitle(role)), false,
+            word, depth};
         used.insert(i);
         steps.push_back(
             {entry, [&result, &options, i, entry] { writeCompanion(result, options, i, entry); }});

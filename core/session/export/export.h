@@ -41,7 +41,7 @@ struct ExportOptions {
 /// One file of an export, before it is written.
 struct ExportEntry {
     std::filesystem::path path;
-    std::string content; ///< "result", "position map (STMap)", "recipe", …
+    Message content; ///< "result", "position map (STMap)", "recipe", …
     bool exists = false;
     std::string word = {};           ///< of companion maps: $map of their name
     std::optional<Depth> depth = {}; ///< of pictures

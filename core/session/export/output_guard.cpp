@@ -60,8 +60,8 @@ void OutputGuard::check(bool overwrite) const {
     for (const Use& use : m_writes) {
         const FileIdentity file = FileIdentity::of(use.path);
         if (const Use* const read = reader(file))
-            failUsage("The {} {} would replace {}, {}, which would be lost; name another file.", use.what,
-                      use.path.string(), read->path.string(), read->what);
+            failUsage("{} would be overwritten by the {} {}: it is {}; name another file.",
+                      read->path.string(), use.what, use.path.string(), read->what);
         if (const auto [other, isNew] = written.try_emplace(file, &use); !isNew)
             failUsage("The {} {} and the {} {} are the same file; name another one.", other->second->what,
                       other->second->path.string(), use.what, use.path.string());

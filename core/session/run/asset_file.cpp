@@ -8,6 +8,8 @@
 #include "core/volume/mesh_file.h"
 #include "core/volume/volume_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -53,6 +55,14 @@ std::uint64_t arrayBytes(const Model& model) {
     return bytes;
 }
 
+/// Small models are told apart by less than byteText() tells.
+std::string smallByteText(std::uint64_t bytes) {
+    constexpr std::uint64_t kKibi = 1024;
+    return bytes < kKibi           ? fmt::format("{} B", bytes)
+           : bytes < kKibi * kKibi ? fmt::format("{} KiB", (bytes + kKibi / 2) / kKibi)
+                                   : byteText(bytes);
+}
+
 struct SizeText {
     Message operator()(const Image& image) const {
         return message("{} × {} px, {} channels", image.width(), image.height(), image.channels());
@@ -61,7 +71,7 @@ struct SizeText {
         return message("{} × {} px", map.width(), map.height());
     }
     Message operator()(const Model& model) const {
-        return message("{} numbers, {}", grouped(numbersOf(model)), byteText(arrayBytes(model)));
+        return message("{} numbers, {}", grouped(numbersOf(model)), smallByteText(arrayBytes(model)));
     }
     Message operator()(const VolumeSource& source) const {
         if (const std::optional<Box> bounds = source.bounds())

@@ -95,8 +95,9 @@ TEST(FillHidden, TakesColoursFromTheVisibleAlone) {
             EXPECT_NEAR(image(x, y, 0), 0.2F, 1e-6F);
             EXPECT_NEAR(image(x, y, 2), 0.1F, 1e-6F);
             EXPECT_NEAR(image(x, y, 1), 0.5F + 0.01F * static_cast<float>(x), 0.1F);
-            if (before(x, y, 3) > 0)
+            if (before(x, y, 3) > 0) {
                 EXPECT_EQ(image(x, y, 1), before(x, y, 1));
+            }
         }
 }
 

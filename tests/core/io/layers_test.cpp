@@ -64,6 +64,7 @@ TEST(Channels, OfOneLayerKeepItsName) {
     const ImageFileInfo info = readImageInfo(folder / "a.exr");
     EXPECT_THAT(info.channelNames, ElementsAre("diffuse.R", "diffuse.G", "diffuse.B"));
     EXPECT_TRUE(info.layers.empty() && info.notes.empty());
+    EXPECT_EQ(readImageInfo(folder / "a.exr", "diffuse").channels, 3);
     writeForeign(folder / "z.exr", numbered(1), {.channelNames = {"Z"}});
     EXPECT_THAT(readImageInfo(folder / "z.exr").channelNames, ElementsAre("Z"));
 }
