@@ -21,9 +21,9 @@ Image Tool::joined(const ImageView& first, const ImageView& second, const Values
     checkJoin(first, second, settings);
     const JoinBy& join = std::get<JoinBy>(m_work);
     const std::uint64_t bytes = join.bytes(first.size(), second.size(), first.channels, settings);
-    if (const std::uint64_t free = availableMemory(); bytes > free)
-        fail("{} would take {} of memory, of which {} are free; use smaller images.", Message(m_info.title),
-             byteText(bytes), byteText(free));
+    if (bytes > availableMemory())
+        fail("{} would need {} of memory, more than {}; use smaller images.", Message(m_info.title),
+             byteText(bytes), availableMemoryText());
     return join.make(first, second, settings, context);
 }
 

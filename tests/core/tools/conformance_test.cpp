@@ -138,8 +138,9 @@ TEST_P(ToolConformance, SaysWhatItIs) {
     for (const Param& param : tool().params()) {
         EXPECT_FALSE(param.title().empty()) << param.name();
         EXPECT_FALSE(param.help().empty()) << param.name();
-        if (param.type() == Param::Type::Integer || param.type() == Param::Type::Real)
+        if (param.type() == Param::Type::Integer || param.type() == Param::Type::Real) {
             EXPECT_TRUE(param.hasRange()) << param.name();
+        }
     }
 }
 
@@ -149,8 +150,9 @@ TEST_P(ToolConformance, AnEditNamesItsToolAndNoOther) {
     EXPECT_EQ(tool().params().front().name(), tool().id());
     for (const Tool& other : tools())
         for (const Param& param : other.params())
-            if (&other != &tool() && edits(other))
+            if (&other != &tool() && edits(other)) {
                 EXPECT_NE(param.name(), tool().id()) << other.id();
+            }
     EXPECT_EQ(&toolOf(sampleOf(tool())), &tool());
     for (const ToolPreset& preset : tool().info().presets)
         EXPECT_EQ(&toolOf(preset.values), &tool()) << preset.help;
@@ -222,8 +224,9 @@ TEST_P(ToolConformance, AMaskHidesWhateverComesOfWhatItHid) {
     const RunExemplar made = edited(source, {sampleOf(tool())});
     for (int y = 0; y < made.image.image->height(); ++y)
         for (int x = 0; x < made.image.image->width(); ++x)
-            if ((*made.mask->image)(x, y, 0) != 0)
+            if ((*made.mask->image)(x, y, 0) != 0) {
                 ASSERT_NEAR((*made.image.image)(x, y, 0), 1, 1e-5) << x << ", " << y;
+            }
 }
 
 TEST_P(ToolConformance, UndoneItIsAsItWas) {
@@ -267,12 +270,13 @@ TEST_P(ToolConformance, AJoinTakesPicturesThatSuitAndRefusesTheOthers) {
     EXPECT_EQ(made.channels(), 3);
     EXPECT_FALSE(samePixels(made, blobs(kSize, 3, 1)));
     EXPECT_THAT([&] { tool().checkJoin(blobs(kSize, 3), blobs(kSize, 1), values); }, usageRefusal("3", "1"));
-    if (tool().joinsSameSize())
+    if (tool().joinsSameSize()) {
         EXPECT_THAT(
             [&] {
                 tool().checkJoin(blobs(kSize, 3), blobs({30, 52}, 3), values);
             },
             usageRefusal("64 × 52", "30 × 52"));
+    }
 }
 
 TEST_P(ToolConformance, AJoinCanBeStopped) {
@@ -319,10 +323,11 @@ TEST_P(ToolConformance, CanBeStopped) {
             throw Stop{};
     };
     Image image = blobs(kSize, 3);
-    if (tool().warps())
+    if (tool().warps()) {
         EXPECT_THROW(resampled(image, warpOf({edit}, kSize), check), Stop);
-    else
+    } else {
         EXPECT_THROW(tool().recolor(image, tool().resolved(edit), nullptr, check), Stop);
+    }
 }
 
 TEST_P(ToolConformance, PresetsCanBeMade) {
@@ -330,8 +335,9 @@ TEST_P(ToolConformance, PresetsCanBeMade) {
         EXPECT_FALSE(preset.title.empty());
         EXPECT_FALSE(preset.help.empty());
         EXPECT_NO_THROW(tool().resolved(preset.values)) << preset.help;
-        if (edits(tool()))
+        if (edits(tool())) {
             EXPECT_FALSE(sizeAfter(preset.values, kSize).empty()) << preset.help;
+        }
     }
 }
 
