@@ -1,6 +1,6 @@
 #include "core/base/error.h"
+#include "core/base/settings.h"
 #include "core/methods/registry.h"
-#include "core/methods/unknown_word.h"
 
 #include <algorithm>
 
