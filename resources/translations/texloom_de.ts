@@ -3018,10 +3018,6 @@
         <translation>{0} {1} und {2} {3} sind dieselbe Datei; nennen Sie eine andere.</translation>
     </message>
     <message>
-        <source>The {} {} would replace {}, {}, which would be lost; name another file.</source>
-        <translation>{0} {1} würde {2} ersetzen ({3}), das damit verloren wäre; nennen Sie eine andere Datei.</translation>
-    </message>
-    <message>
         <source>There is no tool {}; the tools are {}.</source>
         <translation>Es gibt kein Werkzeug {}; die Werkzeuge sind {}.</translation>
     </message>
@@ -3262,10 +3258,6 @@
         <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
     </message>
     <message>
-        <source>{} would take {} of memory, of which {} are free; use smaller images.</source>
-        <translation>{} bräuchte {} Speicher, von dem {} frei sind; verwenden Sie kleinere Bilder.</translation>
-    </message>
-    <message>
         <source>{} × {} px, {} channels</source>
         <translation>{} × {} px, {} Kanäle</translation>
     </message>
@@ -3288,6 +3280,22 @@
     <message>
         <source>↻ 90°</source>
         <translation>↻ 90°</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it anew with another program.</source>
+        <translation>{} kann nicht gelesen werden: Die Pixel sind beschädigt oder in der alten RLE-Art von Radiance gepackt, die Texloom nicht liest. Speichern Sie die Datei mit einem anderen Programm neu.</translation>
+    </message>
+    <message>
+        <source>{} says it is {} × {} px, but has only {} bytes: it is cut short or damaged.</source>
+        <translation>{} will {} × {} px haben, hat aber nur {} Bytes: Die Datei ist abgeschnitten oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>{} would be overwritten by the {} {}: it is {}; name another file.</source>
+        <translation>{0} würde überschrieben ({1}: {2}), und es ist {3}; nennen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>{} would need {} of memory, more than {}; use smaller images.</source>
+        <translation>{} bräuchte {} Speicher, mehr als {}; verwenden Sie kleinere Bilder.</translation>
     </message>
 </context>
 <context>
@@ -5889,6 +5897,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
         <translation>Noch gibt es kein Ergebnis, das hier hinein könnte; starten Sie zuerst einen Lauf oder wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>This result has no picture; choose another.</source>
+        <translation>Dieses Ergebnis hat kein Bild; wählen Sie ein anderes.</translation>
     </message>
 </context>
 <context>

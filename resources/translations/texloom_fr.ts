@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>An output of {} × {} px is made in strips of {} rows, without position maps, companion maps or anything else beside it; choose a region or a smaller size to get those.</source>
-        <translation>Une sortie de {} × {} px est faite par bandes de {} lignes, sans cartes de positions, cartes associées ni rien d'autre à côté ; choisissez une région ou une taille plus petite pour les obtenir.</translation>
+        <translation>Une sortie de {} × {} px est faite par bandes de {} lignes, sans cartes de positions, cartes associées ni rien d&apos;autre à côté ; choisissez une région ou une taille plus petite pour les obtenir.</translation>
     </message>
     <message>
         <source>An output of {} × {} px would need {} of memory, more than {}; choose a smaller size.</source>
@@ -2991,11 +2991,11 @@
     </message>
     <message>
         <source>The input {} of {} takes a model of its own kind, and was given one of the kind {}.</source>
-        <translation>L'entrée {} de {} prend un modèle de son propre genre et en a reçu un du genre {}.</translation>
+        <translation>L&apos;entrée {} de {} prend un modèle de son propre genre et en a reçu un du genre {}.</translation>
     </message>
     <message>
         <source>The input {} of {} was given, and {} makes it, too; leave one of them out.</source>
-        <translation>L'entrée {} de {} a été donnée, et {} la produit aussi ; omettez l'une des deux.</translation>
+        <translation>L&apos;entrée {} de {} a été donnée, et {} la produit aussi ; omettez l&apos;une des deux.</translation>
     </message>
     <message>
         <source>The model is of the kind {}; one of the kind {} is needed.</source>
@@ -3003,7 +3003,7 @@
     </message>
     <message>
         <source>The result has no output {}.</source>
-        <translation>Le résultat n'a pas de sortie {}.</translation>
+        <translation>Le résultat n&apos;a pas de sortie {}.</translation>
     </message>
     <message>
         <source>The {} says {} twice in one place; only one of them can hold.</source>
@@ -3011,15 +3011,11 @@
     </message>
     <message>
         <source>The {} would replace {}, which Texloom did not write; name another file, or allow it with --overwrite.</source>
-        <translation>{0} remplacerait {1}, que Texloom n'a pas écrit ; nommez un autre fichier, ou permettez-le avec --overwrite.</translation>
+        <translation>{0} remplacerait {1}, que Texloom n&apos;a pas écrit ; nommez un autre fichier, ou permettez-le avec --overwrite.</translation>
     </message>
     <message>
         <source>The {} {} and the {} {} are the same file; name another one.</source>
         <translation>{0} {1} et {2} {3} sont le même fichier ; nommez-en un autre.</translation>
-    </message>
-    <message>
-        <source>The {} {} would replace {}, {}, which would be lost; name another file.</source>
-        <translation>{0} {1} remplacerait {2} ({3}), qui serait perdu ; nommez un autre fichier.</translation>
     </message>
     <message>
         <source>There is no tool {}; the tools are {}.</source>
@@ -3031,7 +3027,7 @@
     </message>
     <message>
         <source>There is nothing of the kind {}; there are {}.</source>
-        <translation>Il n'y a rien du genre {} ; il y a {}.</translation>
+        <translation>Il n&apos;y a rien du genre {} ; il y a {}.</translation>
     </message>
     <message>
         <source>Top left</source>
@@ -3119,7 +3115,7 @@
     </message>
     <message>
         <source>the name of a file, in which there is no zero byte</source>
-        <translation>le nom d'un fichier, sans octet nul</translation>
+        <translation>le nom d&apos;un fichier, sans octet nul</translation>
     </message>
     <message>
         <source>the profile “{}”</source>
@@ -3151,11 +3147,11 @@
     </message>
     <message>
         <source>{} = {}: this is no number in decimal digits, without spaces; {}: {}.</source>
-        <translation>{} = {} : ce n'est pas un nombre en chiffres décimaux, sans espaces ; {} : {}.</translation>
+        <translation>{} = {} : ce n&apos;est pas un nombre en chiffres décimaux, sans espaces ; {} : {}.</translation>
     </message>
     <message>
         <source>{} = {}: this is not a whole number; {}: {}.</source>
-        <translation>{} = {} : ce n'est pas un nombre entier ; {} : {}.</translation>
+        <translation>{} = {} : ce n&apos;est pas un nombre entier ; {} : {}.</translation>
     </message>
     <message>
         <source>{} = {}: this number is too large, or too near 0, to be held; {}: {}.</source>
@@ -3163,11 +3159,11 @@
     </message>
     <message>
         <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it anew with another program.</source>
-        <translation>{} ne peut pas être lu : son décodeur s'est arrêté net ; le fichier est abîmé, ou d'une sorte qu'il ne connaît pas. Enregistrez-le de nouveau avec un autre programme.</translation>
+        <translation>{} ne peut pas être lu : son décodeur s&apos;est arrêté net ; le fichier est abîmé, ou d&apos;une sorte qu&apos;il ne connaît pas. Enregistrez-le de nouveau avec un autre programme.</translation>
     </message>
     <message>
         <source>{} cannot be written: it is no ordinary file.</source>
-        <translation>{} ne peut pas être écrit : ce n'est pas un fichier ordinaire.</translation>
+        <translation>{} ne peut pas être écrit : ce n&apos;est pas un fichier ordinaire.</translation>
     </message>
     <message>
         <source>{} carries {}, which Texloom cannot convert; its colours are taken as {}.</source>
@@ -3175,19 +3171,19 @@
     </message>
     <message>
         <source>{} gives no output {}; it gives nothing beside its picture and map.</source>
-        <translation>{} n'a pas de sortie {} ; en dehors de l'image et de la carte, il n'y a rien.</translation>
+        <translation>{} n&apos;a pas de sortie {} ; en dehors de l&apos;image et de la carte, il n&apos;y a rien.</translation>
     </message>
     <message>
         <source>{} gives no output {}; there are {}.</source>
-        <translation>{} n'a pas de sortie {} ; il y a {}.</translation>
+        <translation>{} n&apos;a pas de sortie {} ; il y a {}.</translation>
     </message>
     <message>
         <source>{} has no layer {}; all that it holds is one picture.</source>
-        <translation>{} n'a pas de calque {} ; le fichier ne contient qu'une image.</translation>
+        <translation>{} n&apos;a pas de calque {} ; le fichier ne contient qu&apos;une image.</translation>
     </message>
     <message>
         <source>{} has no layer {}; there is {}.</source>
-        <translation>{} n'a pas de calque {} ; il y a {}.</translation>
+        <translation>{} n&apos;a pas de calque {} ; il y a {}.</translation>
     </message>
     <message>
         <source>{} has several parts: {}. Only {} is used; another can be chosen instead.</source>
@@ -3207,7 +3203,7 @@
     </message>
     <message>
         <source>{} holds {} × {} px from ({}, {}) on, but is meant to show {} × {} px from ({}, {}) on; all that it holds is used.</source>
-        <translation>{} contient {} × {} px à partir de ({}, {}), mais doit montrer {} × {} px à partir de ({}, {}) ; tout ce qu'il contient est utilisé.</translation>
+        <translation>{} contient {} × {} px à partir de ({}, {}), mais doit montrer {} × {} px à partir de ({}, {}) ; tout ce qu&apos;il contient est utilisé.</translation>
     </message>
     <message>
         <source>{} in the edit &quot;{}&quot;: write it as name=value.</source>
@@ -3215,7 +3211,7 @@
     </message>
     <message>
         <source>{} is a model of the kind {}; the input {} takes one of its own kind.</source>
-        <translation>{} est un modèle du genre {} ; l'entrée {} n'en prend que du sien.</translation>
+        <translation>{} est un modèle du genre {} ; l&apos;entrée {} n&apos;en prend que du sien.</translation>
     </message>
     <message>
         <source>{} is compressed with loss ({}), which moves the places that a map addresses; save it with zip, piz or none.</source>
@@ -3231,7 +3227,7 @@
     </message>
     <message>
         <source>{} is {} × {} px with {} channels and takes {} of memory to read, more than {}; scale it down or cut it to size first.</source>
-        <translation>{} fait {} × {} px avec {} canaux et demande {} de mémoire pour être lu, plus que {} ; réduisez-le ou recadrez-le d'abord.</translation>
+        <translation>{} fait {} × {} px avec {} canaux et demande {} de mémoire pour être lu, plus que {} ; réduisez-le ou recadrez-le d&apos;abord.</translation>
     </message>
     <message>
         <source>{} numbers, {}</source>
@@ -3243,7 +3239,7 @@
     </message>
     <message>
         <source>{} takes more memory to decode than there is.</source>
-        <translation>{} demande pour être décodé plus de mémoire qu'il n'y en a.</translation>
+        <translation>{} demande pour être décodé plus de mémoire qu&apos;il n&apos;y en a.</translation>
     </message>
     <message>
         <source>{} takes too long to decode; save it anew with another program.</source>
@@ -3262,10 +3258,6 @@
         <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
     </message>
     <message>
-        <source>{} would take {} of memory, of which {} are free; use smaller images.</source>
-        <translation>{} prendrait {} de mémoire, dont {} sont libres ; utilisez des images plus petites.</translation>
-    </message>
-    <message>
         <source>{} × {} px, {} channels</source>
         <translation>{} × {} px, {} canaux</translation>
     </message>
@@ -3275,11 +3267,11 @@
     </message>
     <message>
         <source>{}: meshes are written as .ply.</source>
-        <translation>{} : les maillages s'écrivent en .ply.</translation>
+        <translation>{} : les maillages s&apos;écrivent en .ply.</translation>
     </message>
     <message>
         <source>{}: {} is written as {}; give the file that extension.</source>
-        <translation>{} : {} s'écrit en {} ; donnez cette extension au fichier.</translation>
+        <translation>{} : {} s&apos;écrit en {} ; donnez cette extension au fichier.</translation>
     </message>
     <message>
         <source>↺ 90°</source>
@@ -3288,6 +3280,22 @@
     <message>
         <source>↻ 90°</source>
         <translation>↻ 90°</translation>
+    </message>
+    <message>
+        <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it anew with another program.</source>
+        <translation>{} ne peut pas être lu : ses pixels sont abîmés, ou empaquetés dans l'ancien RLE de Radiance, que Texloom ne lit pas. Enregistrez-le de nouveau avec un autre programme.</translation>
+    </message>
+    <message>
+        <source>{} says it is {} × {} px, but has only {} bytes: it is cut short or damaged.</source>
+        <translation>{} prétend faire {} × {} px, mais n'a que {} octets : le fichier est tronqué ou abîmé.</translation>
+    </message>
+    <message>
+        <source>{} would be overwritten by the {} {}: it is {}; name another file.</source>
+        <translation>{0} serait écrasé ({1} : {2}), et c'est {3} ; nommez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>{} would need {} of memory, more than {}; use smaller images.</source>
+        <translation>{} aurait besoin de {} de mémoire, plus que {} ; utilisez des images plus petites.</translation>
     </message>
 </context>
 <context>
@@ -4554,7 +4562,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Replace &amp;files that Texloom did not write</source>
-        <translation>Remplacer les &amp;fichiers que Texloom n'a pas écrits</translation>
+        <translation>Remplacer les &amp;fichiers que Texloom n&apos;a pas écrits</translation>
     </message>
     <message>
         <source>Written as</source>
@@ -4582,11 +4590,11 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>%1 is there, and Texloom did not write it. Choose another name or folder, or allow that it is replaced.</source>
-        <translation>%1 existe, et Texloom ne l'a pas écrit. Choisissez un autre nom ou dossier, ou permettez son remplacement.</translation>
+        <translation>%1 existe, et Texloom ne l&apos;a pas écrit. Choisissez un autre nom ou dossier, ou permettez son remplacement.</translation>
     </message>
     <message>
         <source>replaces a file that is not Texloom&apos;s</source>
-        <translation>remplace un fichier qui n'est pas de Texloom</translation>
+        <translation>remplace un fichier qui n&apos;est pas de Texloom</translation>
     </message>
 </context>
 <context>
@@ -5889,6 +5897,10 @@ Déposez une image ici.</translation>
     <message>
         <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
         <translation>Il n’y a pas encore de résultat à mettre ici ; lancez d’abord un calcul, ou choisissez un fichier.</translation>
+    </message>
+    <message>
+        <source>This result has no picture; choose another.</source>
+        <translation>Ce résultat n’a pas d’image ; choisissez-en un autre.</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <fstream>
 #include <set>
 #include <thread>
 
@@ -19,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 class Doors : public ::testing::Test {
@@ -51,6 +53,18 @@ protected:
 };
 
 } // namespace
+
+TEST_F(Doors, WhatIsLeftOutOfTheBuildIsRefusedWithTheReason) {
+    EXPECT_THAT(run({"methods"}), Not(HasSubstr("left-out")));
+    expectRefusal({"synth", "left-out", "bark.png", "-o", "a.png"},
+                  {"left-out is not part of this build", "install it"});
+
+    run({"synth", "mirror-tile", "bark.png", "-o", "b.png", "--quiet"});
+    std::string recipe = readText(m_folder / "b.json");
+    recipe.replace(recipe.find("mirror-tile"), std::string("mirror-tile").size(), "left-out");
+    std::ofstream(m_folder / "c.json") << recipe;
+    expectRefusal({"run", "c.json", "-o", "d.png"}, {"left-out is not part of this build", "install it"});
+}
 
 TEST_F(Doors, MethodsSayWhatTheyTakeAndGive) {
     const Json stipple = Json::parse(run({"methods", "stipple", "--json"})).front();

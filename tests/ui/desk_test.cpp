@@ -152,7 +152,7 @@ private Q_SLOTS:
     }
 
     void aStoppedRunIsKeptAndTheNextBegins() {
-        RunDesk desk(m_folder.filePath(QStringLiteral("stopped")));
+        RunDesk desk(m_folder.filePath(QStringLiteral("stopped and kept")));
         QSignalSpy previewed(&desk, &RunDesk::previewed), kept(&desk, &RunDesk::kept);
         desk.run(longRun(2), false);
         QTRY_VERIFY_WITH_TIMEOUT(!previewed.isEmpty(), kPatience);

@@ -344,29 +344,31 @@ private Q_SLOTS:
         choose("stipple");
         const ResultHistory* const history = m_window->desk()->history();
         const std::unique_ptr<QMimeData> data(history->mimeData({history->index(0)}));
-        QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(m_window.get(), &enter);
+        const auto drag = [&](QWidget* over, QPoint point) {
+            QDragEnterEvent enter(point, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(over, &enter);
+        };
+        const auto drop = [&](QWidget* over, QPoint point) {
+            drag(over, point); // a drop goes to where the drag is
+            QDropEvent event(point, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(over, &event);
+        };
+        drag(m_window.get(), QPoint(9, 9));
         auto* targets = child<DropTargets>(*m_window, "dropTargets");
         QVERIFY(targets->isVisible());
         QVERIFY(!targets->targetAt(targets->placeOf(DropTargets::Target::Companion).center()));
-        const auto drop = [&](QPoint point) {
-            QDropEvent event(point, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
-            QApplication::sendEvent(targets, &event);
-        };
         QCOMPARE(targets->portAt(targets->placeOf("target").center()), std::string("target"));
-        drop(targets->placeOf("target").center());
+        drop(targets, targets->placeOf("target").center());
         QTRY_VERIFY(pictureOf(m_window->input(false).inputs, "target") != nullptr);
         QVERIFY(
             samePixels(*pictureOf(m_window->input(false).inputs, "target")->image, used->synthesis.image));
 
         targets->open(DropTargets::Dragged::Result, true);
-        drop(targets->placeOf(DropTargets::Target::Add).center());
+        drop(targets, targets->placeOf(DropTargets::Target::Add).center());
         QTRY_COMPARE(m_window->store()->entries().size(), 2U);
         QVERIFY(samePixels(*m_window->store()->current()->file().image, used->synthesis.image));
 
-        QDropEvent beside(QPoint(9, m_window->height() - 9), Qt::CopyAction, data.get(), Qt::LeftButton,
-                          Qt::NoModifier);
-        QApplication::sendEvent(m_window.get(), &beside);
+        drop(m_window.get(), QPoint(9, m_window->height() - 9)); // beside all targets
         workers().waitForDone();
         settle();
         QCOMPARE(m_window->store()->entries().size(), 2U);

@@ -200,7 +200,7 @@ void Plot::draw() {
     else if (linear)
         linear->applyNiceNumbers();
     colorChart(chart.get());
-    delete m_view->chart();
+    const std::unique_ptr<QChart> former(m_view->chart()); // setChart() still touches it
     m_view->setChart(chart.release());
 }
 

@@ -21,7 +21,8 @@ fs::path resolved(fs::path file) {
         const fs::path target = fs::read_symlink(file, error);
         file = target.is_absolute() ? target : file.parent_path() / target;
     }
-    return fs::weakly_canonical(file, error);
+    // A name alone, of which nothing is there, would stay as it is.
+    return fs::weakly_canonical(fs::absolute(file, error), error);
 }
 
 } // namespace

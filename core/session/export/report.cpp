@@ -1,5 +1,6 @@
 #include "core/job/memory.h"
 #include "core/session/export/export.h"
+#include "core/session/export/output_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +27,8 @@ std::string reportJson(const Result& result, const fs::path& folder) {
         json["figures"][figure.name.text()] = figure.value;
     for (const Curve& curve : result.synthesis.curves)
         json["curves"][curve.name.text()] = curve.values;
+    if (!result.synthesis.outputs.empty())
+        json["outputs"] = Json::parse(outputsReport(result));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
