@@ -11,6 +11,6 @@ namespace texloom {
 std::string requestText(const DecodeRequest& request);
 
 /// What a decoder's process does: decodes within limits of time and memory, and answers.
-void decodeFor(const std::string& request, const Handle& answer);
+void decodeFor(const std::string& text, const Handle& answer);
 
 } // namespace texloom

@@ -181,6 +181,20 @@ private:
     TemporaryFile& m_file;
 };
 
+/// A Radiance file has no place for attributes, but its header for remarks: by this one it is known again.
+void addRemark(TemporaryFile& file) {
+    constexpr std::string_view kRemark = "# Texloom\n";
+    constexpr std::size_t kBehind = std::string_view("#?RADIANCE\n").size();
+    std::vector<char> block(1 << 20);
+    for (std::size_t end = file.size(); end > kBehind;) {
+        const std::size_t count = std::min(block.size(), end - kBehind);
+        end -= count;
+        file.read(block.data(), count, static_cast<std::int64_t>(end));
+        file.write(block.data(), count, static_cast<std::int64_t>(end + kRemark.size()));
+    }
+    file.write(kRemark.data(), kRemark.size(), static_cast<std::int64_t>(kBehind));
+}
+
 [[noreturn]] void failWriting(const fs::path& path, const std::string& message) {
     const std::string why = message.substr(0, message.find('\n'));
     fail("{} cannot be written: {}.", path.string(),
@@ -213,6 +227,8 @@ void writeImage(const fs::path& path, Size size, int channels, const RowSource& 
     }
     if (!output->close())
         failWriting(path, output->geterror());
+    if (format.name == "hdr")
+        addRemark(temporary);
     temporary.commit();
 }
 

@@ -36,6 +36,7 @@ const std::array<Marks, 7> kMarks = {{
 
 constexpr std::string_view kPage = "<!-- Written by `texloom-cli ";
 constexpr std::string_view kMesh = "ply\nformat binary_little_endian 1.0\ncomment Texloom\n";
+constexpr std::string_view kRadiance = "#?RADIANCE\n# Texloom\n";
 /// Of a model: behind the eight bytes of its length, and near enough to the beginning.
 constexpr std::string_view kModelHead = "{\"", kModelMark = "\"texloom.format\"";
 constexpr std::size_t kModelLength = 8, kBeginning = 65536;
@@ -73,7 +74,8 @@ bool isOwnFile(const fs::path& path) {
         return isOwnFile(fs::path(path).replace_extension(".json"));
     try {
         const std::string begin = beginningOf(path);
-        if (begin.starts_with(kPage) || begin.starts_with(kMesh) || isModel(begin))
+        if (begin.starts_with(kPage) || begin.starts_with(kMesh) || begin.starts_with(kRadiance) ||
+            isModel(begin))
             return true;
         if (begin.starts_with('{'))
             return hasMarks(path);

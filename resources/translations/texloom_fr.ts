@@ -3283,15 +3283,15 @@
     </message>
     <message>
         <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it anew with another program.</source>
-        <translation>{} ne peut pas être lu : ses pixels sont abîmés, ou empaquetés dans l'ancien RLE de Radiance, que Texloom ne lit pas. Enregistrez-le de nouveau avec un autre programme.</translation>
+        <translation>{} ne peut pas être lu : ses pixels sont abîmés, ou empaquetés dans l&apos;ancien RLE de Radiance, que Texloom ne lit pas. Enregistrez-le de nouveau avec un autre programme.</translation>
     </message>
     <message>
         <source>{} says it is {} × {} px, but has only {} bytes: it is cut short or damaged.</source>
-        <translation>{} prétend faire {} × {} px, mais n'a que {} octets : le fichier est tronqué ou abîmé.</translation>
+        <translation>{} prétend faire {} × {} px, mais n&apos;a que {} octets : le fichier est tronqué ou abîmé.</translation>
     </message>
     <message>
         <source>{} would be overwritten by the {} {}: it is {}; name another file.</source>
-        <translation>{0} serait écrasé ({1} : {2}), et c'est {3} ; nommez un autre fichier.</translation>
+        <translation>{0} serait écrasé ({1} : {2}), et c&apos;est {3} ; nommez un autre fichier.</translation>
     </message>
     <message>
         <source>{} would need {} of memory, more than {}; use smaller images.</source>

@@ -41,12 +41,15 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed 
     return request;
 }
 
-/// The defaults, but with no more than three iterations: they are alike in all that is asked here.
+/// The defaults, but with no more than three iterations and one pass: they are alike in all that is asked
+/// here.
 Values briefSettings(const Method& method, const Request& request) {
     Values settings = method.resolved({}, request.exemplars.front().image->size());
     for (auto& [name, value] : settings)
         if (name.ends_with("iterations"))
             value = std::min(std::get<int>(value), 3);
+        else if (name == "passes")
+            value = 1;
     return settings;
 }
 

@@ -80,6 +80,7 @@ private Q_SLOTS:
         child<QCheckBox>(*dialog, "exportSidecar")->setChecked(false);
         QFile there(toQString(dialog->options().image));
         QVERIFY(there.open(QIODevice::WriteOnly));
+        there.write("mine");
         there.close();
         child<QLineEdit>(*dialog, "exportName")->textChanged({});
         auto* table = child<QTableWidget>(*dialog, "exportTable");

@@ -115,7 +115,7 @@ const Method self = method<Settings>(
                            "labels; without one, the blurred luminance of both is compared."),
                 .extent = Extent::Exemplar}},
      .gives = {ports::wrappingImage(), ports::map()}},
-    {patchField(&Settings::patch, 0.05)
+    {patchField(&Settings::patch, 0.08)
          .range(Settings::kLeastPatch, 256)
          .symbol("w_p")
          .help(TR(

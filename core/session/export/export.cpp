@@ -95,7 +95,7 @@ void addOutputSteps(const Result& result, const ExportOptions& options, std::vec
         write.check = options.check;
         checkAssetFile(kind, output.path);
         for (const fs::path& file : filesFor(kind, *output.asset, output.path, write))
-            steps.push_back({{file, output.content(), false}, {}});
+            steps.push_back({{file, Message(output.port->title), false}, {}});
         steps.back().write = [output, kind, write] { writeAsset(kind, *output.asset, output.path, write); };
     }
 }

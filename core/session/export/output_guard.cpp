@@ -22,7 +22,9 @@ fs::path resolved(fs::path file) {
         file = target.is_absolute() ? target : file.parent_path() / target;
     }
     // A name alone, of which nothing is there, would stay as it is.
-    return fs::weakly_canonical(fs::absolute(file, error), error);
+    const fs::path absolute = fs::absolute(file, error).lexically_normal();
+    const fs::path canonical = fs::weakly_canonical(absolute, error);
+    return error ? absolute : canonical; // such as a name that is too long for the disk
 }
 
 } // namespace
