@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-namespace CLI {
+namespace CLI { // NOLINT(readability-identifier-naming): the library's own
 class App;
 }
 

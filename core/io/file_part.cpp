@@ -45,7 +45,7 @@ std::vector<FilePart> partsOf(OIIO::ImageInput& input) {
     std::vector<FilePart> parts;
     const bool several = input.seek_subimage(1, 0);
     for (int index = 0; index < kMostParts && input.seek_subimage(index, 0); ++index) {
-        const OIIO::ImageSpec spec = input.spec();
+        const OIIO::ImageSpec& spec = input.spec();
         parts.push_back({several ? partName(spec, index) : "", index, 0, spec.nchannels});
         const std::vector<FilePart> layers = layersOf(spec, index);
         parts.back().only = layers.size() == 1 ? layers.front().name : "";

@@ -88,14 +88,14 @@ void checkFormat(const fs::path& path, const Format& format, int channels, Depth
                   path.extension().string(), depthName(depth));
 }
 
-std::atomic<bool> reproducible = false;
+std::atomic<bool> datesLeftOut = false;
 
 /// The date of files, where it is not the time of day; see reproducible-builds.org/specs/source-date-epoch.
 std::optional<std::time_t> fixedDate() {
     std::uint64_t seconds = 0;
     if (const char* const epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch && parseUnsigned(epoch, seconds))
         return static_cast<std::time_t>(seconds);
-    return reproducible ? std::optional<std::time_t>(0) : std::nullopt;
+    return datesLeftOut ? std::optional<std::time_t>(0) : std::nullopt;
 }
 
 /// As EXIF and TIFF write it, in UTC.
@@ -241,8 +241,8 @@ void writeImage(const fs::path& path, const ImageView& image, const WriteOptions
     writeImage(path, image.size(), image.channels, interleave, options);
 }
 
-void setReproducible(bool yes) {
-    reproducible = yes;
+void setReproducible(bool reproducible) {
+    datesLeftOut = reproducible;
 }
 
 void checkFolder(const fs::path& path) {
