@@ -123,7 +123,7 @@ private:
 /// The head's lines, up to end_header.
 class Head {
 public:
-    Head(std::string file, std::string_view bytes);
+    Head(std::string file, std::string_view text);
 
     Coding coding = Coding::Text;
     std::vector<Element> elements;

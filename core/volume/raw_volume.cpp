@@ -103,7 +103,7 @@ void checkText(const JsonField& field, const char* only) {
 
 /// The name of a file in the same folder, and nothing that leads out of it.
 std::string dataNameFrom(const JsonField& field) {
-    const std::string name = field.text();
+    std::string name = field.text();
     if (name.empty() || name == "." || name == ".." || fs::path(name).filename() != name)
         field.wrong(TR("the name of a file in the same folder"));
     return name;

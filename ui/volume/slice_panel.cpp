@@ -28,6 +28,7 @@ using Eigen::Vector3d;
 constexpr int kFarthest = 1'000'000'000; ///< of coordinates that can be typed in
 constexpr int kSmallestSide = 16, kLargestSide = 2048, kFirstSide = 256;
 constexpr int kPageStep = 10;
+constexpr int kColumns = 4;    ///< of fields: small windows have no room for all in one row
 constexpr double kPart = 0.25; ///< of the picture that one step along the slice moves it by
 constexpr double kHalfTurn = 180;
 constexpr int kPatience = 200; ///< ms after which it is said that a slice is being made
@@ -96,12 +97,14 @@ void SlicePanel::makeFields() {
 
 void SlicePanel::layOut() {
     auto* grid = new QGridLayout;
-    int column = 0;
+    int count = 0;
     const auto add = [&](const QString& text, QWidget* field) {
         auto* label = new QLabel(text, this);
         label->setBuddy(field);
-        grid->addWidget(label, 0, column);
-        grid->addWidget(field, 1, column++);
+        const int row = 2 * (count / kColumns), column = count % kColumns;
+        grid->addWidget(label, row, column);
+        grid->addWidget(field, row + 1, column);
+        ++count;
     };
     add(tr("Slice"), m_axis);
     add(tr("Middle x"), m_middle[0]);
@@ -110,7 +113,7 @@ void SlicePanel::layOut() {
     add(tr("Turn"), m_turn);
     add(tr("Tilt"), m_tilt);
     add(tr("Side"), m_side);
-    grid->setColumnStretch(column, 1);
+    grid->setColumnStretch(kColumns, 1);
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addLayout(grid);

@@ -24,7 +24,7 @@ QString titleOf(const Result& result) {
 std::shared_ptr<const VolumeSource> volumeOf(const Result& result) {
     const Assets& outputs = result.synthesis.outputs;
     for (const auto& [port, assets] : outputs.byPort())
-        if (const auto volume = outputs.first<VolumeSource>(port))
+        if (auto volume = outputs.first<VolumeSource>(port))
             return volume;
     return nullptr;
 }

@@ -230,7 +230,9 @@ Image sheet(const Request& request, const Settings& settings, const Maker& maker
     Image image({inRow * side, count / inRow * side}, request.resultChannels());
     context.parallel(0, image.height(), [&](int y) {
         for (int x = 0; x < image.width(); ++x) {
-            const Edges& tile = edges[static_cast<std::size_t>(y / side * inRow + x / side)];
+            const auto cell = static_cast<std::size_t>(y / side) * static_cast<std::size_t>(inRow) +
+                              static_cast<std::size_t>(x / side);
+            const Edges& tile = edges[cell];
             const Source source = maker.tiles().source(tile, x % side, y % side);
             for (int c = 0; c < image.channels(); ++c)
                 image(x, y, c) = (*request.exemplars[source.exemplar].image)(source.x, source.y, c);

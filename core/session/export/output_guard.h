@@ -20,7 +20,7 @@ struct FileIdentity {
     std::string path; ///< of one that is not
 
     static FileIdentity of(const std::filesystem::path& file);
-    auto operator<=>(const FileIdentity&) const = default;
+    auto operator<=>(const FileIdentity&) const = default; // NOLINT(modernize-use-nullptr): there is none
 };
 
 /// Looks after the files that a call finds: it is told of everything that the call will read and write, and
