@@ -26,8 +26,7 @@ Message Message::verbatim(std::string text) {
 }
 
 std::string Message::text(const Translate& translate) const {
-    std::string pattern =
-        translate && !m_verbatim && !m_pattern.empty() ? translate(m_pattern) : m_pattern;
+    std::string pattern = translate && !m_verbatim && !m_pattern.empty() ? translate(m_pattern) : m_pattern;
     if (m_values.empty())
         return pattern;
     std::string filled;
