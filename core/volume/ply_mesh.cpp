@@ -96,7 +96,7 @@ private:
         return number;
     }
     double nextBinary(const Type& type) {
-        if (m_left.size() < type.bytes)
+        if (type.bytes == 0 || m_left.size() < type.bytes)
             breakOff();
         std::uint64_t bits = 0;
         for (std::size_t i = 0; i < type.bytes; ++i) {
