@@ -40,9 +40,10 @@ int takeUp(const std::string& state, Image& image) {
 }
 
 /// Mixes every pixel with the one to its right or below it, as the round's random numbers say.
-Image mixed(const Image& image, int round, const Random& random) {
+Image mixed(const Image& image, int round, const JobContext& context) {
+    const Random& random = context.random();
     Image next(image.size(), image.channels());
-    for (int y = 0; y < image.height(); ++y)
+    for (int y = 0; y < image.height(); ++y, context.check())
         for (int x = 0; x < image.width(); ++x) {
             const bool right = random.bits(x, y, static_cast<std::uint32_t>(round)) % 2 == 0;
             const int u = (x + (right ? 1 : 0)) % image.width(), v = (y + (right ? 0 : 1)) % image.height();
@@ -63,7 +64,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     context.stage(1, TR("Mixing"));
     const std::string* const earlier = context.resumed();
     for (int round = earlier ? takeUp(*earlier, made.image) : 0; round < settings.rounds; ++round) {
-        made.image = mixed(made.image, round, context.random());
+        made.image = mixed(made.image, round, context);
         for (int slept = 0; slept < settings.pause; ++slept, context.check())
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         context.curve(TR("Round"), round + 1);

@@ -177,18 +177,14 @@ public:
                                    size == maker.tiles().size() ? maker.tiles() : maker.ofSize(size));
     }
 
-    Synthesis run() {
-        Synthesis result;
-        result.image = Image(m_part.size, m_request.channels());
-        result.map = PositionMap(m_part.size, m_request.exemplarSizes());
-        result.mapKind = MapKind::Exact;
+    /// @param result has image and map of the part's size.
+    void run(Synthesis& result) {
         for (int top = 0; top < m_part.size.height; top += kRowsAtOnce) {
             const int bottom = std::min(m_part.size.height, top + kRowsAtOnce);
             m_context.parallel(top, bottom, [&](int y) { layRow(y, result); });
             m_context.progress(static_cast<double>(bottom) / m_part.size.height);
             m_context.preview(result.image, &result.map);
         }
-        return result;
     }
 
 private:
@@ -287,10 +283,15 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    // Memory comes first: no one waits for a large output's to be cleared once the work has begun.
+    Synthesis result;
+    result.image = Image(request.part().size, request.channels());
+    result.map = PositionMap(request.part().size, request.exemplarSizes());
+    result.mapKind = MapKind::Exact;
     Maker maker(request, settings, context);
     const double error = maker.draw(0.4);
     context.stage(0.5, TR("Laying tiles"));
-    Synthesis result = Layer(request, settings, maker, context).run();
+    Layer(request, settings, maker, context).run(result);
     context.stage(0.1, TR("Drawing the tile set"));
     result.pictures.push_back({TR("Tile set"), sheet(request, settings, maker, context)});
     result.figures = {{TR("Tiles"), static_cast<double>(maker.edges().size())},
