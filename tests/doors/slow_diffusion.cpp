@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <thread>
+#include <utility>
 
 namespace texloom::slow_diffusion {
 
@@ -40,9 +41,9 @@ int takeUp(const std::string& state, Image& image) {
 }
 
 /// Mixes every pixel with the one to its right or below it, as the round's random numbers say.
-Image mixed(const Image& image, int round, const JobContext& context) {
+/// @param next of the image's size.
+void mix(const Image& image, int round, const JobContext& context, Image& next) {
     const Random& random = context.random();
-    Image next(image.size(), image.channels());
     for (int y = 0; y < image.height(); ++y, context.check())
         for (int x = 0; x < image.width(); ++x) {
             const bool right = random.bits(x, y, static_cast<std::uint32_t>(round)) % 2 == 0;
@@ -50,13 +51,13 @@ Image mixed(const Image& image, int round, const JobContext& context) {
             for (int c = 0; c < image.channels(); ++c)
                 next(x, y, c) = 0.5F * (image(x, y, c) + image(u, v, c));
         }
-    return next;
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     const ImageView exemplar = *request.exemplars.front().image;
     Synthesis made;
     made.image = Image(request.size, request.channels());
+    Image next = made.image;
     for (int c = 0; c < exemplar.channels; ++c)
         for (int y = 0; y < request.size.height; ++y)
             for (int x = 0; x < request.size.width; ++x)
@@ -64,7 +65,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     context.stage(1, TR("Mixing"));
     const std::string* const earlier = context.resumed();
     for (int round = earlier ? takeUp(*earlier, made.image) : 0; round < settings.rounds; ++round) {
-        made.image = mixed(made.image, round, context);
+        mix(made.image, round, context, next);
+        std::swap(made.image, next);
         for (int slept = 0; slept < settings.pause; ++slept, context.check())
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         context.curve(TR("Round"), round + 1);
