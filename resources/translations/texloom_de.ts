@@ -3297,6 +3297,82 @@
         <source>{} would need {} of memory, more than {}; use smaller images.</source>
         <translation>{} bräuchte {} Speicher, mehr als {}; verwenden Sie kleinere Bilder.</translation>
     </message>
+    <message>
+        <source>Cost of all seams</source>
+        <translation>Kosten aller Nähte</translation>
+    </message>
+    <message>
+        <source>Entire patch</source>
+        <translation>Ganze Vorlage</translation>
+    </message>
+    <message>
+        <source>Graph cut</source>
+        <translation>Graphenschnitt</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a place may fit and still be likely: larger varies more, smaller fits better.</source>
+        <translation>Wie viel schlechter als die beste eine Stelle passen und noch wahrscheinlich sein darf: Größer variiert mehr, kleiner passt besser.</translation>
+    </message>
+    <message>
+        <source>Lets seams cost less where the pictures change anyway, so that they follow edges.</source>
+        <translation>Lässt Nähte dort weniger kosten, wo sich die Bilder ohnehin ändern, sodass sie Kanten folgen.</translation>
+    </message>
+    <message>
+        <source>Mended seams</source>
+        <translation>Ausgebesserte Nähte</translation>
+    </message>
+    <message>
+        <source>Mending seams</source>
+        <translation>Nähte ausbessern</translation>
+    </message>
+    <message>
+        <source>Pastes the whole exemplar again and again, each time along the cheapest seam of any shape, and mends the worst seams at the end. Keeps objects such as stones and leaves whole; copies large areas verbatim.</source>
+        <translation>Klebt die ganze Vorlage wieder und wieder auf, jedes Mal entlang der billigsten Naht beliebiger Form, und bessert am Ende die schlechtesten Nähte aus. Lässt Objekte wie Steine und Blätter ganz; kopiert große Flächen wörtlich.</translation>
+    </message>
+    <message>
+        <source>Pasting along cuts</source>
+        <translation>Entlang von Schnitten kleben</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Platzierung</translation>
+    </message>
+    <message>
+        <source>Random placement looks at nothing, so it cannot follow the initial image; choose entire or sub-patch.</source>
+        <translation>Zufällige Platzierung sieht nichts an und kann dem Anfangsbild nicht folgen; wählen Sie „entire“ oder „sub-patch“.</translation>
+    </message>
+    <message>
+        <source>Seam cost per pixel</source>
+        <translation>Nahtkosten je Pixel</translation>
+    </message>
+    <message>
+        <source>Seams along edges</source>
+        <translation>Nähte entlang von Kanten</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared for sub-patches and for mending: larger keeps larger structures whole.</source>
+        <translation>Seite des Quadrats, das für Teilstücke und beim Ausbessern verglichen wird: Größer lässt größere Strukturen ganz.</translation>
+    </message>
+    <message>
+        <source>So many times the worst seam is pasted over, where that makes it better: more takes longer and hides more.</source>
+        <translation>So oft wird die schlechteste Naht überklebt, wo das besser ist: Mehr dauert länger und verdeckt mehr.</translation>
+    </message>
+    <message>
+        <source>Sub-patch</source>
+        <translation>Teilstück</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave at least 1 px to copy.</source>
+        <translation>Die Maske verdeckt die ganze Vorlage; lassen Sie mindestens 1 px zum Kopieren frei.</translation>
+    </message>
+    <message>
+        <source>Where the exemplar is pasted next: anywhere, where all of it fits what is there, or where a square of it does, which suits what has no clear structure.</source>
+        <translation>Wo die Vorlage als Nächstes aufgeklebt wird: irgendwo, dort, wo sie ganz zum Vorhandenen passt, oder dort, wo ein Quadrat von ihr passt, was für Texturen ohne klare Struktur gut ist.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
+        <translation>{} hat {} × {} px, weniger als das verglichene Quadrat von {} px; wählen Sie eines von höchstens {} px.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

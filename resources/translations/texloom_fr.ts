@@ -3297,6 +3297,82 @@
         <source>{} would need {} of memory, more than {}; use smaller images.</source>
         <translation>{} aurait besoin de {} de mémoire, plus que {} ; utilisez des images plus petites.</translation>
     </message>
+    <message>
+        <source>Cost of all seams</source>
+        <translation>Coût de toutes les coutures</translation>
+    </message>
+    <message>
+        <source>Entire patch</source>
+        <translation>Modèle entier</translation>
+    </message>
+    <message>
+        <source>Graph cut</source>
+        <translation>Coupe de graphe</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a place may fit and still be likely: larger varies more, smaller fits better.</source>
+        <translation>De combien une place peut convenir moins bien que la meilleure et rester probable : plus grand varie davantage, plus petit convient mieux.</translation>
+    </message>
+    <message>
+        <source>Lets seams cost less where the pictures change anyway, so that they follow edges.</source>
+        <translation>Fait coûter moins cher les coutures là où les images changent de toute façon, pour qu’elles suivent les contours.</translation>
+    </message>
+    <message>
+        <source>Mended seams</source>
+        <translation>Coutures réparées</translation>
+    </message>
+    <message>
+        <source>Mending seams</source>
+        <translation>Réparation des coutures</translation>
+    </message>
+    <message>
+        <source>Pastes the whole exemplar again and again, each time along the cheapest seam of any shape, and mends the worst seams at the end. Keeps objects such as stones and leaves whole; copies large areas verbatim.</source>
+        <translation>Colle le modèle entier encore et encore, chaque fois le long de la couture la moins coûteuse, de forme quelconque, et répare les pires coutures à la fin. Garde entiers des objets comme pierres et feuilles ; copie de grandes zones telles quelles.</translation>
+    </message>
+    <message>
+        <source>Pasting along cuts</source>
+        <translation>Collage le long des coupes</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Placement</translation>
+    </message>
+    <message>
+        <source>Random placement looks at nothing, so it cannot follow the initial image; choose entire or sub-patch.</source>
+        <translation>Le placement aléatoire ne regarde rien et ne peut donc pas suivre l’image initiale ; choisissez entire ou sub-patch.</translation>
+    </message>
+    <message>
+        <source>Seam cost per pixel</source>
+        <translation>Coût de couture par pixel</translation>
+    </message>
+    <message>
+        <source>Seams along edges</source>
+        <translation>Coutures le long des contours</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared for sub-patches and for mending: larger keeps larger structures whole.</source>
+        <translation>Côté du carré comparé pour les sous-patchs et les réparations : plus grand garde entières de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>So many times the worst seam is pasted over, where that makes it better: more takes longer and hides more.</source>
+        <translation>Autant de fois la pire couture est recouverte, là où c’est mieux : davantage prend plus de temps et cache plus.</translation>
+    </message>
+    <message>
+        <source>Sub-patch</source>
+        <translation>Sous-patch</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave at least 1 px to copy.</source>
+        <translation>Le masque cache tout le modèle ; laissez au moins 1 px à copier.</translation>
+    </message>
+    <message>
+        <source>Where the exemplar is pasted next: anywhere, where all of it fits what is there, or where a square of it does, which suits what has no clear structure.</source>
+        <translation>Où le modèle est collé ensuite : n’importe où, là où il convient tout entier à ce qui est là, ou là où un carré de lui convient, ce qui est bon pour ce qui n’a pas de structure nette.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
+        <translation>{} fait {} × {} px, moins que le carré comparé de {} px ; choisissez-en un d’au plus {} px.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
