@@ -9,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <thread>
 
 namespace texloom::test {
@@ -44,7 +45,11 @@ protected:
         program.signal(signal);
         Ended ended = program.wait();
         const auto taken = std::chrono::steady_clock::now() - asked;
-        EXPECT_LE(taken, limit.value_or(std::chrono::hours(1)));
+        if (limit) {
+            EXPECT_LE(taken, *limit);
+        } else {
+            std::cout << "The time is not judged. " << kTooBusy << '\n';
+        }
         return ended;
     }
 

@@ -240,13 +240,14 @@ Synthesis partialSynthesis(const RunPlan& plan, PartialWork work, const std::vec
 } // namespace
 
 Result runPlan(const RunPlan& plan, JobContext& context) {
+    constexpr double kMostStopped = 0.99; // the last picture may come with all of the progress made
     Result result;
     Assets kept;
     try {
         runSteps(plan, context, result, kept);
     } catch (const StoppedEarly&) {
         PartialWork work = context.takePartial();
-        result.stoppedAt = work.progress;
+        result.stoppedAt = std::min(work.progress, kMostStopped);
         result.synthesis = partialSynthesis(plan, std::move(work), context.curves());
         result.synthesis.outputs = kept;
     }

@@ -146,7 +146,7 @@ TEST_P(ToolConformance, SaysWhatItIs) {
 
 TEST_P(ToolConformance, AnEditNamesItsToolAndNoOther) {
     if (!edits(tool()))
-        GTEST_SKIP() << "it joins two pictures";
+        GTEST_SKIP() << "skipped: it joins two pictures";
     EXPECT_EQ(tool().params().front().name(), tool().id());
     for (const Tool& other : tools())
         for (const Param& param : other.params())
@@ -171,7 +171,7 @@ TEST_P(ToolConformance, RefusesByNameAndLimit) {
 
 TEST_P(ToolConformance, TheCommandLineSaysTheSame) {
     if (!edits(tool()))
-        GTEST_SKIP() << "it joins two pictures";
+        GTEST_SKIP() << "skipped: it joins two pictures";
     const ExemplarEdit edit = sampleOf(tool());
     std::string text = tool().id() + "=" + toText(edit.at(tool().id()));
     for (const auto& [name, value] : edit)
@@ -182,7 +182,7 @@ TEST_P(ToolConformance, TheCommandLineSaysTheSame) {
 
 TEST_P(ToolConformance, TheSizeForetoldIsTheSizeMade) {
     if (!edits(tool()))
-        GTEST_SKIP() << "it joins two pictures";
+        GTEST_SKIP() << "skipped: it joins two pictures";
     const ExemplarEdit edit = sampleOf(tool());
     Image image = blobs(kSize, 3);
     if (tool().warps())
@@ -198,7 +198,7 @@ TEST_P(ToolConformance, TheSizeForetoldIsTheSizeMade) {
 
 TEST_P(ToolConformance, WhatBelongsToTheExemplarComesAlong) {
     if (!edits(tool()))
-        GTEST_SKIP() << "it joins two pictures";
+        GTEST_SKIP() << "skipped: it joins two pictures";
     const RunExemplar source = wholeExemplar();
     const RunExemplar made = edited(source, {sampleOf(tool())});
     EXPECT_FALSE(samePixels(*made.image.image, *source.image.image));
@@ -217,7 +217,7 @@ TEST_P(ToolConformance, WhatBelongsToTheExemplarComesAlong) {
 
 TEST_P(ToolConformance, AMaskHidesWhateverComesOfWhatItHid) {
     if (!tool().warps())
-        GTEST_SKIP() << "it moves no pixels";
+        GTEST_SKIP() << "skipped: it moves no pixels";
     RunExemplar source = wholeExemplar();
     // A picture that shows where the mask hides it: wherever any of that is in a pixel, it must be hidden.
     source.image = fileOf(*source.mask->image);
@@ -231,7 +231,7 @@ TEST_P(ToolConformance, AMaskHidesWhateverComesOfWhatItHid) {
 
 TEST_P(ToolConformance, UndoneItIsAsItWas) {
     if (!edits(tool()))
-        GTEST_SKIP() << "it joins two pictures";
+        GTEST_SKIP() << "skipped: it joins two pictures";
     const RunExemplar source = wholeExemplar();
     const RunExemplar undone = edited(edited(source, {sampleOf(tool())}), {});
     EXPECT_EQ(undone.image.image, source.image.image);
@@ -256,7 +256,7 @@ TEST_P(ToolConformance, MadeAgainItIsTheSameToTheBit) {
 
 TEST_P(ToolConformance, ARecipeHoldsIt) {
     if (!edits(tool()))
-        GTEST_SKIP() << "it joins two pictures";
+        GTEST_SKIP() << "skipped: it joins two pictures";
     const ExemplarEdits edits = {sampleOf(tool())};
     const JsonField::Json json = parseJson("recipe", toJson(edits).dump());
     EXPECT_EQ(resolved(editsFrom(JsonField("recipe", json))), edits) << json;
@@ -264,7 +264,7 @@ TEST_P(ToolConformance, ARecipeHoldsIt) {
 
 TEST_P(ToolConformance, AJoinTakesPicturesThatSuitAndRefusesTheOthers) {
     if (!tool().joins())
-        GTEST_SKIP() << "it edits one picture";
+        GTEST_SKIP() << "skipped: it edits one picture";
     const Values values = joinsOf(tool()).front();
     const Image made = joined(tool(), values, 2);
     EXPECT_EQ(made.channels(), 3);
@@ -281,7 +281,7 @@ TEST_P(ToolConformance, AJoinTakesPicturesThatSuitAndRefusesTheOthers) {
 
 TEST_P(ToolConformance, AJoinCanBeStopped) {
     if (!tool().joins())
-        GTEST_SKIP() << "it edits one picture";
+        GTEST_SKIP() << "skipped: it edits one picture";
     for (const Values& values : joinsOf(tool())) {
         int asked = 0;
         EXPECT_THROW(joined(tool(), values, 1, [&asked] { return ++asked > 2; }), Cancelled);
@@ -290,7 +290,7 @@ TEST_P(ToolConformance, AJoinCanBeStopped) {
 
 TEST_P(ToolConformance, AWarpKnowsItsDerivativesAndItsWayBack) {
     if (!tool().warps())
-        GTEST_SKIP() << "it moves no pixels";
+        GTEST_SKIP() << "skipped: it moves no pixels";
     const Warp warp = warpOf({sampleOf(tool())}, kSize);
     const Size size = warp.size();
     for (const PlanePoint at : {PlanePoint{0.3 * size.width, 0.4 * size.height},
@@ -315,7 +315,7 @@ TEST_P(ToolConformance, AWarpKnowsItsDerivativesAndItsWayBack) {
 TEST_P(ToolConformance, CanBeStopped) {
     struct Stop {};
     if (!edits(tool()))
-        GTEST_SKIP() << "joins are jobs";
+        GTEST_SKIP() << "skipped: joins are jobs";
     const ExemplarEdit edit = sampleOf(tool());
     int calls = 0;
     const ToolCheck check = [&calls] {
