@@ -4,6 +4,8 @@ target_compile_options(texloom_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
   -fno-math-errno   # nobody asks errno; without it square roots do not vectorise
   -ffp-contract=off # the same bits whether or not the machine has fused multiply-add
+  # Where several sources are compiled as one, g++ takes what one of them keeps to itself for a header's.
+  $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>
   $<$<BOOL:${TEXLOOM_WERROR}>:-Werror>)
 target_include_directories(texloom_options INTERFACE ${PROJECT_SOURCE_DIR})
 

@@ -100,9 +100,9 @@ private:
 };
 
 /// γ for one row of displacements, as eq. 3.13.
-class Rows {
+class ImageRows {
 public:
-    Rows(const ImageView& f, const ImageView& g, const std::function<void()>& check)
+    ImageRows(const ImageView& f, const ImageView& g, const std::function<void()>& check)
         : m_f(f), m_g(g), m_products(f, g, check) {
         const std::vector<double> meansF = channelMeans(f), meansG = channelMeans(g);
         for (int c = 0; c < f.channels; ++c) {
@@ -177,7 +177,7 @@ Image Correlation::picture() const {
 
 Correlation correlate(const ImageView& f, const ImageView& g, const std::function<void()>& check) {
     Correlation result(f.size(), g.size());
-    const Rows rows(f, g, check);
+    const ImageRows rows(f, g, check);
     for (int dy = -result.top(); dy <= result.bottom(); ++dy) {
         check();
         for (int dx = -result.left(); dx <= result.right(); ++dx)
@@ -188,7 +188,7 @@ Correlation correlate(const ImageView& f, const ImageView& g, const std::functio
 
 Correlation autocorrelation(const ImageView& image, const std::function<void()>& check) {
     Correlation result(image.size(), image.size());
-    const Rows rows(image, image, check);
+    const ImageRows rows(image, image, check);
     for (int dy = 0; dy <= result.bottom(); ++dy) {
         check();
         for (int dx = dy == 0 ? 0 : -result.left(); dx <= result.right(); ++dx)

@@ -1,5 +1,6 @@
 #include "core/analysis/texture_distance.h"
 
+#include "core/base/at.h"
 #include "core/job/random.h"
 #include "core/math/pca.h"
 
@@ -24,10 +25,6 @@ constexpr std::size_t kLearnt = 1024;
 constexpr int kBlock = 128;
 /// The same places for every run: a figure belongs to the images alone.
 constexpr std::uint64_t kSeed = 1;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// One of several images, drawn by area, and a place in it where a square of `side` px begins.
 struct Place {

@@ -34,7 +34,7 @@ using Sink = std::function<void(const void* data, std::size_t size)>;
 using ReadAt = std::function<void(void* data, std::size_t size, std::uint64_t offset)>;
 
 constexpr std::size_t kLengthBytes = 8; // of the head's length, before it; places are rounded up to it, too
-constexpr int kDeepest = 8;
+constexpr int kDeepestHeader = 8;
 constexpr std::size_t kLongestName = 256;
 constexpr const char* kMetadata = "__metadata__";
 constexpr std::string_view kOwnPrefix = "texloom.";
@@ -156,7 +156,7 @@ std::string textAt(const Json& metadata, const char* key) {
 }
 
 Json parsedHead(const std::string& file, const std::string& text) {
-    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
+    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepestHeader; };
     Json head;
     try {
         head = Json::parse(text, shallow);

@@ -1,5 +1,6 @@
 #include "core/match/patch_proposals.h"
 
+#include "core/base/at.h"
 #include "core/job/pool.h"
 #include "core/math/geometric_median.h"
 
@@ -12,10 +13,6 @@ namespace {
 
 /// Precision of medians, as a share of how far the proposals lie apart.
 constexpr double kTolerance = 1e-4;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 } // namespace
 

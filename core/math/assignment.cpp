@@ -1,5 +1,6 @@
 #include "core/math/assignment.h"
 
+#include "core/base/at.h"
 #include "core/math/cost_rows.h"
 
 #include <algorithm>
@@ -28,10 +29,6 @@ constexpr int kBids = 256;
 constexpr int kWorthwhile = 48;
 constexpr int kChunk = 8;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Shortest paths of changes from one row to all columns: Dijkstra's algorithm on the full graph.
 class Paths {
 public:
@@ -43,20 +40,19 @@ public:
     /// @return the column that is nearest then.
     int relax(const float* costs, int row, double base) {
         using Lane = Lanes<double>;
-        using Values = Lane::Values;
+        using Pack = typename Lane::Pack;
         const auto taker = static_cast<double>(row);
         const int count = static_cast<int>(m_prices.size());
-        Values best = Values{} + kInfinite;
+        Pack best = Pack{} + kInfinite;
         Lane::Places where = Lane::Places{} - 1, now = Lane::kFirst;
         int column = 0;
         for (; column + Lane::kCount <= count; column += Lane::kCount, now += Lane::kCount) {
-            Values open = load<Values>(m_open.data() + column);
-            Values from = load<Values>(m_from.data() + column);
-            const Values through =
-                Lane::costs(costs + column) + load<Values>(m_prices.data() + column) + base;
+            Pack open = load<Pack>(m_open.data() + column);
+            Pack from = load<Pack>(m_from.data() + column);
+            const Pack through = Lane::costs(costs + column) + load<Pack>(m_prices.data() + column) + base;
             const Lane::Places better = through < open;
             open = better ? through : open;
-            from = better ? Values{} + taker : from;
+            from = better ? Pack{} + taker : from;
             __builtin_memcpy(m_open.data() + column, &open, sizeof open);
             __builtin_memcpy(m_from.data() + column, &from, sizeof from);
             const Lane::Places nearer = open < best;

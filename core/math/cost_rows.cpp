@@ -22,11 +22,11 @@ struct Cell {
 };
 
 /// Costs, or bounds of them.
-Lane::Values magnitudes(const float* costs) {
+Lane::Pack magnitudes(const float* costs) {
     Lane::Places bits;
     __builtin_memcpy(&bits, costs, sizeof bits);
     bits &= Lane::Places{} + std::numeric_limits<std::int32_t>::max();
-    Lane::Values values;
+    Lane::Pack values;
     __builtin_memcpy(&values, &bits, sizeof values);
     return values;
 }
@@ -34,9 +34,9 @@ Lane::Values magnitudes(const float* costs) {
 /// The lowest sums of costs, or bounds of them, and prices of the cells of `count` places, whole spans.
 void lowestOfCells(const float* costs, const float* prices, int count, float* to) {
     for (int begin = 0; begin < count; begin += Cell::kSpan, to += Cell::kApart) {
-        Lane::Values lowest = Lane::Values{} + kInfinite;
+        Lane::Pack lowest = Lane::Pack{} + kInfinite;
         for (int i = begin; i < begin + Cell::kSpan; i += Cell::kApart) {
-            const Lane::Values here = magnitudes(costs + i) + load<Lane::Values>(prices + i);
+            const Lane::Pack here = magnitudes(costs + i) + load<Lane::Pack>(prices + i);
             lowest = here < lowest ? here : lowest;
         }
         __builtin_memcpy(to, &lowest, sizeof lowest);

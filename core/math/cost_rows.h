@@ -36,26 +36,26 @@ template <class T> struct BestTwo {
 /// As many values as fit a vector of every machine: larger ones are taken apart badly.
 template <class T> struct Lanes;
 template <> struct Lanes<float> {
-    using Values = float __attribute__((vector_size(16)));
+    using Pack = float __attribute__((vector_size(16)));
     using Places = std::int32_t __attribute__((vector_size(16)));
     static constexpr int kCount = 4;
     static constexpr Places kFirst = {0, 1, 2, 3};
 
-    static Values costs(const float* from) { return Values{from[0], from[1], from[2], from[3]}; }
+    static Pack costs(const float* from) { return Pack{from[0], from[1], from[2], from[3]}; }
 };
 template <> struct Lanes<double> {
-    using Values = double __attribute__((vector_size(16)));
+    using Pack = double __attribute__((vector_size(16)));
     using Places = std::int64_t __attribute__((vector_size(16)));
     static constexpr int kCount = 2;
     static constexpr Places kFirst = {0, 1};
 
-    static Values costs(const float* from) {
-        return Values{static_cast<double>(from[0]), static_cast<double>(from[1])};
+    static Pack costs(const float* from) {
+        return Pack{static_cast<double>(from[0]), static_cast<double>(from[1])};
     }
 };
 
-template <class Values, class T> Values load(const T* from) {
-    Values values;
+template <class Pack, class T> Pack load(const T* from) {
+    Pack values;
     __builtin_memcpy(&values, from, sizeof values);
     return values;
 }
@@ -63,15 +63,15 @@ template <class Values, class T> Values load(const T* from) {
 /// The two best sums of costs and prices.
 template <class T> BestTwo<T> bestTwo(const float* costs, const T* prices, int count) {
     using Lane = Lanes<T>;
-    using Values = typename Lane::Values;
+    using Pack = typename Lane::Pack;
     using Places = typename Lane::Places;
-    Values best = Values{} + std::numeric_limits<T>::infinity(), second = best;
+    Pack best = Pack{} + std::numeric_limits<T>::infinity(), second = best;
     Places where = Places{} - 1, now = Lane::kFirst;
     int i = 0;
     for (; i + Lane::kCount <= count; i += Lane::kCount, now += Lane::kCount) {
-        const Values value = Lane::costs(costs + i) + load<Values>(prices + i);
+        const Pack value = Lane::costs(costs + i) + load<Pack>(prices + i);
         const Places better = value < best;
-        const Values loser = better ? best : value;
+        const Pack loser = better ? best : value;
         second = loser < second ? loser : second;
         best = better ? value : best;
         where = better ? now : where;

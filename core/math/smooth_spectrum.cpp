@@ -38,7 +38,7 @@ std::vector<Complex> steps(int length) {
 }
 
 /// 2 cos(2πk / length) − 2, without cancellation.
-std::vector<float> secondDifferences(int length) {
+std::vector<float> laplacianFactors(int length) {
     std::vector<float> values;
     for (int k = 0; k < length; ++k) {
         const double half = std::sin(std::numbers::pi * k / length);
@@ -51,7 +51,7 @@ std::vector<float> secondDifferences(int length) {
 
 SmoothSpectrum::SmoothSpectrum(const PlaneView& image)
     : m_stepsX(steps(image.width)), m_stepsY(steps(image.height)),
-      m_laplacianX(secondDifferences(image.width)), m_laplacianY(secondDifferences(image.height)) {
+      m_laplacianX(laplacianFactors(image.width)), m_laplacianY(laplacianFactors(image.height)) {
     const int right = image.width - 1, bottom = image.height - 1;
     std::vector<float> below, beside;
     for (int x = 0; x <= right; ++x)

@@ -174,9 +174,9 @@ Matrix4d placeOf(const tinygltf::Node& node) {
     return place.matrix();
 }
 
-class Reader {
+class GltfReader {
 public:
-    Reader(std::string file, const tinygltf::Model& model, MeshBuilder& builder)
+    GltfReader(std::string file, const tinygltf::Model& model, MeshBuilder& builder)
         : m_file(std::move(file)), m_model(model), m_builder(builder) {}
 
     /// The default scene, or every mesh as it is where there is none.
@@ -318,7 +318,7 @@ tinygltf::Model parsed(const fs::path& path, const std::string& bytes) {
 } // namespace
 
 void readGltf(const fs::path& path, const std::string& bytes, MeshBuilder& builder) {
-    Reader(path.string(), parsed(path, bytes), builder).read();
+    GltfReader(path.string(), parsed(path, bytes), builder).read();
 }
 
 std::vector<fs::path> buffersOfGltf(const fs::path& path, const std::string& bytes) {

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 /// Polygons between two questions whether to go on.
-constexpr std::size_t kCheckEvery = 4096;
+constexpr std::size_t kTrianglesPerCheck = 4096;
 
 double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -120,7 +120,7 @@ void MeshBuilder::addPolygon(std::span<const Corner> corners) {
         fail("{} has a face of {} corners; faces can have up to {}.", m_path, corners.size(), kMostCorners);
     for (const Corner& corner : corners)
         checkCorner(corner);
-    if ((m_triangles.size() + m_withoutArea) % kCheckEvery == 0)
+    if ((m_triangles.size() + m_withoutArea) % kTrianglesPerCheck == 0)
         m_check();
     if (corners.size() < 3)
         ++m_withoutArea;

@@ -213,9 +213,9 @@ int indexOf(const Element& element, std::initializer_list<std::string_view> name
     return -1;
 }
 
-class Reader {
+class PlyReader {
 public:
-    Reader(const std::filesystem::path& path, const std::string& bytes, MeshBuilder& builder)
+    PlyReader(const std::filesystem::path& path, const std::string& bytes, MeshBuilder& builder)
         : m_file(path.string()), m_head(m_file, bytes),
           m_numbers(m_file, std::string_view(bytes).substr(m_head.bytes), m_head.coding), m_builder(builder) {
     }
@@ -326,7 +326,7 @@ private:
 } // namespace
 
 void readPly(const std::filesystem::path& path, const std::string& bytes, MeshBuilder& builder) {
-    Reader(path, bytes, builder).read();
+    PlyReader(path, bytes, builder).read();
 }
 
 } // namespace texloom

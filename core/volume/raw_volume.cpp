@@ -24,10 +24,10 @@ static_assert(std::endian::native == std::endian::little, "values are written as
 constexpr int kFormat = 1;
 constexpr const char* kType = "float32";
 constexpr const char* kOrder = "channel, x, y, z";
-constexpr std::size_t kLongestHead = 16U << 20;
+constexpr std::size_t kLongestVolumeHead = 16U << 20;
 
 /// What the .json file says.
-struct Head {
+struct VolumeHead {
     Box box;
     int channels = 0;
     bool repeats = false;
@@ -109,7 +109,7 @@ std::string dataNameFrom(const JsonField& field) {
     return name;
 }
 
-Head headFrom(const fs::path& path, const JsonField::Json& json) {
+VolumeHead headFrom(const fs::path& path, const JsonField::Json& json) {
     const JsonField field(documentOf(path), json);
     if (!json.is_object() || !field.has("texloom-volume"))
         fail("{} does not describe a volume.", path.string());
@@ -122,7 +122,7 @@ Head headFrom(const fs::path& path, const JsonField::Json& json) {
     const JsonField size = field.at("size"), place = field.at("place");
     size.needArray(3, 3);
     place.needArray(3, 3);
-    Head head;
+    VolumeHead head;
     head.box = {coordinateFrom(place.at(0)),
                 coordinateFrom(place.at(1)),
                 coordinateFrom(place.at(2)),
@@ -169,7 +169,8 @@ void writeRawVolume(const fs::path& path, const VolumeSource& source, const Box&
 
 std::vector<fs::path> filesOfRawVolume(const fs::path& path) {
     try {
-        const Head head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestHead)));
+        const VolumeHead head =
+            headFrom(path, parseJson(documentOf(path), readText(path, kLongestVolumeHead)));
         return {path, path.parent_path() / head.data};
     } catch (const Error&) {
         return {path};
@@ -177,7 +178,7 @@ std::vector<fs::path> filesOfRawVolume(const fs::path& path) {
 }
 
 LoadedVolume readRawVolume(const fs::path& path, JobContext& context, const VolumeReadOptions& options) {
-    const Head head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestHead)));
+    const VolumeHead head = headFrom(path, parseJson(documentOf(path), readText(path, kLongestVolumeHead)));
     const VolumeSize size = head.box.size;
     head.box.check();
     checkVolumeSize(path, size, head.channels, options.largestVoxels);

@@ -1,5 +1,7 @@
 #include "tests/cli/program.h"
 
+#include "tests/support/file_content.h"
+
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,11 +16,6 @@
 namespace texloom::test {
 
 namespace {
-
-std::string contentOf(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void redirect(const std::filesystem::path& path, int to) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

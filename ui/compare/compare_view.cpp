@@ -40,7 +40,7 @@ ShownDifference makeDifference(const DisplayPicture& first, const DisplayPicture
     return shown;
 }
 
-QString numberText(DifferenceKind kind, const ShownDifference& shown, Size part) {
+QString differenceText(DifferenceKind kind, const ShownDifference& shown, Size part) {
     const QString number = QString::number(shown.number, 'g', 4);
     const QString text = kind == DifferenceKind::Squared ? CompareView::tr("RMSE %1").arg(number)
                          : kind == DifferenceKind::Relative
@@ -289,7 +289,7 @@ void CompareView::showDifference() {
             if (request != m_request)
                 return;
             m_single->setPicture(shown.picture);
-            m_bar->say(numberText(kind, shown, shown.picture->size()));
+            m_bar->say(differenceText(kind, shown, shown.picture->size()));
         },
         [this](const QString& why) { m_bar->say(why); });
 }

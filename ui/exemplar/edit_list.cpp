@@ -2,6 +2,7 @@
 
 #include "core/tools/edits.h"
 #include "ui/common/text.h"
+#include "ui/common/translate.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -11,10 +12,6 @@
 namespace texloom::ui {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("texloom::ui", text);
-}
 
 QString withUnit(const Param& param, const QString& text) {
     return param.unit().empty() ? text : text + QLatin1Char(' ') + translated(param.unit());

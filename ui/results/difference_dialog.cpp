@@ -15,8 +15,8 @@ namespace texloom::ui {
 
 namespace {
 
-constexpr int kLines = 20;
-constexpr int kWidth = 104;
+constexpr int kTextLines = 20;
+constexpr int kTextWidth = 104;
 
 QString shown(const Message& text) {
     return text.empty() ? QStringLiteral("–") : translated(text);
@@ -62,7 +62,7 @@ DifferenceDialog::DifferenceDialog(const ResultEntry& first, const ResultEntry& 
     column->addWidget(same);
     column->addWidget(table, 1);
     column->addWidget(buttons);
-    resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
+    resize(fontMetrics().averageCharWidth() * kTextWidth, fontMetrics().height() * kTextLines);
 }
 
 } // namespace texloom::ui

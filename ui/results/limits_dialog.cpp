@@ -20,8 +20,8 @@ namespace {
 const QString kMemory = QStringLiteral("results/memory");
 const QString kDisk = QStringLiteral("results/disk");
 constexpr double kGiB = 1024.0 * 1024 * 1024;
-constexpr double kSmallest = 0.1;
-constexpr double kLargest = 10000;
+constexpr double kSmallestSize = 0.1;
+constexpr double kLargestSize = 10000;
 
 std::uint64_t bytesOf(const QDoubleSpinBox& size) {
     return static_cast<std::uint64_t>(size.value() * kGiB);
@@ -82,7 +82,7 @@ LimitsDialog::LimitsDialog(const ResultStore& store, const QString& folder, QWid
 QDoubleSpinBox* LimitsDialog::makeSize(const QString& name, double bytes, const QString& help) {
     auto* size = new QDoubleSpinBox(this);
     size->setObjectName(name);
-    size->setRange(kSmallest, kLargest);
+    size->setRange(kSmallestSize, kLargestSize);
     size->setDecimals(1);
     size->setSuffix(tr(" GiB"));
     size->setValue(bytes / kGiB);

@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "ui/common/text.h"
+#include "ui/common/translate.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -12,10 +13,6 @@
 namespace texloom::ui {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("texloom::ui", text);
-}
 
 /// A method's title; its id where this version does not have it.
 QString methodTitle(const std::string& id) {

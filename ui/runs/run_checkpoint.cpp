@@ -2,6 +2,7 @@
 
 #include "ui/common/background.h"
 #include "ui/common/text.h"
+#include "ui/common/translate.h"
 #include "ui/runs/result_text.h"
 
 #include <QCoreApplication>
@@ -20,11 +21,7 @@ namespace texloom::ui {
 
 namespace {
 
-const QString kEnding = QStringLiteral(".checkpoint");
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("texloom::ui", text);
-}
+const QString kCheckpointEnding = QStringLiteral(".checkpoint");
 
 QString lockOf(const QString& file) {
     return file + QStringLiteral(".lock");
@@ -78,7 +75,8 @@ BrokenRun brokenRun(const QString& path) {
 } // namespace
 
 RunCheckpoint::RunCheckpoint(const QString& folder)
-    : m_file(folder + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding) {}
+    : m_file(folder + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) +
+             kCheckpointEnding) {}
 
 RunCheckpoint::RunCheckpoint(QString file, std::shared_ptr<const Checkpoint> resumed)
     : m_file(std::move(file)), m_resumed(std::move(resumed)) {
@@ -126,7 +124,7 @@ QString RunCheckpoint::takeProblem() {
 
 std::optional<BrokenRun> newestBrokenRun(const QString& folder) {
     const QFileInfoList found =
-        QDir(folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
+        QDir(folder).entryInfoList({QLatin1Char('*') + kCheckpointEnding}, QDir::Files, QDir::Time);
     for (const QFileInfo& file : found) {
         QLockFile lock(lockOf(file.filePath()));
         lock.setStaleLockTime(0);

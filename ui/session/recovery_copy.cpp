@@ -19,7 +19,7 @@ namespace texloom::ui {
 
 namespace {
 
-const QString kEnding = QStringLiteral(".texloom");
+const QString kRecoveryEnding = QStringLiteral(".texloom");
 /// Well under the half minute that a crash may cost.
 constexpr std::chrono::seconds kDelay{10};
 
@@ -62,7 +62,8 @@ void RecoveryCopy::write() {
         return;
     if (m_file.isEmpty()) {
         QDir().mkpath(m_folder);
-        takeOver(m_folder + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) + kEnding);
+        takeOver(m_folder + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) +
+                 kRecoveryEnding);
     }
     m_writing = true;
     inBackground(
@@ -98,7 +99,7 @@ void RecoveryCopy::drop() {
 
 void RecoveryCopy::offer(QWidget* parent) {
     const QFileInfoList found =
-        QDir(m_folder).entryInfoList({QLatin1Char('*') + kEnding}, QDir::Files, QDir::Time);
+        QDir(m_folder).entryInfoList({QLatin1Char('*') + kRecoveryEnding}, QDir::Files, QDir::Time);
     for (const QFileInfo& copy : found) {
         QLockFile lock(lockOf(copy.filePath()));
         lock.setStaleLockTime(0);

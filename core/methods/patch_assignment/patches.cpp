@@ -309,22 +309,22 @@ void ExemplarPatches::findSimilar(JobContext& context) {
         for (int i = chunk * kChunk; i < std::min(count(), (chunk + 1) * kChunk); ++i) {
             context.check();
             near.clear();
-            const int self = order[static_cast<std::size_t>(i)];
+            const int own = order[static_cast<std::size_t>(i)];
             for (int j = std::max(0, i - kWindow); j < std::min(count(), i + kWindow); ++j) {
                 const int other = order[static_cast<std::size_t>(j)];
                 float apart = 0;
                 for (std::size_t a = 0; a < PatchBasis::kAxes; ++a) {
-                    const float d = descriptors[static_cast<std::size_t>(self)][a] -
+                    const float d = descriptors[static_cast<std::size_t>(own)][a] -
                                     descriptors[static_cast<std::size_t>(other)][a];
                     apart += d * d;
                 }
-                if (other != self)
+                if (other != own)
                     near.emplace_back(apart, other);
             }
             const auto kept = std::min<std::size_t>(kSimilar, near.size());
             std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(kept), near.end());
             for (std::size_t k = 0; k < kept; ++k)
-                m_similar[static_cast<std::size_t>(self) * kSimilar + k] = near[k].second;
+                m_similar[static_cast<std::size_t>(own) * kSimilar + k] = near[k].second;
         }
     });
 }

@@ -1,5 +1,7 @@
 #include "core/methods/portilla_simoncelli/low_residuals.h"
 
+#include "core/base/at.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,10 +15,6 @@ constexpr std::array<std::array<int, 2>, kNeighbours> kShifts{{{0, 0}, {1, 0}, {
 using Complex = SteerablePyramid::Complex;
 using Check = SteerablePyramid::Check;
 using Samples = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// The factors by which a column of a spectrum goes to a neighbour.
 std::vector<Complex> shiftFactors(const SteerablePyramid& pyramid, int column, int neighbour) {

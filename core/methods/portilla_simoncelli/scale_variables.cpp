@@ -1,5 +1,6 @@
 #include "core/methods/portilla_simoncelli/scale_variables.h"
 
+#include "core/base/at.h"
 #include "core/methods/portilla_simoncelli/low_residuals.h"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace {
 constexpr int kBlockSamples = 1024;
 /// Parts into which covariances are summed, whatever the number of threads.
 constexpr int kParts = 64;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Planes of the next scale's variables: two for each band where there is a next scale with bands.
 int nextPlanes(int scales, int components, int orientations) {

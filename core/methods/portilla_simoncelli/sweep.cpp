@@ -1,5 +1,6 @@
 #include "core/methods/portilla_simoncelli/sweep.h"
 
+#include "core/base/at.h"
 #include "core/methods/portilla_simoncelli/low_residuals.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace texloom::portilla_simoncelli {
 namespace {
 
 using Complex = SteerablePyramid::Complex;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 } // namespace
 

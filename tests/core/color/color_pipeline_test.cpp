@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/color/color_pipeline.h"
+#include "tests/core/color/srgb.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -14,11 +15,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-/// The sRGB curve of IEC 61966-2-1, from linear light.
-double encoded(double light) {
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-}
 
 Image pixel(std::initializer_list<float> samples) {
     Image image({1, 1}, static_cast<int>(samples.size()));

@@ -1,6 +1,7 @@
 #include "core/color/color_pipeline.h"
 #include "core/io/image_file.h"
 #include "core/session/run/exemplar_file.h"
+#include "tests/core/color/srgb.h"
 #include "tests/core/io/foreign_files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,10 +27,6 @@ Bytes chromaticities(const std::array<std::uint32_t, 8>& values) {
         for (const std::uint8_t byte : number(value))
             bytes.push_back(byte);
     return bytes;
-}
-
-double encoded(double light) {
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
 
 using Chunks = std::vector<std::pair<std::string, Bytes>>;

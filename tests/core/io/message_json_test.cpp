@@ -5,10 +5,10 @@
 namespace texloom {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 Message back(const Message& message) {
-    return messageFrom(Json::parse(toJson(message).dump()));
+    return messageFrom(OrderedJson::parse(toJson(message).dump()));
 }
 
 TEST(MessageJson, ComesBackWithPatternsAndValues) {
@@ -16,7 +16,7 @@ TEST(MessageJson, ComesBackWithPatternsAndValues) {
     const Message nested = message("{} is {:.1f} px wide, {}.", Message(TR("Image quilting")), 2.25,
                                    message("{} and {}", "{}", Message("odd\n\"text\"")));
     EXPECT_EQ(back(plain), plain);
-    EXPECT_EQ(toJson(plain), Json("Patch size"));
+    EXPECT_EQ(toJson(plain), OrderedJson("Patch size"));
     EXPECT_EQ(back(nested), nested);
     EXPECT_EQ(messagesFrom(toJson(std::vector<Message>{plain, nested})),
               (std::vector<Message>{plain, nested}));
@@ -30,7 +30,7 @@ TEST(MessageJson, RefusesWhatIsNoMessage) {
     for (const char* text :
          {"7", "null", "[]", "{}", R"({"pattern": "a"})", R"({"pattern": 1, "values": []})",
           R"({"pattern": "a", "values": [1]})", R"({"pattern": "a", "values": ["b", {}]})"})
-        EXPECT_THROW(messageFrom(Json::parse(text)), Json::exception) << text;
+        EXPECT_THROW(messageFrom(OrderedJson::parse(text)), OrderedJson::exception) << text;
 }
 
 } // namespace

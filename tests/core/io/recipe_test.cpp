@@ -15,7 +15,7 @@ namespace texloom::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const fs::path kFolder = "/project/recipes";
 
@@ -91,14 +91,14 @@ void expectSame(const Recipe& a, const Recipe& b) {
 }
 
 /// The full recipe as JSON with one place changed.
-std::string changed(const std::string& pointer, const Json& value) {
-    Json json = Json::parse(fullRecipe().toJson(kFolder));
-    json[Json::json_pointer(pointer)] = value;
+std::string changed(const std::string& pointer, const OrderedJson& value) {
+    OrderedJson json = OrderedJson::parse(fullRecipe().toJson(kFolder));
+    json[OrderedJson::json_pointer(pointer)] = value;
     return json.dump();
 }
 
 std::string without(const std::string& field) {
-    Json json = Json::parse(fullRecipe().toJson(kFolder));
+    OrderedJson json = OrderedJson::parse(fullRecipe().toJson(kFolder));
     json.erase(field);
     return json.dump();
 }
@@ -125,7 +125,7 @@ TEST(Recipe, KeepsEveryDoubleAndWhetherItIsWhole) {
 }
 
 TEST(Recipe, WritesPathsRelativeToItsFolder) {
-    const Json json = Json::parse(fullRecipe().toJson(kFolder));
+    const OrderedJson json = OrderedJson::parse(fullRecipe().toJson(kFolder));
     EXPECT_EQ(json["exemplars"][0]["file"], "../images/bark ü.png");
     EXPECT_EQ(json["exemplars"][0]["mask"]["file"], "mask.png");
 }
@@ -156,7 +156,7 @@ TEST(Recipe, NamesAFieldThatItDoesNotKnow) {
 }
 
 TEST(Recipe, NamesAFieldOfTheWrongType) {
-    const std::vector<std::pair<std::string, Json>> wrong = {
+    const std::vector<std::pair<std::string, OrderedJson>> wrong = {
         {"/method", 3},       {"/version", 2},  {"/parameters", "none"}, {"/exemplars", "a.png"},
         {"/size", "640x480"}, {"/size", {640}}, {"/region", {1, 2, 3}},  {"/wrap", "z"},
         {"/seed", -1},        {"/seed", 1.5},   {"/seed", "1"},          {"/texloom", "one"},
@@ -170,7 +170,7 @@ TEST(Recipe, NamesAFieldOfTheWrongType) {
 TEST(Recipe, NamesAFieldDeepInside) {
     EXPECT_THAT([] { parsed(changed("/exemplars/0/companions/1/file", 7)); },
                 usageRefusal("exemplars[0].companions[1].file", "7"));
-    EXPECT_THAT([] { parsed(changed("/parameters/patch", Json::array())); },
+    EXPECT_THAT([] { parsed(changed("/parameters/patch", OrderedJson::array())); },
                 usageRefusal("parameters.patch"));
     EXPECT_THAT([] { parsed(changed("/size/1", 4.5)); }, usageRefusal("size[1]", "4.5"));
 }
@@ -222,7 +222,7 @@ TEST(Recipe, RefusesDeepNesting) {
 }
 
 TEST(Recipe, RefusesAnEmptyListOfExemplars) {
-    EXPECT_THAT([] { parsed(changed("/exemplars", Json::array())); }, usageRefusal("exemplars", "[]"));
+    EXPECT_THAT([] { parsed(changed("/exemplars", OrderedJson::array())); }, usageRefusal("exemplars", "[]"));
 }
 
 TEST(Recipe, SurvivesTextThatIsNotUtf8) {

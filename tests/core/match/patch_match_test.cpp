@@ -25,7 +25,7 @@ PatchField matched(const ImageView& query, std::vector<PatchSource> sources, con
     return std::get<PatchField>(job.take());
 }
 
-double distanceAt(const ImageView& a, int ax, int ay, const ImageView& b, int bx, int by, int patch) {
+double wrappedDistance(const ImageView& a, int ax, int ay, const ImageView& b, int bx, int by, int patch) {
     double sum = 0;
     for (int c = 0; c < a.channels; ++c)
         for (int y = 0; y < patch; ++y)
@@ -45,7 +45,7 @@ double exhaustiveMean(const ImageView& query, const ImageView& source, int patch
             double best = std::numeric_limits<double>::infinity();
             for (int v = 0; v + patch <= source.height; ++v)
                 for (int u = 0; u + patch <= source.width; ++u)
-                    best = std::min(best, distanceAt(query, x, y, source, u, v, patch));
+                    best = std::min(best, wrappedDistance(query, x, y, source, u, v, patch));
             sum += best;
         }
     return sum / count;
@@ -87,7 +87,7 @@ TEST(PatchMatch, distancesAreThoseOfTheMatches) {
             for (int x = 0; x < field.size().width; ++x) {
                 const PatchMatch& match = field.at(x, y);
                 ASSERT_NEAR(match.distance,
-                            distanceAt(query, x, y, exemplar, match.source.x, match.source.y, 5), 1e-4);
+                            wrappedDistance(query, x, y, exemplar, match.source.x, match.source.y, 5), 1e-4);
             }
     }
 }

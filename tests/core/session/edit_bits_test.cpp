@@ -5,6 +5,7 @@
 #include "core/tools/edits.h"
 #include "tests/core/session/sample_run.h"
 #include "tests/core/tools/sample_edits.h"
+#include "tests/support/file_content.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -109,11 +110,6 @@ fs::path dataFile(const char* name) {
 
 nlohmann::json jsonOf(const std::string& text) {
     return nlohmann::json::parse(text);
-}
-
-std::string contentOf(const fs::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void expectComplete(const ExemplarEdits& edits) {

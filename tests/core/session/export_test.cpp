@@ -4,6 +4,7 @@
 #include "tests/core/io/file_limit.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
+#include "tests/support/file_content.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -22,11 +23,6 @@ using ::testing::ThrowsMessage;
 
 std::set<fs::path> filesIn(const fs::path& folder) {
     return {fs::directory_iterator(folder), fs::directory_iterator()};
-}
-
-std::string contentOf(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// The sample with a normal map beside it, run, and an export of everything into a folder of its own.
