@@ -53,7 +53,7 @@ std::vector<CopyIndex::Place> CopyIndex::copiesOf(const Source& source, std::siz
     if (!source.valid() || source.exemplar >= m_exemplars.size())
         return places;
     const Size exemplar = m_exemplars[source.exemplar];
-    // Of a piece that was copied, one pixel in a square of this side is known.
+    // Of each copied piece, one pixel per square of this side is recorded.
     for (int dy = 0; dy < m_step; ++dy)
         for (int dx = 0; dx < m_step; ++dx) {
             const int x = source.x - dx, y = source.y - dy;

@@ -8,9 +8,9 @@
 
 namespace texloom {
 
-/// Tells at once which output pixels are copies of an exemplar pixel: the way back of a position map, for
-/// whoever points at the exemplar. Of large maps it knows every step-th pixel in each direction; copies of
-/// pieces larger than that are found all the same.
+/// Looks up which output pixels are copies of an exemplar pixel: the inverse of a position map, for pointing
+/// at the exemplar. For large maps it records every step-th pixel in each direction, which still finds the
+/// copies of larger pieces.
 class CopyIndex {
 public:
     struct Place {
@@ -19,14 +19,15 @@ public:
         friend bool operator==(const Place&, const Place&) = default;
     };
 
-    /// @param most how many output pixels to know. @param check called for every row; may throw.
+    /// @param most the largest number of output pixels to record. @param check called for every row; may
+    /// throw.
     explicit CopyIndex(
         const PositionMap& map, std::int64_t most = 1 << 21, const std::function<void()>& check = [] {});
 
     /// Output pixels that `source` was copied to, row by row, at most `most`.
     std::vector<Place> copiesOf(const Source& source, std::size_t most) const;
 
-    /// Bytes that an index of a map takes, for exemplars of so many pixels together.
+    /// Bytes that an index of a map takes, for exemplars with this many pixels in total.
     static std::uint64_t bytesFor(std::int64_t exemplarPixels, std::int64_t most = 1 << 21);
 
 private:
@@ -36,7 +37,7 @@ private:
     std::vector<Size> m_exemplars;
     int m_step = 1;
     std::vector<std::uint32_t> m_begin;  ///< by exemplar pixel: where its copies begin in m_copies
-    std::vector<std::uint32_t> m_copies; ///< the numbers of output pixels, sorted by source
+    std::vector<std::uint32_t> m_copies; ///< indices of output pixels, sorted by source
 };
 
 } // namespace texloom

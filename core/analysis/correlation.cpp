@@ -132,7 +132,7 @@ public:
             below += std::sqrt(std::max(0.0, count * a.square - a.value * a.value) *
                                std::max(0.0, count * b.square - b.value * b.value));
         }
-        // Below this the variance of the overlap is the rounding of the sums.
+        // Below this the variance of the overlap is only rounding error of the sums.
         constexpr double kNothing = 1e-9;
         const double whole = static_cast<double>(m_f.width) * m_f.height;
         const double share = count / whole;

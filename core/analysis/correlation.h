@@ -25,7 +25,7 @@ public:
     }
     float at(int dx, int dy) const { return m_values[index(dx, dy)]; }
     float& at(int dx, int dy) { return m_values[index(dx, dy)]; }
-    /// γ between displacements, bilinear; the four around it must be within.
+    /// γ between displacements, interpolated bilinearly; the four around it must be in range.
     double between(double dx, double dy) const;
     /// The part of f that g covers.
     Size overlap(int dx, int dy) const;
@@ -44,9 +44,9 @@ private:
     std::vector<float> m_values;
 };
 
-/// γ of `f` and `g`, which need not be of one size. Channels are combined as the sum of their numerators over
-/// the sum of their denominators (eq. 3.13), so that a channel without structure counts for nothing. The
-/// correlation is made by one Fourier transform per channel, all other sums by integral images.
+/// γ of `f` and `g`, which need not have the same size. Channels are combined as the sum of their numerators
+/// over the sum of their denominators (eq. 3.13), so that a channel without structure has no weight. The
+/// correlation is computed with one Fourier transform per channel, all other sums with integral images.
 /// @param check called every few milliseconds; may throw.
 Correlation correlate(
     const ImageView& f, const ImageView& g, const std::function<void()>& check = [] {});

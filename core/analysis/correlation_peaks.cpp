@@ -28,7 +28,8 @@ Correlation smoothed(const Correlation& gamma) {
     return smooth;
 }
 
-/// Indices of the maxima, ordered by how far each is from a higher one and from the origin, farthest first.
+/// Indices of the maxima, ordered by the distance of each from a higher one and from the origin, farthest
+/// first.
 /// @param peaks highest first.
 std::vector<std::size_t> byDominance(const std::vector<Peak>& peaks) {
     std::vector<std::pair<double, std::size_t>> reach;

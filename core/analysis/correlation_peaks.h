@@ -8,11 +8,11 @@
 
 namespace texloom {
 
-/// An autocorrelation γ with its noise between neighbours smoothed away, and its local maxima.
+/// An autocorrelation γ, smoothed against noise between neighbours, and its local maxima.
 class CorrelationPeaks {
 public:
-    /// @param check called every few milliseconds, by all that uses the peaks too; may throw; must outlive
-    /// them.
+    /// @param check called every few milliseconds, also by everything that uses the peaks; may throw; must
+    /// outlive them.
     CorrelationPeaks(const Correlation& gamma, const std::function<void()>& check);
 
     struct Peak {
@@ -29,10 +29,10 @@ public:
     }
     /// Largest smoothed γ within `reach` pixels of a point, and where.
     Peak summit(Vec2 near, int reach) const;
-    /// Largest smoothed γ at a point or beside it: of a lattice whose points lie between pixels.
+    /// Largest smoothed γ at a point or next to it, for lattices whose points lie between pixels.
     double height(Vec2 at) const { return static_cast<double>(summit(at, 1).height); }
     /// The maxima worth pairing, short enough for a vector: the highest, the shortest, and those far from any
-    /// higher one (Lin, Wang & Yang 1997, through the source's chapter 6).
+    /// higher one (Lin, Wang & Yang 1997, as cited in the source's chapter 6).
     std::vector<Peak> dominant() const;
 
 private:

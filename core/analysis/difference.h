@@ -6,16 +6,16 @@
 
 namespace texloom {
 
-/// How two images are told apart, sample by sample: a is the first, b the second.
+/// How two images are compared, sample by sample: a is the first, b the second.
 enum class DifferenceKind {
     Absolute, ///< |a − b|; the number is its mean
-    Squared,  ///< (a − b)²; the number is the root of its mean (RMSE)
+    Squared,  ///< (a − b)²; the number is the square root of its mean (RMSE)
     Relative, ///< |a − b| / (|b| + 0.01), so that dark samples count as much as bright ones; its mean
 };
 
-/// What two images differ in.
+/// The difference between two images.
 struct Difference {
-    Image image; ///< of the part that both have: their top left corners, and the channels of both
+    Image image; ///< of the common part: aligned at the top left, with the channels both have
     double number = 0;
     float largest = 0; ///< sample in the image
 };

@@ -6,7 +6,7 @@ namespace texloom {
 
 namespace {
 
-/// Where the patch begins that decides over pixel `at`, and which of its pixels that is.
+/// Where the patch that decides pixel `at` begins, and which of its pixels that is.
 struct Place {
     int start, within;
 };
@@ -19,7 +19,7 @@ Place placeOf(int at, int length, int patch, bool wraps) {
     return {inside, at - inside};
 }
 
-/// The starts are good; more of them change few pixels.
+/// The starting matches are good; further iterations change few pixels.
 constexpr int kIterations = 2;
 
 int patchFor(const ImageView& result, std::span<const PatchSource> exemplars) {

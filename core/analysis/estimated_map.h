@@ -9,11 +9,11 @@
 
 namespace texloom {
 
-/// The synthesis map of a result whose pixels are new: every pixel gets the exemplar pixel in the middle of
-/// the patch most like the one around it, found with PatchMatch (Raad, thesis 2016, section 2.4; Gutierrez,
-/// thesis 2020, section 2.3). At borders that do not wrap the outermost whole patch decides.
+/// The synthesis map of a result whose pixels are new: every pixel is mapped to the centre of the exemplar
+/// patch most similar to the patch around it, found with PatchMatch (Raad, thesis 2016, section 2.4;
+/// Gutierrez, thesis 2020, section 2.3). At borders that do not wrap, the outermost whole patch decides.
 /// @param exemplars in the order of the map's exemplar numbers. @param wrap of the result.
-/// @param context begin a stage of its own before: its progress is set.
+/// @param context its progress is set, so begin a stage of its own first.
 PositionMap estimatedMap(const ImageView& result, std::span<const PatchSource> exemplars, Wrap wrap,
                          JobContext& context);
 

@@ -9,8 +9,8 @@
 
 namespace texloom {
 
-/// How often a quantity takes each value in a texture's exemplars and in the texture, over bins of one width
-/// from `low` to `high`. Shares of each add to 1.
+/// How often a quantity takes each value in a texture's exemplars and in the texture, over bins of equal
+/// width from `low` to `high`. The shares of each add up to 1.
 struct HistogramPair {
     double low = 0, high = 1;
     std::vector<double> exemplar, result;
@@ -26,8 +26,8 @@ std::vector<HistogramPair> colorHistograms(const ImageView& result, std::span<co
                                            int bins, JobContext& context);
 
 /// Patches of 8 px, along the first and the second principal axis of the exemplars' patches (Gutierrez,
-/// thesis 2020, fig. 3.9). Some thousand at places drawn with the context's random numbers stand for all.
-/// None where an image is smaller than a patch.
+/// thesis 2020, fig. 3.9). A few thousand, at places drawn with the context's random numbers, represent all
+/// of them. Empty if an image is smaller than a patch.
 std::vector<HistogramPair> componentHistograms(const ImageView& result, std::span<const ImageView> exemplars,
                                                int bins, JobContext& context);
 

@@ -11,12 +11,12 @@ namespace texloom {
 
 namespace {
 
-/// The lattice of whole vectors as rows: (x, y) ≡ (x − shift, y − rows) and (x, y) ≡ (x − columns, y).
+/// A lattice of integer vectors as rows: (x, y) ≡ (x − shift, y − rows) and (x, y) ≡ (x − columns, y).
 struct Hermite {
     std::int64_t columns, rows, shift;
 
     Hermite(std::int64_t x1, std::int64_t y1, std::int64_t x2, std::int64_t y2) {
-        // Euclid's steps on the vectors until one of them is horizontal.
+        // Euclid's algorithm on the vectors until one of them is horizontal.
         while (y2 != 0) {
             const std::int64_t times = y1 / y2;
             x1 -= times * x2;
@@ -45,7 +45,7 @@ std::int64_t unionLength(std::vector<std::int64_t>& starts, std::int64_t length,
     return covered;
 }
 
-/// The whole points round one.
+/// The integer points around a point, without 0.
 std::vector<Vec2> around(Vec2 c) {
     std::vector<Vec2> points;
     for (int dx = -1; dx <= 1; ++dx)
@@ -59,12 +59,13 @@ Vec2 turned(Vec2 v) {
     return {-v.y, v.x};
 }
 
-/// How much the map with these columns changes a length at most: its singular values against 1.
+/// The largest relative change of a length under the linear map with these columns: its singular values
+/// compared with 1.
 double largestStretch(Vec2 x, Vec2 y) {
     const double sum = 0.5 * (dot(x, x) + dot(y, y));
     const double spread = std::hypot(0.5 * (dot(x, x) - dot(y, y)), dot(x, y));
     const double longest = std::sqrt(sum + spread), shortest = std::sqrt(std::max(0.0, sum - spread));
-    // A quarter turn keeps all lengths, so that directions count as well.
+    // A quarter turn preserves all lengths, so directions count as well.
     const double turn = std::max((x - Vec2{1, 0}).length(), (y - Vec2{0, 1}).length());
     return std::max({longest - 1, 1 - shortest, turn});
 }
@@ -116,7 +117,7 @@ WrappedLattice wrapped(const Lattice& lattice, Size size, const Wrap& wrap) {
     const Vec2 right{double(size.width), 0}, down{0, double(size.height)};
     WrappedLattice best{lattice, wrap.x || wrap.y ? std::numeric_limits<double>::infinity() : 0};
     const auto consider = [&](Vec2 across, Vec2 along) {
-        // The linear change that takes these two points of the lattice to where the output ends.
+        // The linear map that takes these two lattice points to the ends of the output.
         const Lattice from{lattice.at(across.x, across.y), lattice.at(along.x, along.y)};
         if (from.area() < 0.01 * lattice.area())
             return;
@@ -132,7 +133,7 @@ WrappedLattice wrapped(const Lattice& lattice, Size size, const Wrap& wrap) {
         for (const Vec2 along : wrap.y ? around(lattice.coordinates(down)) : std::vector<Vec2>{{0, 0}}) {
             if (wrap.x && wrap.y)
                 consider(across, along);
-            else if (wrap.x) // the direction square to the one that closes stays as it is
+            else if (wrap.x) // the direction perpendicular to the closing one stays
                 consider(across, lattice.coordinates(turned(lattice.at(across.x, across.y))));
             else if (wrap.y)
                 consider(lattice.coordinates(turned(lattice.at(along.x, along.y))), along);
@@ -161,7 +162,7 @@ double tileCoverage(const Lattice& lattice, Size rectangle) {
     const std::int64_t area = tile.columns * tile.rows;
     if (area == 0 || rectangle.empty())
         return 0;
-    // Rows y, y + rows, y + 2 rows … hold the same pixels of the tile, each moved on by the shift.
+    // Rows y, y + rows, y + 2 rows … hold the same pixels of the tile, each offset by the shift.
     const std::int64_t cycle =
         tile.columns / std::gcd(tile.columns, tile.shift == 0 ? tile.columns : tile.shift);
     std::int64_t covered = 0, previousCount = -1, previous = 0;

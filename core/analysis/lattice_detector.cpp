@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t kShortlist = 32;
 constexpr std::size_t kReported = 4;
 constexpr double kTrusted = 0.5; // confidence
-constexpr double kHalf = 0.5;    // of the best lattice, for one that someone may want instead
-constexpr double kSame = 1.5;    // pixels between vectors that are the same
+constexpr double kHalf = 0.5;    // of the best goodness, for an alternative
+constexpr double kSame = 1.5;    // pixels between vectors that count as equal
 
 /// Polynomials of degree 0 to 2 on `length` points, orthonormal.
 std::array<std::vector<double>, 3> polynomials(int length) {
@@ -48,7 +48,7 @@ std::array<std::vector<double>, 3> polynomials(int length) {
     return basis;
 }
 
-/// Takes the quadratic surface nearest to a channel out of it.
+/// Subtracts from a channel the quadratic surface that fits it best.
 void flatten(PlaneSpan plane) {
     const auto across = polynomials(plane.width), down = polynomials(plane.height);
     std::array<std::array<double, 3>, 3> weights{};
@@ -72,7 +72,7 @@ void flatten(PlaneSpan plane) {
     }
 }
 
-/// Lattices that may be a texture's.
+/// Candidate lattices of a texture.
 class Search {
 public:
     explicit Search(const CorrelationPeaks& peaks) : m_peaks(peaks) {}
@@ -140,8 +140,8 @@ void Search::run() {
     addFiner();
 }
 
-/// Adds the lattices with two or three times as many points where those fit as well: their vectors may not be
-/// among the peaks.
+/// Adds the lattices with two or three times as many points where those fit equally well: their vectors may
+/// not be among the peaks.
 void Search::addFiner() {
     constexpr double kWorthTrying = 0.75; // of the coarser lattice's goodness
     static const std::array<std::array<double, 3>, 7> kDivisions = {
@@ -162,7 +162,7 @@ void Search::addFiner() {
 
 constexpr double kLeastDip = 0.1; // of γ between two multiples of a vector
 
-/// Whether γ hardly falls between two multiples of one of the vectors, which then says no more than a
+/// Whether γ hardly falls between two multiples of one of the vectors, which then gives no more than a
 /// direction.
 bool onRidge(const CorrelationPeaks& peaks, const Lattice& lattice) {
     const auto flat = [&](Vec2 v) {
@@ -171,7 +171,7 @@ bool onRidge(const CorrelationPeaks& peaks, const Lattice& lattice) {
     return flat(lattice.v1) || flat(lattice.v2);
 }
 
-/// Whether a lattice, whose points all lie on the rows, says no more than they do.
+/// Whether a lattice whose points all lie on the rows tells no more than the rows do.
 bool onlyRows(const CorrelationPeaks& peaks, const Lattice& lattice, const Rows& rows) {
     constexpr double kByChance = 10; // the best of very many lattices comes near this
     const Vec2 across{-rows.along.y, rows.along.x};
@@ -201,8 +201,8 @@ std::vector<LatticeCandidate> Search::candidates(const std::optional<Rows>& rows
     return all;
 }
 
-/// Fills a list up to what is reported. A lattice that is part of a better one, and no better where its
-/// points lie, is the last to be told of.
+/// Fills a list up to what is reported. A lattice that is part of a better one, and fits no better at its own
+/// points, comes last.
 void addBest(std::vector<LatticeCandidate>& reported, const std::vector<LatticeCandidate>& all) {
     std::vector<LatticeCandidate> parts;
     for (const LatticeCandidate& next : all) {
@@ -220,7 +220,7 @@ void addBest(std::vector<LatticeCandidate>& reported, const std::vector<LatticeC
     reported.resize(std::min(reported.size(), kReported));
 }
 
-/// The smallest tile that is half as good as the best and stands out by itself; none if that is the best.
+/// The smallest tile that is half as good as the best and stands out itself; none if that is the best.
 std::optional<LatticeCandidate> smallestTile(const CorrelationPeaks& peaks,
                                              std::vector<LatticeCandidate> candidates) {
     constexpr double kSmaller = 0.75;
@@ -262,7 +262,7 @@ void Search::reportRepeating(const std::optional<Rows>& rows, LatticeAnalysis& a
         reported.push_back(all.front());
         analysis.confidence = confidenceIn(m_peaks, all.front());
     }
-    // Rows are the lattice where no other is to be relied on.
+    // Rows serve as the lattice where no other is reliable.
     if (rows && rows->candidate.goodness > 0 &&
         (all.empty() || rows->candidate.correlation >= kHalf * all.front().correlation)) {
         const bool first = all.empty() || (analysis.confidence < kTrusted && rows->confidence >= kTrusted);

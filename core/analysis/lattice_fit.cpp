@@ -15,7 +15,7 @@ struct Maximum {
     double height = 0;
 };
 
-/// Where γ is highest near a point, between pixels; nothing if that is no maximum.
+/// The maximum of γ near a point, to a fraction of a pixel; nothing if there is none.
 std::optional<Maximum> maximumNear(const CorrelationPeaks& peaks, Vec2 point, int reach) {
     const CorrelationPeaks::Peak top = peaks.summit(point, reach);
     if (top.height <= 0 || !peaks.inside({double(top.x), double(top.y)}, 1))
@@ -29,7 +29,7 @@ std::optional<Maximum> maximumNear(const CorrelationPeaks& peaks, Vec2 point, in
     return Maximum{{top.x + parabolaTop(left, here, right), top.y + parabolaTop(above, here, below)}, here};
 }
 
-/// From the multiples up to `rings` alone.
+/// The fit to the multiples up to `rings` only.
 Lattice fittedTo(const CorrelationPeaks& peaks, const Lattice& lattice, int rings) {
     const int reach = std::clamp(static_cast<int>(0.2 * lattice.v1.length()), 1, 3);
     const Size size = peaks.size();
@@ -66,7 +66,7 @@ double parabolaTop(double before, double here, double after) {
 Lattice fitted(const CorrelationPeaks& peaks, const Lattice& rough) {
     Lattice now = rough;
     const int most = ringsOf(peaks.size(), rough);
-    // From the nearest multiples to all, so that no maximum is taken for its neighbour.
+    // From the nearest multiples outwards, so that no maximum is mistaken for its neighbour.
     for (int rings = 1;; rings = std::min(2 * rings, most)) {
         const Lattice next = fittedTo(peaks, now, rings).reduced();
         if (next.area() < 0.5 * rough.area() || next.area() > 2 * rough.area())

@@ -7,12 +7,12 @@
 
 namespace texloom {
 
-/// Longest vector that is looked for, as a share of the exemplar: about two of it must fit.
+/// Longest vector searched for, as a share of the exemplar, into which it must fit about twice.
 inline constexpr double kLongestVector = 0.55;
-/// Shortest vector that is told from the maximum of γ at 0, in pixels.
+/// Shortest vector that can be distinguished from the maximum of γ at 0, in pixels.
 inline constexpr double kShortestVector = 3.5;
 
-/// How many multiples of a lattice's vectors fit in the displacements of an exemplar at most.
+/// The largest number of multiples of a lattice's vectors that fit in the displacements of an exemplar.
 inline int ringsOf(Size exemplar, const Lattice& lattice) {
     // Height of the parallelogram over each side: how many rows of the lattice fit in the reach.
     const double longest = std::hypot(exemplar.width, exemplar.height);
@@ -32,7 +32,7 @@ template <class Visit> void eachMultiple(Size exemplar, const Lattice& lattice, 
         }
 }
 
-/// Of very many multiples a few thousand, spread evenly, tell as much as all: whether (a, b) is one of them.
+/// Whether (a, b) belongs to an evenly spread subset of a few thousand multiples, which are as good as all.
 class Thinned {
 public:
     /// @param rings as eachMultiple().
@@ -48,7 +48,8 @@ private:
     int m_step = 1;
 };
 
-/// Whether an exemplar moved by this much overlaps itself by a rectangle round the lattice's tile.
+/// Whether the overlap of an exemplar with itself, moved by this much, holds the bounding box of the
+/// lattice's tile.
 inline bool overlapHoldsTile(Size exemplar, const Lattice& lattice, Vec2 displacement) {
     const Vec2 extent = lattice.extent();
     return exemplar.width - std::round(std::abs(displacement.x)) >= extent.x + 1 &&

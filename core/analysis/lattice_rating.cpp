@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kAlpha = 1.12; // of eq. 3.22
 
-/// Significant multiples for means that need not be of all: the nearest, and where there are many, those that
-/// need no counting.
+/// Significant multiples for means that need not include all of them: the nearest, and where there are many,
+/// only those that are significant without counting pixels.
 std::vector<Vec2> someMultiples(Size exemplar, const Lattice& lattice) {
     constexpr int kRings = 24;
     constexpr int kMany = 24;
     const int rings = std::min(kRings, ringsOf(exemplar, lattice));
     std::vector<Vec2> sure, all;
-    int first = 0, second = 0; // of those that are sure, how many are multiples of each vector
+    int first = 0, second = 0; // how many of the sure ones are multiples of each vector
     eachMultiple(exemplar, lattice, rings, [&](int a, int b, Vec2 p) {
         all.push_back(p);
         if (!overlapHoldsTile(exemplar, lattice, p))

@@ -16,15 +16,15 @@ double roughGoodness(const CorrelationPeaks& peaks, const Lattice& lattice);
 LatticeCandidate rated(const CorrelationPeaks& peaks, const Lattice& lattice);
 
 /// From 0 to 1: how far γ at the multiples stands out from γ at all points between them, in height and
-/// against its scatter. Chance lattices, of which the best of very many is looked at, have few multiples.
+/// against its scatter. Lattices found by chance, as the best of very many, have few multiples.
 double confidenceIn(const CorrelationPeaks& peaks, const LatticeCandidate& candidate);
 
-/// How γ changes along rows, as a mean over all multiples of a lattice whose points lie on them, from place
-/// to place within the lattice's period.
+/// How γ varies along rows within the lattice's period, averaged over all multiples of a lattice whose points
+/// lie on the rows.
 struct PlaceEffect {
-    double dip = 0; ///< by what share it falls from the highest to the lowest place
-    /// The variance between places over that of such means by chance (the F of an analysis of variance):
-    /// about 1 if the rows lie against each other at random.
+    double dip = 0; ///< relative drop from the highest to the lowest place
+    /// The variance between places relative to that of such means by chance (the F of an analysis of
+    /// variance): about 1 if the rows are shifted at random against each other.
     double ratio = 0;
 };
 

@@ -16,10 +16,10 @@ namespace {
 
 /// Displacements by more than this share of the exemplar compare too little of it.
 constexpr double kFarthest = 0.8;
-/// Displacements along a row by less than this share of them are alike for other reasons too.
+/// At displacements along a row below this share of those, γ may be high for other reasons too.
 constexpr double kNearOrigin = 0.25;
 
-/// How much of the exemplar two copies of it share.
+/// The share of an exemplar in which two displaced copies overlap.
 double overlapShare(Size exemplar, int dx, int dy) {
     return (1 - std::abs(dx) / double(exemplar.width)) * (1 - std::abs(dy) / double(exemplar.height));
 }
@@ -38,8 +38,8 @@ template <class Visit> void eachDisplacement(const CorrelationPeaks& peaks, doub
 /// Means of γ over lines, by their distance from the origin in pixels.
 class Profile {
 public:
-    /// @param normal unit vector square to the lines. @param reach share of the exemplar. @param keep says
-    /// which displacements are looked at.
+    /// @param normal unit vector perpendicular to the lines. @param reach share of the exemplar. @param keep
+    /// selects the displacements to use.
     template <class Keep> Profile(const CorrelationPeaks& peaks, Vec2 normal, double reach, Keep keep) {
         const Size size = peaks.size();
         const auto length = static_cast<std::size_t>(
@@ -81,7 +81,7 @@ public:
                (*this)[line] >= (*this)[line + 1];
     }
 
-    /// How much the means differ from line to line, beyond those next to the origin.
+    /// How much the means differ from line to line, leaving out those next to the origin.
     double variance() const {
         constexpr int kMiddle = 4;
         double sum = 0, squares = 0;
@@ -103,7 +103,7 @@ Vec2 unit(double angle) {
 
 /// The direction in which γ changes most, by its gradients.
 double steepestAngle(const CorrelationPeaks& peaks) {
-    constexpr int kMiddle = 8; // γ falls alike on all sides here
+    constexpr int kMiddle = 8; // here γ falls equally in all directions
     const Correlation& gamma = peaks.smooth();
     double xx = 0, xy = 0, yy = 0;
     eachDisplacement(peaks, kLongestVector, [&](int x, int y) {
@@ -119,10 +119,10 @@ double steepestAngle(const CorrelationPeaks& peaks) {
     return 0.5 * std::atan2(2 * xy, xx - yy);
 }
 
-/// The angle near one of two whose means differ most from line to line: gradients are too coarse for lines as
-/// long as the exemplar.
+/// The angle near either of two at which the means differ most from line to line: gradients are too coarse
+/// for lines as long as the exemplar.
 double sharpestAngle(const CorrelationPeaks& peaks, double angle, double other) {
-    // A few of very many displacements, as if drawn by lot, lie on all lines of any direction.
+    // A pseudo-random subset of very many displacements still covers the lines of any direction.
     constexpr double kMany = 400'000;
     const auto all = static_cast<double>(peaks.size().area()) * 2 * kFarthest * kFarthest;
     const auto limit = static_cast<std::uint32_t>(std::min(1.0, kMany / all) * 0xffffffff);
@@ -144,12 +144,12 @@ double sharpestAngle(const CorrelationPeaks& peaks, double angle, double other) 
             continue;
         best = std::max(more, less);
         angle += more > less ? step : -step;
-        step *= 2; // and on in this direction
+        step *= 2; // continue in this direction
     }
     return angle;
 }
 
-/// The distance near `rough` whose multiples come nearest to the profile's maxima, by least squares.
+/// The distance near `rough` whose multiples fit the profile's maxima best, by least squares.
 double fittedDistance(const Profile& profile, double rough) {
     double distance = rough;
     for (int most = 2; most <= 32; most *= 2) {
@@ -173,11 +173,11 @@ double fittedDistance(const Profile& profile, double rough) {
     return distance;
 }
 
-/// What the profile says of rows that far apart.
+/// What the profile says about rows at a given distance.
 struct Rise {
     double distance = 0;
     double mean = 0;    ///< of the profile at the multiples
-    double height = 0;  ///< mean rise from half way to each multiple
+    double height = 0;  ///< mean rise from halfway to each multiple
     double scatter = 0; ///< standard deviation of these
     int count = 0;
 };
@@ -203,7 +203,7 @@ Rise riseAt(const Profile& profile, double distance, double extent) {
     return rise;
 }
 
-/// γ at the displacement nearest to a point inside.
+/// γ at the displacement nearest to a point in range.
 double nearestTo(const CorrelationPeaks& peaks, Vec2 point) {
     const auto whole = [](double v) { return static_cast<int>(std::floor(v + 0.5)); };
     return static_cast<double>(peaks.smooth().at(whole(point.x), whole(point.y)));
@@ -215,7 +215,7 @@ struct Row {
     double uncertainty = 0; ///< of the mean, from the means of parts of the row
 };
 
-/// @param from a point of the row. @param near share of the reach about that point that is left out.
+/// @param from a point of the row. @param near share of the reach around that point to leave out.
 Row rowThrough(const CorrelationPeaks& peaks, Vec2 from, Vec2 along, double near) {
     constexpr std::size_t kParts = 8;
     const double reach = kFarthest * std::min(peaks.size().width / std::max(1e-9, std::abs(along.x)),
@@ -246,7 +246,7 @@ Row rowThrough(const CorrelationPeaks& peaks, Vec2 from, Vec2 along, double near
     return {mean, std::sqrt(variance / parts)};
 }
 
-/// How sure it is that the rows repeat. @param tried number of distances of which this is the best.
+/// The confidence that the rows repeat. @param tried number of distances of which this is the best.
 double confidenceInRows(const CorrelationPeaks& peaks, Vec2 normal, const Rise& rise, int tried) {
     constexpr double kVisible = 0.02, kUnlikely = 0.5, kSure = 20;
     const Vec2 along{-normal.y, normal.x};
@@ -262,7 +262,7 @@ double confidenceInRows(const CorrelationPeaks& peaks, Vec2 normal, const Rise& 
            (1 - std::exp(-times * times * (rise.count - 1)));
 }
 
-/// The rise of the best goodness, and how many there were.
+/// The rise with the best goodness, and the number of distances tried.
 std::pair<Rise, int> bestRise(const Profile& profile, double extent) {
     Rise best;
     double goodness = 0;
@@ -283,7 +283,7 @@ std::pair<Rise, int> bestRise(const Profile& profile, double extent) {
     return {best, tried};
 }
 
-/// The direction along which γ stays highest, as a unit vector: of rows that need not repeat.
+/// The direction along which γ stays highest, as a unit vector: that of rows that need not repeat.
 Vec2 straightestDirection(const CorrelationPeaks& peaks) {
     const auto score = [&](Vec2 along) {
         const Row row = rowThrough(peaks, {}, along, kNearOrigin);
@@ -301,7 +301,7 @@ Vec2 straightestDirection(const CorrelationPeaks& peaks) {
             best = along;
         }
     }
-    // A slope of a pixel or two is more likely to be by chance than to be meant.
+    // A slope of a pixel or two is more likely chance than intent.
     constexpr double kHardly = 3, kAlmost = 0.9;
     for (const Vec2 axis : {Vec2{1, 0}, Vec2{0, 1}})
         if (std::abs(cross(axis, best)) * peaks.size().longerSide() < kHardly &&
@@ -310,8 +310,8 @@ Vec2 straightestDirection(const CorrelationPeaks& peaks) {
     return best;
 }
 
-/// The share of the line through the origin on which γ wavers no more than to half its mean: all of it where
-/// rows run through the whole exemplar, less where it is high by chance.
+/// The share of the line through the origin on which γ stays above half its mean: all of it where rows run
+/// through the whole exemplar, less where it is high by chance.
 double steadiness(const CorrelationPeaks& peaks, Vec2 along, double mean) {
     int steady = 0, all = 0;
     for (double at = 1; peaks.inside((at / kFarthest) * along, 1); ++at, ++all)
@@ -376,7 +376,7 @@ std::optional<Rows> findRows(const CorrelationPeaks& peaks) {
     if (tried == 0)
         return {};
     Rows rows{{}, confidenceInRows(peaks, normal, rise, tried), along, rise.distance};
-    // γ along the rows is looked at as it is at other lattices' points.
+    // γ along the rows is sampled as at the points of other lattices.
     constexpr double kApart = 4;
     rows.candidate = rated(peaks, {kApart * along, rise.distance * normal});
     rows.candidate.multiples =

@@ -33,13 +33,13 @@ namespace {
 /// What was found in an exemplar.
 struct Finding {
     std::weak_ptr<const Image> exemplar;
-    Lattice lattice; ///< free() if none is to be relied on
+    Lattice lattice; ///< free() if none is reliable
     bool candidates = false;
     double confidence = 0;
 };
 
-/// The exemplars that were looked at last. An image never changes once it is shared, so that the strips of a
-/// large output, and later runs, need not look again.
+/// The exemplars analysed last. An image never changes once it is shared, so the strips of a large output,
+/// and later runs, need not repeat the analysis.
 class Findings {
 public:
     std::optional<Finding> of(const std::shared_ptr<const Image>& exemplar) {

@@ -79,8 +79,8 @@ template <class Settings> std::vector<Param> latticeFields() {
 void checkLattice(const LatticeSettings& settings, const std::string& exemplar, Size size);
 
 /// The lattice that the settings ask for; free() if none is asked for, or none is found. An exemplar is
-/// looked at once, however many runs ask. @param name of the exemplar, for the notes. @param notes gets a
-/// sentence where the lattice was looked for in vain.
+/// analysed once, however many runs need it. @param name of the exemplar, for the notes. @param notes gets a
+/// sentence if no lattice was found.
 /// @param check called every few milliseconds; may throw.
 Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
                    const std::shared_ptr<const Image>& exemplar, std::vector<Message>& notes,

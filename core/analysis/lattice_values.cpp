@@ -20,7 +20,7 @@ const Param* of(const std::vector<Param>& params, std::string_view role) {
     return found != params.end() ? &*found : nullptr;
 }
 
-/// Sets the parameter of this role, where there is one, and the one by which it takes effect.
+/// Sets the parameter of this role, where there is one, and the one that enables it.
 void give(const std::vector<Param>& params, std::string_view role, double value, Values& values) {
     const Param* const param = of(params, role);
     if (param == nullptr)
@@ -30,7 +30,7 @@ void give(const std::vector<Param>& params, std::string_view role, double value,
         values[condition->name] = condition->value;
 }
 
-/// Leaves a parameter, and the one by which it takes effect, to what the method does by itself.
+/// Resets the parameter of this role, and the one that enables it, to their defaults.
 void leave(const std::vector<Param>& params, std::string_view role, Values& values) {
     const Param* const param = of(params, role);
     if (param == nullptr)

@@ -17,13 +17,13 @@ bool followsLattice(const std::vector<Param>& params);
 Values latticeValues(const std::vector<Param>& params, const Lattice& lattice,
                      const std::optional<Vec2>& origin);
 
-/// Those of the settings that say which lattice is used, and where it begins.
+/// The settings that determine which lattice is used, and where it begins.
 Values latticeValues(const std::vector<Param>& params, const Values& settings);
 
-/// Where the settings say that the lattice comes from; the method must follow one.
+/// The source of the lattice according to the settings; the method must follow one.
 LatticeSource latticeSource(const std::vector<Param>& params, const Values& settings);
 
-/// The lattice that the settings give; none where the method finds one by itself or follows none.
+/// The lattice that the settings give; none where the method finds its own or follows none.
 std::optional<Lattice> givenLattice(const std::vector<Param>& params, const Values& settings);
 
 } // namespace texloom

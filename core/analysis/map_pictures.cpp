@@ -11,7 +11,7 @@ namespace {
 
 using Color = std::array<float, 3>;
 
-/// Full colours of a hue, 0 to 1, thinned and dimmed.
+/// The colour of a hue, saturation and value, each 0 to 1.
 Color colorOf(double hue, double saturation, double value) {
     Color color{};
     for (int c = 0; c < 3; ++c) {
@@ -33,7 +33,7 @@ Color colorAt(double u, double v, int exemplar, int count) {
     return colorOf(hue, saturation, value);
 }
 
-/// A colour for everything that was copied with one offset: any hue, neither dark nor pale.
+/// A colour for everything that was copied with the same offset: any hue, neither dark nor pale.
 Color colorOfOffset(int dx, int dy, int exemplar) {
     std::uint64_t mixed = static_cast<std::uint64_t>(dx + 65536) * 0x9e3779b97f4a7c15ULL +
                           static_cast<std::uint64_t>(dy + 65536) * 0xc2b2ae3d27d4eb4fULL +

@@ -6,16 +6,16 @@
 
 namespace texloom {
 
-/// Gives every pixel of an exemplar a colour of its own, so that neighbours differ little and far pixels much
-/// (Raad & Galerne, IPOL 2017, section 4: the position map, fig. 5). Three channels, 0 to 1.
-/// @param exemplar its number, @param count of how many: each gets a range of hues for itself.
+/// Gives every pixel of an exemplar a colour of its own, similar for neighbours and different for distant
+/// pixels (Raad & Galerne, IPOL 2017, section 4: the position map, fig. 5). Three channels, 0 to 1.
+/// @param exemplar its number, @param count of how many: each gets its own range of hues.
 Image positionPicture(Size exemplarSize, int exemplar = 0, int count = 1);
 
 /// The synthesis map as a picture: every output pixel in the colour that positionPicture() gives its source;
-/// pixels without a source are 0. Even areas are verbatim copies.
+/// pixels without a source are 0. Areas in which the colour changes smoothly are verbatim copies.
 Image synthesisPicture(const PositionMap& map);
 
-/// What was copied as it is: pixels that were copied together, with one offset, have one colour, and the
+/// The verbatim copies: pixels that were copied together, with the same offset, have one colour, and the
 /// borders between them are black. Three channels, 0 to 1; pixels without a source are 0.
 Image copiedRegionsPicture(const PositionMap& map);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kCell = 8;
 
-/// Pixels beside each other in one row, all with one offset.
+/// Consecutive pixels of a row with the same offset.
 struct Run {
     int begin, end;
     int dx, dy;
@@ -146,7 +146,7 @@ double occurrenceEntropy(const std::vector<Image>& occurrences) {
                         sum += static_cast<double>(image(x, y, 0));
                 cells.push_back(sum);
                 whole += sum;
-                // Cells at the border are smaller: used alike, their share is.
+                // Cells at the border are smaller, and so is their share where all are used equally.
                 const double share = static_cast<double>(bottom - top) * (right - left);
                 most += share;
             }

@@ -8,15 +8,15 @@
 
 namespace texloom {
 
-/// How a position map makes use of its exemplars. `check` is called for every row and may throw.
+/// How a position map uses its exemplars. `check` is called for every row and may throw.
 
-/// Share of the output that the largest connected region takes whose pixels were all copied with one offset:
-/// 1 for a copy of the exemplar. Regions connect through sides of pixels.
+/// Share of the output taken by the largest connected region whose pixels were all copied with the same
+/// offset: 1 for a copy of the exemplar. Regions are 4-connected.
 double largestVerbatimRegion(
     const PositionMap& map, const std::function<void()>& check = [] {});
 
-/// How often each pixel of one exemplar was copied, over how often it would be if all were copied alike: one
-/// channel of the exemplar's size, with mean 1 over all exemplars.
+/// How often each pixel of one exemplar was copied, relative to how often it would be if all were copied
+/// equally: one channel of the exemplar's size, with mean 1 over all exemplars.
 Image occurrence(
     const PositionMap& map, int exemplar, const std::function<void()>& check = [] {});
 
@@ -24,12 +24,12 @@ Image occurrence(
 std::vector<Image> occurrencesOf(
     const PositionMap& map, const std::function<void()>& check = [] {});
 
-/// The occurrence as a picture, 1 − 2^−k for k times the mean: black was never used, half grey as often as
-/// pixels are on average.
+/// The occurrence as a picture, 1 − 2^−k for k times the mean: black means never used, mid-grey used as often
+/// as the average pixel.
 Image occurrencePicture(const Image& occurrence);
 
-/// Entropy of where patches come from, over its largest value: 1 where every 8 × 8 px of the exemplars are
-/// used alike, 0 where only one of them is.
+/// Entropy of where patches come from, relative to its maximum: 1 where all cells of 8 × 8 px of the
+/// exemplars are used equally, 0 where only one is used.
 /// @param occurrences of all exemplars.
 double occurrenceEntropy(const std::vector<Image>& occurrences);
 

@@ -17,13 +17,13 @@ constexpr int kPatches = 2048;
 constexpr int kPixels = 1 << 16;
 constexpr int kBins = 64;
 constexpr int kDirections = 32;
-/// Patches are compared in so many channels at most.
+/// Patches are compared in at most this many channels.
 constexpr int kChannels = 4;
 /// Patches that the principal axes are learnt from.
 constexpr std::size_t kLearnt = 1024;
 /// Samples that one thread takes at a time.
 constexpr int kBlock = 128;
-/// The same places for every run: a figure belongs to the images alone.
+/// The same places for every run, so that a figure depends on the images alone.
 constexpr std::uint64_t kSeed = 1;
 
 /// One of several images, drawn by area, and a place in it where a square of `side` px begins.

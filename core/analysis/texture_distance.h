@@ -9,7 +9,7 @@
 namespace texloom {
 
 /// How far the statistics of a texture are from those of its exemplars; 0 where they are the same. A few
-/// thousand pixels and patches at random places, the same for every run, stand for all.
+/// thousand pixels and patches at random places, the same for every run, represent all of them.
 struct TextureDistance {
     static constexpr int kScales = 3;
 
@@ -18,8 +18,8 @@ struct TextureDistance {
     double color = 0;
     /// The same for patches of 8 px along the first and the second principal axis of the exemplars' patches.
     std::array<double, 2> components{};
-    /// Sliced Wasserstein distance of patches of 8 px, at full, half and quarter scale, over the exemplars'
-    /// standard deviation.
+    /// Sliced Wasserstein distance of patches of 8 px, at full, half and quarter scale, relative to the
+    /// exemplars' standard deviation.
     std::array<double, kScales> wasserstein{};
 };
 

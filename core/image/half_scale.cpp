@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kTaps = 6;
 
-/// exp(−d²/(2·0.8²)) at distances 2.5, 1.5 and 0.5 px to either side, of sum 1.
+/// exp(−d²/(2·0.8²)) at distances 2.5, 1.5 and 0.5 px to either side, normalised to sum 1.
 std::array<float, kTaps> gaussianTaps() {
     std::array<float, kTaps> taps{};
     float sum = 0;

@@ -5,15 +5,14 @@
 namespace texloom {
 
 /// The image at half its size, rounded down (a side of 1 stays): filtered with a Gaussian of standard
-/// deviation 0.8 px, borders repeated, so that pixel x of the result lies in the middle of pixels 2x and
-/// 2x + 1.
+/// deviation 0.8 px, border pixels repeated, so that pixel x of the result lies in the middle of pixels 2x
+/// and 2x + 1.
 Image halved(const ImageView& image);
 
-/// A mask of one channel at half its size: 1 where no pixel that halved() joins here is 0.
+/// A mask of one channel at half its size: 1 where none of the pixels that halved() averages is 0.
 Image halvedMask(const PlaneView& mask);
 
-/// One channel of row `y` of an image at this size by bilinear interpolation, in `to`; rows and columns close
-/// on themselves.
+/// One channel of row `y` of an image at this size by bilinear interpolation, in `to`; both axes wrap.
 void enlargeRow(const PlaneView& plane, Size size, int y, float* to);
 
 } // namespace texloom

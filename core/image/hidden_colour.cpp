@@ -23,7 +23,7 @@ struct Level {
     std::vector<float> values; ///< one after another for each pixel
 };
 
-/// Means of what is known in blocks of 2 × 2.
+/// Means of the known colours in blocks of 2 × 2.
 Level halved(const Level& fine, std::size_t colours) {
     Level coarse({(fine.size.width + 1) / 2, (fine.size.height + 1) / 2}, colours);
     for (int y = 0; y < coarse.size.height; ++y)

@@ -18,7 +18,7 @@ std::ptrdiff_t alignedRow(int width) {
     return (static_cast<std::ptrdiff_t>(width) + kAlignedFloats - 1) / kAlignedFloats * kAlignedFloats;
 }
 
-/// Memory for an image, not yet written to.
+/// Memory for an image, uninitialised.
 float* allocated(Size size, int channels) {
     if (size.empty() || channels < 1)
         fail("An image of {} × {} px with {} channels has no pixels.", size.width, size.height, channels);

@@ -112,7 +112,7 @@ private:
     std::unique_ptr<float[], AlignedDelete> m_data;
 };
 
-/// The channels of all images, which have one size, in one image.
+/// The channels of all images, which have the same size, in one image.
 Image stacked(std::span<const ImageView> images);
 
 /// Smallest and largest sample over all channels. The view must not be empty.

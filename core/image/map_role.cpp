@@ -57,7 +57,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// The last word of a name and what stands before it.
+/// The last word of a name and what precedes it.
 struct Ending {
     std::string base, word;
 };

@@ -10,8 +10,8 @@ namespace texloom {
 enum class MapRole {
     Other,
     Color,
-    NormalGl, ///< a normal map whose green points up, as OpenGL, Blender and Unity have it
-    NormalDx, ///< one whose green points down, as DirectX and Unreal have it
+    NormalGl, ///< a normal map whose green points up, as OpenGL, Blender and Unity use it
+    NormalDx, ///< one whose green points down, as DirectX and Unreal use it
     Roughness,
     Metallic,
     Occlusion,
@@ -36,8 +36,8 @@ const std::string& mapRoleTitle(MapRole role);
 /// @throws UsageError that lists the known ids.
 MapRole mapRoleFrom(std::string_view id);
 
-/// A file's name (without its extension) taken apart by the suffixes that libraries of materials use, in any
-/// case: "Bark_NORMAL-dx" is "Bark" with a normal map of DirectX.
+/// A file's name (without its extension) split by the suffixes that material libraries use, in any case:
+/// "Bark_NORMAL-dx" is "Bark" with a normal map of DirectX.
 struct MapName {
     std::string base;
     MapRole role = MapRole::Other;

@@ -13,7 +13,7 @@ Image paintedMask(const Image* mask, Size source, const Warp& warp, const Image&
             std::fill_n(painted.plane(0).row(y), source.width, 1.0F);
     for (int y = 0; y < source.height; ++y) {
         check();
-        // Neighbours lie near each other, which is what a field needs to know to be followed back.
+        // Neighbours map to nearby points, so each point is where inverting a field at the next one starts.
         PlanePoint near{0.5, (y + 0.5) * warp.size().height / source.height};
         for (int x = 0; x < source.width; ++x) {
             const PlanePoint at = warp.fromSource({x + 0.5, y + 0.5}, near);

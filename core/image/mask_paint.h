@@ -7,7 +7,7 @@
 
 namespace texloom {
 
-/// A mask with a stroke of a brush added that was painted on the edited image.
+/// A mask after a brush stroke that was painted on the edited image.
 /// @param mask of the source's size, or null for one that hides nothing. @param warp from the edited image
 /// to the source. @param stroke one channel of the edited image's size: not 0 where the brush went.
 /// @param hide whether the brush hides or shows again. @param check called for every row; may throw.

@@ -12,21 +12,21 @@ namespace texloom {
 /// Where the pixels of an edited image lie in the image it was made from: a projective map of the plane.
 class Placement {
 public:
-    /// The image as it is.
+    /// The identity on an image.
     explicit Placement(Size size) : Placement(size, Eigen::Matrix3d::Identity()) {}
     /// @param size of the edited image. @param toSource from its homogeneous coordinates to the source's.
     Placement(Size size, Eigen::Matrix3d toSource) : m_size(size), m_toSource(std::move(toSource)) {}
 
     Size size() const { return m_size; }
-    /// The source's point for a point of the edited image, and the other way round.
+    /// The source's point for a point of the edited image, and the inverse.
     PlanePoint toSource(PlanePoint point) const;
     PlanePoint fromSource(PlanePoint point) const;
-    /// How the source's point moves with the edited image's: its partial derivatives as columns.
+    /// The partial derivatives of the source's point with respect to the edited image's, as columns.
     Eigen::Matrix2d jacobian(PlanePoint point) const;
-    /// Whether every pixel lies on one of the source.
+    /// Whether every pixel falls exactly on a pixel of the source.
     bool exact() const;
 
-    /// Where `next` and this lead together: `next` is of an image made from this one's.
+    /// The composition with `next`, which belongs to an image made from this one's.
     Placement after(const Placement& next) const { return {next.m_size, m_toSource * next.m_toSource}; }
 
 private:

@@ -30,7 +30,7 @@ public:
     PositionMap() = default;
     /// Every pixel without a source. @param exemplarSizes size in pixels of each exemplar, in their order.
     PositionMap(Size size, std::vector<Size> exemplarSizes);
-    /// The map that leaves an image of this size as it is.
+    /// The identity map of an image of this size.
     static PositionMap identity(Size size);
 
     Size size() const { return m_size; }

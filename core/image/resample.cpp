@@ -8,7 +8,7 @@ namespace texloom {
 
 namespace {
 
-/// Samples along each axis of a pixel that shrinks.
+/// The maximum number of samples along each axis of a pixel where the image shrinks.
 constexpr int kMostSamples = 8;
 
 /// The four pixels along one axis that a sample is made of, kept within the image.
@@ -36,7 +36,7 @@ struct Taps {
 template <class Sample> int forSamples(const Warp& warp, Size source, int x, int y, const Sample& sample) {
     const PlanePoint middle{x + 0.5, y + 0.5};
     const Eigen::Matrix2d step = warp.jacobian(middle);
-    // A little more than 1 is no shrinking worth a second sample.
+    // A step of little more than 1 does not justify a second sample.
     constexpr double kSlack = 0.25;
     const double shrinks = std::max(step.col(0).norm(), step.col(1).norm());
     const int n = std::clamp(static_cast<int>(std::ceil(shrinks - kSlack)), 1, kMostSamples);

@@ -8,8 +8,8 @@
 namespace texloom {
 
 /// The image under a warp, by Catmull and Rom's cubic; where the warp shrinks it, each pixel is the
-/// mean of enough samples. Pixels that lie on one of the source are copied bit for bit; beyond its edges the
-/// source goes on as at the edge. @param check called for every row; may throw.
+/// mean of enough samples. Pixels that fall exactly on a pixel of the source are copied bit for bit; beyond
+/// the source's edges its outermost pixels are repeated. @param check called for every row; may throw.
 Image resampled(
     const ImageView& source, const Warp& warp, const std::function<void()>& check = [] {});
 

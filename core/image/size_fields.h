@@ -17,7 +17,7 @@ template <> struct MemberType<Region> {
     }
 };
 
-/// An empty size is one that is left to the tool.
+/// An empty size leaves the choice to the tool.
 template <> struct MemberType<Size> {
     static constexpr Param::Type kType = Param::Type::Size;
     static Value value(const Size& size) { return size.empty() ? Wholes{} : Wholes{size.width, size.height}; }

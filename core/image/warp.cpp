@@ -8,7 +8,7 @@ namespace texloom {
 
 namespace {
 
-/// One warp after another, where a field takes part.
+/// The composition of two warps, at least one of them a field.
 class Chain : public WarpField {
 public:
     Chain(Warp first, Warp next) : m_first(std::move(first)), m_next(std::move(next)) {}

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kBetweenChecks = 1 << 14;
 
-/// The value between pixels; beyond the border that of the border.
+/// The value between pixels, interpolated; beyond the border, the value at the border.
 float valueAt(const PlaneView& plane, const BlendCurve::Point& point) {
     const double x = std::clamp(point.x - 0.5, 0.0, plane.width - 1.0);
     const double y = std::clamp(point.y - 0.5, 0.0, plane.height - 1.0);
@@ -30,7 +30,7 @@ float valueAt(const PlaneView& plane, const BlendCurve::Point& point) {
                  mixed(plane(left, bottom), plane(right, bottom), u), v);
 }
 
-/// Orthonormal colour axes, one a row.
+/// Orthonormal colour axes, one per row.
 std::vector<double> cosineAxes(int channels) {
     std::vector<double> axes;
     for (int k = 0; k < channels; ++k)
@@ -47,7 +47,7 @@ std::vector<double> plainAxes(int channels) {
     return axes;
 }
 
-/// to[k] = Σ axes[k][c] from[c], or with the axes transposed: the way back.
+/// to[k] = Σ axes[k][c] from[c], or with the axes transposed: the inverse.
 void turn(const std::vector<double>& axes, bool back, int channels, const float* from, float* to,
           std::ptrdiff_t step) {
     for (int k = 0; k < channels; ++k) {
@@ -114,7 +114,7 @@ void BlendBand::compose(const ImageView& second, Image& to, const std::function<
 
 void BlendBand::cut(const ImageView& first, const ImageView& second, Image& to,
                     const Progress& progress) const {
-    // The band is laid out straight, as the top overlap of a patch.
+    // The band is straightened, like the top overlap of a patch.
     const int reach = m_width - 1, length = lineLength();
     Image error({length, std::max(length, 2 * reach + 1)}, 1);
     const double step = m_curve.length() / length;
@@ -206,8 +206,8 @@ void BlendBand::poisson(const ImageView& first, const ImageView& second, Image& 
 void BlendBand::change(Lines& lines, const std::vector<double>& places, const std::vector<float>& middle,
                        int channel, Propagation propagation, const Progress& progress) {
     const auto length = static_cast<std::size_t>(lines.length);
-    // The source draws every line's mass to that of the middle (eq. 4.8), which shows as a band of one
-    // brightness; here the lines change in the proportion in which the one on the curve does.
+    // The source pulls every line's mass to that of the middle (eq. 4.8), which shows as a band of uniform
+    // brightness; here all lines change in the same proportion as the one on the curve.
     const double edge = massOf({lines.line(0, channel), length});
     const double gain = edge > 0 ? massOf(middle) / edge : 1;
     const int last = lines.count - 1;

@@ -32,8 +32,8 @@ struct MidwayOptions {
     BlendColor color = BlendColor::Dct;
 };
 
-/// A curve through two pictures of one size with the band around it in which they may change. Beyond the band
-/// each picture stays as it is, bit for bit. One object serves any number of threads.
+/// A curve through two pictures of the same size with the band around it in which they may change. Beyond the
+/// band each picture stays as it is, bit for bit. One object may be used by any number of threads.
 class BlendBand {
 public:
     /// Called every few milliseconds with the share done; may throw.
@@ -58,8 +58,8 @@ public:
         const ImageView& first, const ImageView& second, const MidwayOptions& options, Image& to,
         const Progress& progress = [](double) {}) const;
 
-    /// Factors the equations that poisson() solves, for a small band that is used often; else it iterates.
-    /// Not to be called while others use the band.
+    /// Factors the equations that poisson() solves, for a small band that is used often; otherwise it
+    /// iterates. Not to be called while other threads use the band.
     void preparePoisson();
 
 private:

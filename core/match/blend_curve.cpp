@@ -41,8 +41,8 @@ BlendCurve BlendCurve::at(Shape shape, double position, Size size) {
 }
 
 std::vector<BlendCurve> BlendCurve::around(const Overlap& overlap, int patch) {
-    // Sides in the order in which the curve walks them, turned by quarters: each lies at `inset` from its
-    // border and goes from the border on its left to the one on its right.
+    // Sides in the order in which the curve follows them, a quarter turn apart: each runs at `inset` from its
+    // border, from the border on its left to the one on its right.
     const std::array<int, 4> widths = {overlap.left, overlap.top, overlap.right, overlap.bottom};
     const double side = patch;
     const auto turned = [side](int quarter, double inset, double walked) {
@@ -108,7 +108,7 @@ BlendCurve::Place BlendCurve::placeOn(const Piece& piece, const Point& point) co
     const double left = x * piece.dy - y * piece.dx, ahead = x * piece.dx + y * piece.dy;
     if (left >= 0 && ahead >= 0)
         return {piece.start + piece.radius * std::atan2(ahead, left), piece.radius - std::hypot(x, y)};
-    // Beyond the centre one of the ends is nearest.
+    // Beyond the centre, one of the ends is nearest.
     const double toStart = std::hypot(left - piece.radius, ahead);
     const double toEnd = std::hypot(left, ahead - piece.radius);
     return toStart <= toEnd ? Place{piece.start, toStart} : Place{piece.start + piece.length, toEnd};

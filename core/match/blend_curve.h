@@ -7,12 +7,12 @@
 
 namespace texloom {
 
-/// A curve that parts two pictures: straight pieces and arcs, walked with the second picture on the right.
-/// Coordinates are in pixels, (0.5, 0.5) in the middle of the top left one.
+/// A curve that separates two pictures: straight pieces and arcs, followed with the second picture on the
+/// right. Coordinates are in pixels, (0.5, 0.5) in the middle of the top left one.
 class BlendCurve {
 public:
-    /// A place by the length walked and the distance to the right, in pixels; negative distances lie in the
-    /// first picture.
+    /// A place by the length along the curve and the distance to the right, in pixels; negative distances lie
+    /// in the first picture.
     struct Place {
         double along = 0, across = 0;
     };
@@ -20,20 +20,20 @@ public:
         double x = 0, y = 0;
     };
 
-    /// Through the middles of pixel row `y`, the first picture above.
+    /// Through the pixel centres of row `y`, the first picture above.
     static BlendCurve horizontal(Size size, int y);
-    /// Through the middles of pixel column `x`, the first picture on the left.
+    /// Through the pixel centres of column `x`, the first picture on the left.
     static BlendCurve vertical(Size size, int x);
-    /// A quarter of a circle around the bottom right corner, the second picture within (Raad, thesis 2016,
+    /// A quarter of a circle around the bottom right corner, the second picture inside (Raad, thesis 2016,
     /// section 4.3.3).
     static BlendCurve circular(Size size, double radius);
-    /// The shapes of curve that part whole pictures.
+    /// The shapes of curves that separate whole pictures.
     enum class Shape { Horizontal, Vertical, Circular };
     /// @param position where it lies, from 0 (top, left, the whole circle) to 1.
     static BlendCurve at(Shape shape, double position, Size size);
-    /// Along the middle of a patch's overlap, the patch within: one curve for each run of borders that meet.
-    /// Where they meet the curve is an arc that leaves room for a band within the overlap; the source's arc
-    /// around the far corner would leave the overlap unless that is a third of the patch.
+    /// Along the middle of a patch's overlap, the patch inside: one curve for each run of adjacent borders.
+    /// Where they meet, the curve is an arc that leaves room for a band within the overlap; the source's arc
+    /// around the far corner would leave the overlap unless the overlap is a third of the patch.
     static std::vector<BlendCurve> around(const Overlap& overlap, int patch);
 
     double length() const { return m_length; }

@@ -51,7 +51,7 @@ public:
     }
 
     /// Smallest cumulative errors of paths from the start (from corner pixel `corner`, or from anywhere on
-    /// the first line if it is negative) to each pixel: the recursion of eq. 3 with along turned round.
+    /// the first line if it is negative) to each pixel: the recursion of eq. 3 in the opposite direction.
     std::vector<double> forward(int corner) const {
         std::vector<double> sums(m_error.size(), kUnreachable);
         const int first = std::max(0, corner);
@@ -127,8 +127,8 @@ private:
                static_cast<std::size_t>(across);
     }
 
-    /// The sums on one line from those on the line before: the smallest of up to three and the own error.
-    /// Written so that it vectorises.
+    /// The sums on one line from those on the line before: the smallest of up to three plus the pixel's own
+    /// error. Written so that it vectorises.
     void addLine(std::vector<double>& sums, int along, int from) const {
         const double* error = &m_error[index(along, 0)];
         const double* before = &sums[index(from, 0)];
@@ -201,7 +201,7 @@ Step advance(const std::vector<double>& before, const std::vector<std::vector<do
     return step;
 }
 
-/// Joins the four sides round the patch into the cheapest cut.
+/// Joins the four sides of the patch into the cheapest cut.
 class Ring {
 public:
     Ring(const PlaneView& error, const Overlap& overlap)

@@ -28,7 +28,7 @@ void ClosedCanvas::close(JobContext& context) {
     const int pixel = m_pixels.pixel;
     context.parallel(0, m_size.height, [&](int y) {
         float* first = row(y);
-        for (int x = 0; x < m_margin; ++x) // a small canvas may be in its margin several times
+        for (int x = 0; x < m_margin; ++x) // a small canvas may repeat in its margin
             std::copy_n(first + (x % m_size.width) * pixel, pixel, first + (m_size.width + x) * pixel);
     });
     for (int y = 0; y < m_margin; ++y)

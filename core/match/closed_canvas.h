@@ -6,7 +6,7 @@
 namespace texloom {
 
 /// An output that closes on itself on both axes, laid out for patch distances: its first rows and columns are
-/// repeated after the last, so that a patch anywhere is one rectangle.
+/// repeated after the last, so that every patch is one rectangle.
 class ClosedCanvas {
 public:
     /// All 0. @param margin rows and columns that are repeated: those of the largest patch less 1.

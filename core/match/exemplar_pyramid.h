@@ -12,7 +12,7 @@ namespace texloom {
 class ExemplarPyramid {
 public:
     /// @param exemplars must outlive the pyramid: they are its level 0. @param levels wanted, at least 1;
-    /// there are fewer where a level would leave no whole patch. @param patch side in pixels.
+    /// there are fewer where a level would hold no whole patch. @param patch side in pixels.
     /// @param check called now and then; may throw.
     ExemplarPyramid(std::span<const PatchSource> exemplars, int levels, int patch,
                     const std::function<void()>& check);

@@ -11,10 +11,10 @@
 namespace texloom {
 
 /// The Gaussian of m patches has their mean μ and the covariance PPᵗ/(m − 1), where the columns of P are the
-/// patches less μ (Raad, thesis 2016, eq. 2.1; the double sum printed there is a slip). Its vectors are
-/// μ + P a/√(m − 1), and so weighted sums of the patches themselves: no matrix is ever made.
+/// patches minus μ (Raad, thesis 2016, eq. 2.1; the double sum printed there is a slip). Its samples are μ +
+/// P a/√(m − 1), that is, weighted sums of the patches themselves, so no matrix is ever formed.
 
-/// The weights that give the vector with coefficients a: they add to 1.
+/// The weights that give the vector with coefficients a: they add up to 1.
 std::vector<double> gaussianWeights(std::span<const double> coefficients);
 
 /// The sum of patches times weights. @param to of the patches' size and channels.

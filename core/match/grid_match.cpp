@@ -12,7 +12,7 @@ namespace {
 /// Longest side of the tiles that one thread scans at a time, in patches.
 constexpr int kGridTile = 32;
 
-/// Tiles along one axis: 1 or an even number, so that neighbours differ in colour also round the border.
+/// Tiles along one axis: 1 or an even number, so that neighbours differ in colour across the border too.
 int tilesAlong(int patches) {
     return patches <= kGridTile ? 1 : (patches + 2 * kGridTile - 1) / (2 * kGridTile) * 2;
 }

@@ -23,11 +23,11 @@ struct PatchLattice {
     }
 };
 
-/// Finds similar patches for all patches of a lattice, from matches that are there already: the rounds of
+/// Finds similar patches for all patches of a lattice, starting from existing matches: the rounds of
 /// PatchMatch (Barnes et al., SIGGRAPH 2009) for an image that changes from one round to the next.
 class GridMatcher {
 public:
-    /// Fills `to` with the rectangle of `extent` pixels of the canvas at (x, y), which may reach round the
+    /// Fills `to` with the rectangle of `extent` pixels of the canvas at (x, y), which may wrap around the
     /// border. Called on any thread.
     using Gather = std::function<void(int x, int y, Size extent, Interleaved& to)>;
 
@@ -38,20 +38,21 @@ public:
     const PatchTarget& target(int exemplar) const { return m_targets[static_cast<std::size_t>(exemplar)]; }
     int exemplars() const { return static_cast<int>(m_targets.size()); }
 
-    /// A patch that may be found, drawn for place (x, y).
+    /// An allowed patch, drawn for place (x, y).
     Source any(int x, int y) const;
-    /// `source` if there is a patch that may be found, else one drawn for place (x, y).
+    /// `source` if it is an allowed patch, else one drawn for place (x, y).
     Source allowed(const Source& source, int x, int y) const;
 
     /// Makes patches that are used often cost more from now on: Kaspar's spatial uniformity (Gutierrez,
-    /// thesis 2020, eq. 3.10–3.12), with the mean distance of the matches as the unit, and half of what it
-    /// was before: all patches choose at once, and would all leave a good one together.
+    /// thesis 2020, eq. 3.10–3.12), with the mean distance of the matches as the unit. The penalty is
+    /// averaged with the previous one: all patches choose at once, and would otherwise all abandon a good one
+    /// together.
     /// @param weight λ_occ; 0 for none.
     void discourage(const PatchField& field, double weight);
 
-    /// One round over all patches: the distance to the present match is computed again, then those of the
+    /// One round over all patches: the distance to the current match is recomputed, then those of the
     /// neighbours' matches and of random ones at most `radius` pixels away are tried.
-    /// @param round number of the round; it turns the scan and the random numbers.
+    /// @param round number of the round; it determines the direction of the scan and the random numbers.
     void improve(PatchField& field, const Gather& gather, int round, int radius);
 
     static std::uint64_t bytesFor(std::span<const Size> exemplars, int channels, int patch, int stride,

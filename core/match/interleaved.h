@@ -8,7 +8,7 @@
 
 namespace texloom {
 
-/// Pixels with their channels side by side, filled up with zeros to whole vectors where there are many.
+/// Pixels with their channels side by side, padded with zeros to whole vectors where there are many.
 struct Interleaved {
     static constexpr int kLanes = 4;
 
@@ -27,7 +27,7 @@ struct Interleaved {
     std::ptrdiff_t stride() const { return static_cast<std::ptrdiff_t>(size.width) * pixel; }
     const float* at(int x, int y) const { return data.data() + y * stride() + x * pixel; }
 
-    /// Takes the rectangle of `extent` pixels at (x, y), round the borders of the image.
+    /// Takes the rectangle of `extent` pixels at (x, y), wrapping around the borders of the image.
     void load(const ImageView& image, int x, int y, Size extent) {
         for (int c = 0; c < image.channels; ++c)
             for (int row = 0; row < extent.height; ++row) {
@@ -43,7 +43,7 @@ struct Interleaved {
     std::vector<float> data;
 };
 
-/// Sum of squared differences over `rows` rows of `length` floats, given up once it is above `limit`.
+/// Sum of squared differences over `rows` rows of `length` floats, abandoned once it exceeds `limit`.
 /// Written in lanes, since a single running sum does not vectorise.
 inline float squaredDistance(const float* a, std::ptrdiff_t aStride, const float* b, std::ptrdiff_t bStride,
                              int rows, int length, float limit) {

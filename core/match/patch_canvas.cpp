@@ -5,12 +5,6 @@
 
 namespace texloom {
 
-int mirrored(int at, int length) {
-    const int period = 2 * length;
-    const int folded = (at % period + period) % period;
-    return folded < length ? folded : period - 1 - folded;
-}
-
 PatchCanvas::PatchCanvas(Size output, Wrap wrap, int channels, int patch, int overlap)
     : m_output(output), m_wrap(wrap), m_patch(patch),
       m_grid(PatchAxis(output.width, patch, overlap, wrap.x),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "core/image/mirror.h"
 #include "core/job/job_context.h"
 #include "core/match/patch_grid.h"
 
@@ -22,11 +23,11 @@ public:
     /// The part of a patch that lies within the output.
     Size visible(const PatchCell& cell) const;
 
-    /// Fills the canvas from an image, mirrored beyond its borders as often as need be.
+    /// Fills the canvas from an image, mirrored beyond its borders as often as needed.
     void fill(const ImageView& image);
-    /// Copies what is on the canvas where a patch lies, round the border where the output wraps.
+    /// Copies a patch's part of the canvas, across the border where the output wraps.
     void read(const PatchCell& cell, Image& patch) const;
-    /// Places a patch: weight × old + (1 − weight) × fresh, where one of them alone counts bit for bit.
+    /// Places a patch: weight × old + (1 − weight) × fresh, where weights of 0 and 1 copy bit for bit.
     /// @param weight of the old pixels, 0 to 1.
     void place(const PatchCell& cell, const ImageView& old, const ImageView& fresh, const PlaneView& weight);
     /// The same without old pixels.
@@ -36,7 +37,7 @@ public:
     /// @param show called now and then while no body runs, after the progress is set.
     void grow(JobContext& context, const std::function<void(int)>& body,
               const std::function<void()>& show) const;
-    /// The canvas cut to the output, which is moved out.
+    /// The canvas cropped to the output, moved out.
     Image take();
 
     /// Bytes that a canvas takes, its grid and the schedule of its growth included.
@@ -51,8 +52,5 @@ private:
     PatchGrid m_grid;
     Image m_image;
 };
-
-/// Index into `length` pixels that mirrors at the borders, as often as need be.
-int mirrored(int at, int length);
 
 } // namespace texloom

@@ -68,6 +68,14 @@ float finishRow(float* row, const float* squares, const float* factors, int coun
 
 } // namespace
 
+int Footprint::pixels(int patch) const {
+    int count = 0;
+    for (int y = 0; y < patch; ++y)
+        for (int x = 0; x < patch; ++x)
+            count += contains(x, y, patch) ? 1 : 0;
+    return count;
+}
+
 PatchDistances::PatchDistances(const ImageView& exemplar, const PlaneView& mask, std::vector<double> means,
                                int patch, const ContrastBalance& balance)
     : m_size(exemplar.size()), m_channels(exemplar.channels),
@@ -128,7 +136,7 @@ double PatchDistances::tableSum(const Table& table, int x, int y, int width, int
 double PatchDistances::shapeSum(const Table& table, const Footprint& shape, int x, int y) const {
     const Size area{std::min(m_patch, shape.area.width), std::min(m_patch, shape.area.height)};
     const Overlap& border = shape.border;
-    // What the border leaves free, as far as it lies in the area.
+    // The part inside the border, as far as it lies in the area.
     const int innerWidth = std::min(area.width, m_patch - border.right) - border.left;
     const int innerHeight = std::min(area.height, m_patch - border.bottom) - border.top;
     const double sum = tableSum(table, x, y, area.width, area.height);
@@ -163,12 +171,9 @@ void PatchDistances::prepare(const Footprint& shape) {
 }
 
 Image PatchDistances::factorsOf(const Footprint& shape) const {
-    // Contrast below this share of the usual does not make patches farther still.
+    // Contrast below this share of the usual does not increase distances any further.
     constexpr double kLeast = 0.02;
-    double pixels = 0;
-    for (int y = 0; y < m_patch; ++y)
-        for (int x = 0; x < m_patch; ++x)
-            pixels += shape.contains(x, y, m_patch) ? 1 : 0;
+    const double pixels = shape.pixels(m_patch);
     const double usual = pixels * m_balance.variance;
     Image factors(m_positions, 1);
     for (int y = 0; y < m_positions.height; ++y)

@@ -8,9 +8,9 @@
 
 namespace texloom {
 
-/// The widths in pixels of the borders on which a square patch meets what is already there; 0 where it does
-/// not. The vertical, horizontal and L-shaped overlaps of Raad & Galerne (IPOL 2017, fig. 2) are {left},
-/// {top} and {left, top}; outputs that wrap close with right and bottom borders too.
+/// The widths in pixels of the borders on which a square patch overlaps existing pixels; 0 where it does not.
+/// The vertical, horizontal and L-shaped overlaps of Raad & Galerne (IPOL 2017, fig. 2) are {left}, {top} and
+/// {left, top}; outputs that wrap close with right and bottom borders too.
 struct Overlap {
     int left = 0, top = 0, right = 0, bottom = 0;
 
@@ -23,7 +23,7 @@ struct Overlap {
 
 /// The pixels of a patch on which it is compared: Q of the source's eq. 1.
 struct Footprint {
-    /// An overlap counts whole.
+    /// All of an overlap counts.
     Footprint(const Overlap& overlap) : border(overlap) {}
     /// The top left `pixels` of the patch count, known and unknown alike: for comparing with an initial
     /// image.
@@ -36,16 +36,18 @@ struct Footprint {
     bool contains(int x, int y, int patch) const {
         return x < area.width && y < area.height && border.contains(x, y, patch);
     }
+    /// How many pixels of the patch count.
+    int pixels(int patch) const;
     friend bool operator==(const Footprint&, const Footprint&) = default;
 
     Overlap border;
     Size area{1 << 30, 1 << 30}; ///< nothing beyond it counts
 };
 
-/// How much distances count by the contrast of the exemplar's patch. Where nothing fits well, the least
-/// squared difference is that to the flattest patch, whatever it shows, and outputs grown by it fade. So
-/// distances are divided by the patch's own contrast on the compared pixels, which makes too much of it and
-/// too little equally far.
+/// How far distances are normalised by the contrast of the exemplar's patch. Where nothing fits well, the
+/// flattest patch has the least squared difference, whatever it shows, and outputs grown that way fade. So
+/// distances are divided by the patch's own contrast on the compared pixels, which penalises too much
+/// contrast and too little equally.
 struct ContrastBalance {
     double share = 0;    ///< from 0, squared differences as they are, to 1, divided by the contrast
     double variance = 0; ///< of an exemplar's pixel about its mean, over all channels: the unit of contrast
@@ -54,8 +56,8 @@ struct ContrastBalance {
 /// Squared distances between a partly known patch and all patches of an exemplar:
 /// D(m, n) = ‖P‖² − 2 Γ(P, I₀)(m, n) + Γ(Q, I₀²)(m, n) (Raad & Galerne, IPOL 2017, eq. 5), with one
 /// correlation by FFT. The exemplar's spectrum is computed once; Γ(Q, I₀²) comes from a summed-area table,
-/// once for each shape Q. All values are taken relative to `means`, which leaves D as it is and keeps the
-/// rounding small. One object serves any number of threads, each with its own Scratch.
+/// once for each shape Q. All values are taken relative to `means`, which does not change D and keeps
+/// rounding errors small. One object serves any number of threads, each with its own Scratch.
 class PatchDistances {
 public:
     /// Working memory of one thread.

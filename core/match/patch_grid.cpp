@@ -27,7 +27,7 @@ PatchAxis::PatchAxis(int length, int patch, int overlap, bool wraps) : m_patch(p
         m_canvas = m_starts.back() + patch;
         return;
     }
-    // No more patches than keep every overlap within half the patch, which the wavefront relies on.
+    // At most as many patches as keep every overlap within half the patch, which the wavefront relies on.
     const int count = std::min(dividedUp(length, step), length / dividedUp(patch, 2));
     for (int i = 0; i < count; ++i)
         m_starts.push_back(static_cast<int>(static_cast<std::int64_t>(i) * length / count));

@@ -7,7 +7,7 @@
 
 namespace texloom {
 
-/// Pixels of an overlap that is a share of the patch: at least 1, at most half the patch.
+/// The width in pixels of an overlap given as a share of the patch: at least 1, at most half the patch.
 int overlapFor(int patch, double share);
 
 /// Where patches lie along one axis of the output.
@@ -23,7 +23,7 @@ public:
     bool wraps() const { return m_wraps; }
     /// Pixels that the canvas needs.
     int canvas() const { return m_canvas; }
-    /// Width of the overlap of patch `index` with the one before it, round the border where the axis wraps.
+    /// Width of the overlap of patch `index` with the one before it, across the border where the axis wraps.
     int overlapBefore(int index) const;
     /// Width of the overlap of patch `index` with the one after it.
     int overlapAfter(int index) const { return overlapBefore((index + 1) % count()); }

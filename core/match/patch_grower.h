@@ -11,8 +11,8 @@
 
 namespace texloom {
 
-/// Grows an output patch by patch in raster order, as many patches at a time as depend on none of the others.
-/// What differs from method to method is how a patch is made: that is make().
+/// Grows an output patch by patch in raster order, working on independent patches in parallel. Methods differ
+/// in how a patch is made, which is make().
 class PatchGrower {
 public:
     struct Layout {
@@ -28,9 +28,9 @@ public:
     PatchGrower& operator=(const PatchGrower&) = delete;
 
     int patches() const { return m_canvas.grid().count(); }
-    /// Does what all patches have in common, once.
+    /// Does the work that all patches share, once.
     void prepare();
-    /// The output. Progress goes from 0 to 1 and the work is shown on the way.
+    /// The output. Progress goes from 0 to 1 and previews are shown on the way.
     Image grow();
 
 protected:
@@ -46,18 +46,18 @@ protected:
     PatchGrower(const std::vector<PatchSource>& sources, const Layout& layout, JobContext& context,
                 std::optional<PatchStitcher> stitcher = {});
 
-    /// Makes `fresh` of the exemplars' patches and of what is `known`. Called from several threads.
+    /// Makes `fresh` from the exemplars' patches and the `known` pixels. Called from several threads.
     virtual void make(const PatchCell& cell, Workspace& work) = 0;
-    /// Puts `fresh` on the canvas: as it is, unless a method mixes it with what is there.
+    /// Puts `fresh` on the canvas: as it is, unless a method mixes it with the existing pixels.
     virtual void place(const PatchCell& cell, Workspace& work);
-    /// Where a patch is compared with the exemplars': its overlap with those before, or all of it where there
-    /// are none.
+    /// The pixels on which a patch is compared with the exemplars': its overlap with earlier patches, or all
+    /// of it where there are none.
     virtual Footprint compared(const PatchCell& cell) const;
 
-    /// The exemplars' patches nearest to `known`. Where nothing is known yet, to one that is drawn: draw 0 of
-    /// place (0, 0), which becomes `known`.
+    /// The exemplars' patches nearest to `known`. Where nothing is known yet, a patch is drawn (draw 0 of
+    /// place (0, 0)) and becomes `known`.
     std::vector<PatchPosition> nearest(const PatchCell& cell, int count, Workspace& work) const;
-    /// Compares `known` with the exemplars' patches, for what PatchSearch chooses.
+    /// Compares `known` with the exemplars' patches, for the choices of PatchSearch.
     void compare(const PatchCell& cell, const Image& known, Workspace& work) const;
     /// Joins `fresh` to `known` where they overlap.
     void join(const PatchCell& cell, Workspace& work) const;

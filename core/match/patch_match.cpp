@@ -15,7 +15,7 @@ namespace {
 
 /// Side of the tiles that one thread scans at a time.
 constexpr int kTile = 64;
-/// Leaves of the tree that a start looks into, unless an equal patch is met.
+/// Leaves of the tree searched for a start, unless an identical patch is found.
 constexpr int kLeaves = 4;
 
 class Matcher {
@@ -92,7 +92,8 @@ private:
         return m_targets[exemplar].nth(n, exemplar);
     }
 
-    /// The tree is asked for one patch in so many; the others begin beside what was found for the one before.
+    /// The tree is searched for one patch in each square of m_startStep; the others start next to the match
+    /// of the one before.
     void start(int number) {
         const Tile area = tile(number);
         const auto pixels = pixelsOf(area);
@@ -128,7 +129,7 @@ private:
         return {source, distance(patch, stride, source, HUGE_VALF)};
     }
 
-    /// The scan goes right and down in even iterations, left and up in odd ones.
+    /// The scan runs right and down in even iterations, left and up in odd ones.
     void improve(int number, int iteration) {
         const Tile area = tile(number);
         const auto pixels = pixelsOf(area);

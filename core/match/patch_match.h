@@ -43,15 +43,16 @@ private:
 struct PatchMatchOptions {
     int patch = 7; ///< side in pixels, at most the shortest side of all images
     int iterations = 5;
-    int startStep = 1; ///< 2 looks for a start for one patch in four only: quicker, a little less near
-    Wrap wrap;         ///< axes on which patches of the query reach round the border
+    int startStep = 1; ///< 2 searches a start for only one patch in four: faster, a little less accurate
+    Wrap wrap;         ///< axes on which patches of the query wrap around the border
 };
 
-/// Nearly nearest neighbours of all patches of `query` among those of `sources`: PatchMatch (Barnes et al.,
-/// SIGGRAPH 2009). Tiles of the query are scanned as the paper scans the image, those of one colour of the
-/// chessboard at a time, and random numbers belong to places: the threads change nothing.
-/// @param sources at least one, each with the query's channels and at least one patch that its mask allows in
-/// all.
+/// Approximate nearest neighbours of all patches of `query` among those of `sources`: PatchMatch (Barnes et
+/// al., SIGGRAPH 2009). Tiles of the query are scanned as the paper scans the image, those of one colour of
+/// the chessboard at a time, and random numbers depend on the place, so the number of threads changes
+/// nothing.
+/// @param sources at least one, each with the query's channels; together their masks must allow at least one
+/// patch.
 /// @param context its progress() is set to the share done.
 /// @return one match for each top left pixel: (width − patch + 1) × (height − patch + 1), or the whole width
 /// or height where the query wraps.

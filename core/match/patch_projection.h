@@ -6,8 +6,9 @@
 
 namespace texloom {
 
-/// All whole patches of an image as numbers: the scalar product of each patch with a direction, and the way
-/// back. On an axis that wraps the image is padded by its own first pixels, so that patches go round.
+/// The coefficients of all whole patches of an image: the scalar product of each patch with a direction, and
+/// the transpose of this map. On an axis that wraps, the image is padded with its own first pixels, so that
+/// patches wrap around.
 class PatchProjection {
 public:
     PatchProjection(Size image, Wrap wrap, int patch);
@@ -16,13 +17,13 @@ public:
     Size positions() const { return m_positions; }
     /// Of the image with its padding.
     Size padded() const { return {m_positions.width + m_patch - 1, m_positions.height + m_patch - 1}; }
-    /// Writes what goes round the borders beyond them. @param image of the padded size.
+    /// Fills the padding. @param image of the padded size.
     void pad(Image& image) const;
 
     /// Writes row `y` of the products. @param padded the image. @param direction channels × patch × patch
     /// numbers. @param to positions().width floats.
     void projectRow(const Image& padded, std::span<const float> direction, int y, float* to) const;
-    /// Adds to row `y` of a channel what the directions times their numbers make there, over all patches that
+    /// Adds to row `y` of a channel the sum of the directions times their numbers, over all patches that
     /// cover a pixel. @param numbers one channel for each direction, of the size positions().
     /// @param directions one after another. @param to width floats.
     void spreadRow(const Image& numbers, std::span<const float> directions, int channel, int channels, int y,

@@ -11,7 +11,7 @@ namespace texloom {
 
 namespace {
 
-/// Precision of medians, as a share of how far the proposals lie apart.
+/// Precision of medians, as a share of the spread of the proposals.
 constexpr double kTolerance = 1e-4;
 
 } // namespace
@@ -46,7 +46,7 @@ std::size_t ColorBalance::bin(const float* pixel, int channel) const {
 
 std::vector<double> ColorBalance::histogram(const Interleaved& image, Size size) const {
     std::vector<std::int64_t> counts(m_excess.size(), 0);
-    // Of very large images every few pixels tell enough.
+    // In very large images, every few pixels are enough.
     const int step = 1 + size.longerSide() / 1024;
     std::int64_t pixels = 0;
     for (int y = 0; y < size.height; y += step)
@@ -60,7 +60,7 @@ std::vector<double> ColorBalance::histogram(const Interleaved& image, Size size)
 }
 
 void ColorBalance::compare(const Interleaved& canvas, Size size) {
-    constexpr double kRare = 1e-3; // of a share below it little can be said
+    constexpr double kRare = 1e-3; // smaller shares are too uncertain
     const std::vector<double> shares = histogram(canvas, size);
     for (std::size_t i = 0; i < m_excess.size(); ++i)
         m_excess[i] =
@@ -79,7 +79,7 @@ ProposalRow::ProposalRow(const PatchProposals& proposals)
       m_weight(static_cast<std::size_t>(proposals.lattice.canvas.width)) {}
 
 /// Calls visit(x, first pixel, its place in the patch, length, weight) for what one patch proposes in its
-/// line `line`, from source `first` on: in several pieces where it reaches round the border.
+/// line `line`, from source `first` on: in several pieces where it wraps around the border.
 template <class Visit>
 void ProposalRow::visitPatch(int column, int line, const Source& first, float weight,
                              const Visit& visit) const {
@@ -151,7 +151,7 @@ void ProposalRow::mean(int y, float* pixels) {
         meanOf<0>(y, pixels);
 }
 
-/// Writes all proposals for the row beside each other, equal ones as one of their joint weight.
+/// Writes all proposals for the row side by side, merging equal ones and adding their weights.
 void ProposalRow::collect(int y) {
     const auto width = m_weight.size();
     std::vector<int> number(width, 0);
@@ -242,7 +242,7 @@ void ProposalRow::nearest(int y, const float* pixels, Source* sources) const {
 
 PositionMap nearestProposed(const PatchProposals& proposals, const Interleaved& canvas,
                             std::vector<Size> exemplars, JobContext& context) {
-    constexpr int kRows = 8; // whatever a row needs is made once for so many
+    constexpr int kRows = 8; // each band of rows borrows its working memory once
     const Size size = proposals.lattice.canvas;
     PositionMap map(size, std::move(exemplars));
     Pool<ProposalRow> rows;

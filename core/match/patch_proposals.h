@@ -8,7 +8,7 @@
 
 namespace texloom {
 
-/// Colours that there should be fewer of: Kopf's histogram matching (Gutierrez, thesis 2020, eq. 3.8) with
+/// Reduces colours that are too frequent: Kopf's histogram matching (Gutierrez, thesis 2020, eq. 3.8) with
 /// the histograms of the last round, so that pixels do not depend on the order in which they are made.
 class ColorBalance {
 public:
@@ -27,7 +27,7 @@ private:
     int m_channels;
     std::vector<float> m_low, m_scale; ///< by channel
     std::vector<double> m_wanted;      ///< share of each bin of each channel
-    std::vector<float> m_excess;       ///< how much more there are than wanted, as a multiple of it
+    std::vector<float> m_excess;       ///< excess over the wanted share, relative to it
 };
 
 /// What the overlapping patches of a lattice propose for the pixels of its canvas.
@@ -70,9 +70,9 @@ private:
     int m_pixel;
     std::vector<float> m_weight;      ///< of each pixel of the row
     std::vector<float> m_points;      ///< proposals, pixel by pixel of the row
-    std::vector<float> m_pointWeight; ///< theirs
-    std::vector<int> m_count;         ///< how many each pixel has
-    int m_most = 0;                   ///< places for each pixel
+    std::vector<float> m_pointWeight; ///< weights of the proposals
+    std::vector<int> m_count;         ///< number of proposals of each pixel
+    int m_most = 0;                   ///< capacity for each pixel
 };
 
 /// For each pixel of a canvas the proposed source whose pixel is nearest to it.

@@ -17,15 +17,6 @@ std::vector<Size> sizesOf(const std::vector<PatchSource>& exemplars) {
     return sizes;
 }
 
-/// Pixels of a patch on which it is compared.
-double pixelsOf(const Footprint& shape, int patch) {
-    int count = 0;
-    for (int y = 0; y < patch; ++y)
-        for (int x = 0; x < patch; ++x)
-            count += shape.contains(x, y, patch) ? 1 : 0;
-    return count;
-}
-
 } // namespace
 
 PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const QuiltOptions& options,
@@ -78,7 +69,7 @@ const PatchSearch::Scratch& PatchQuilter::distances(const PatchCell& cell, bool 
     if (!m_guide)
         return work.scratch;
     const auto guided = static_cast<double>(m_canvas.visible(cell).area());
-    m_search.add(work.guideScratch, guided / (pixelsOf(compared(cell), m_options.patch) * m_guide->weight),
+    m_search.add(work.guideScratch, guided / (compared(cell).pixels(m_options.patch) * m_guide->weight),
                  work.scratch);
     return work.scratch;
 }

@@ -32,23 +32,6 @@ std::vector<double> commonMeans(std::span<const PatchSource> exemplars) {
     return means;
 }
 
-/// Of a pixel about the means, over all exemplars and channels.
-double commonVariance(std::span<const PatchSource> exemplars, const std::vector<double>& means) {
-    double squares = 0, pixels = 0;
-    for (const PatchSource& exemplar : exemplars) {
-        const ImageView& image = exemplar.image;
-        for (int c = 0; c < image.channels; ++c)
-            for (int y = 0; y < image.height; ++y)
-                for (int x = 0; x < image.width; ++x) {
-                    const double value =
-                        static_cast<double>(image(x, y, c)) - means[static_cast<std::size_t>(c)];
-                    squares += value * value;
-                }
-        pixels += static_cast<double>(image.size().area());
-    }
-    return squares / pixels;
-}
-
 struct Ranked {
     float distance;
     PatchPosition position;
@@ -61,7 +44,7 @@ PatchSearch::PatchSearch(std::vector<PatchSource> exemplars, int patch, const st
                          double balance)
     : m_exemplars(std::move(exemplars)), m_patch(patch), m_smallest(smallestDistance(m_exemplars)) {
     const std::vector<double> means = commonMeans(m_exemplars);
-    const ContrastBalance contrast{balance, balance > 0 ? commonVariance(m_exemplars, means) : 0};
+    const ContrastBalance contrast{balance, balance > 0 ? pixelVariance(m_exemplars, means, check) : 0};
     for (const PatchSource& exemplar : m_exemplars) {
         m_distances.emplace_back(exemplar.image, exemplar.mask, means, patch, contrast);
         check();
@@ -171,7 +154,7 @@ std::vector<PatchPosition> PatchSearch::within(double tolerance, const Scratch& 
 }
 
 std::vector<PatchPosition> PatchSearch::nearest(int count, const Scratch& scratch) const {
-    // A heap of the nearest so far with the farthest of them on top; of equal ones the first stays.
+    // A heap of the nearest so far with the farthest of them on top; of equal ones the first is kept.
     std::vector<Ranked> heap;
     const auto wanted = static_cast<std::size_t>(count);
     for (std::size_t e = 0; e < m_distances.size(); ++e) {

@@ -33,9 +33,11 @@ public:
     std::int64_t allowed() const;
     /// The nth patch that the masks allow: exemplar by exemplar, row by row.
     PatchPosition nth(std::int64_t n) const;
-    /// The patch that a uniform number in [0, 1) draws, each as likely as its exemplar weighs.
+    /// The patch drawn by a uniform number in [0, 1), with probabilities proportional to the exemplars'
+    /// weights.
     PatchPosition drawn(double uniform) const;
-    /// One of the candidates, each as likely as its exemplar weighs, by the random number at (x, y).
+    /// One of the candidates, drawn by the random number at (x, y) with probabilities proportional to the
+    /// exemplars' weights.
     PatchPosition drawn(const std::vector<PatchPosition>& candidates, const Random& random, int x,
                         int y) const;
     std::vector<ImageView> pixels(std::span<const PatchPosition> positions) const {
@@ -61,7 +63,7 @@ public:
 
     /// All patches at most (1 + tolerance) times as far as the nearest (Efros & Freeman 2001). Never empty.
     std::vector<PatchPosition> within(double tolerance, const Scratch& scratch) const;
-    /// The `count` nearest patches, or all if there are fewer, by rising distance.
+    /// The `count` nearest patches, or all if there are fewer, by increasing distance.
     std::vector<PatchPosition> nearest(int count, const Scratch& scratch) const;
 
 private:
@@ -71,7 +73,7 @@ private:
 
     std::vector<PatchSource> m_exemplars;
     int m_patch;
-    float m_smallest; ///< distances below it count as it
+    float m_smallest; ///< distances below it are raised to it
     std::vector<PatchDistances> m_distances;
 };
 

@@ -13,7 +13,7 @@ constexpr int kBlocks = 8;
 constexpr int kChannels = 3;
 /// The axes are learnt from about this many patches.
 constexpr double kLearnt = 500;
-/// What rounding may add to the distance of two descriptors, as a share of their length.
+/// The largest rounding error of the distance of two descriptors, as a share of their length.
 constexpr float kRounding = 1e-5F;
 
 float gap(const PatchBasis::Descriptor& a, const PatchBasis::Descriptor& b) {

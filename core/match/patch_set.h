@@ -12,8 +12,8 @@
 
 namespace texloom {
 
-/// Few numbers for a patch whose squared distance is never more than that of the patches: coordinates along
-/// the principal axes of the patches' means over 8 × 8 blocks.
+/// A short descriptor of a patch: its coordinates along the principal axes of the patches' means over 8 × 8
+/// blocks. Squared distances of descriptors are lower bounds of those of the patches.
 class PatchBasis {
 public:
     static constexpr int kAxes = 16;
@@ -35,8 +35,8 @@ private:
     std::vector<float> m_axes; ///< kAxes for each block mean
 };
 
-/// Patches of images that are searched exactly: by rising first coordinate, outwards from that of the patch
-/// that is looked for, past all that the descriptors rule out.
+/// Patches of images, searched exactly: in order of the first coordinate, outwards from that of the query,
+/// skipping all that the descriptors rule out.
 class PatchSet {
 public:
     /// @param images must outlive the set. @param has says which patches, by top left pixel, are in it.
@@ -45,15 +45,15 @@ public:
              const std::function<bool(const Source&)>& has, const std::function<void()>& check);
 
     int count() const { return static_cast<int>(m_entries.size()); }
-    /// Of the nth patch, in order of reading.
+    /// Of the nth patch, in reading order.
     const std::vector<Source>& sources() const { return m_sources; }
 
     /// Adds this to the distance of the nth patch from now on; empty for none. Not negative.
     void setPenalties(std::vector<float> penalties);
 
-    /// The nearest patch, penalties included; of equal ones the first in order of reading.
-    /// @param pixels where the patch begins that is looked for, a row of it every `stride` floats.
-    /// @param hint one of the set's patches that may be near, or one that is not valid.
+    /// The nearest patch, penalties included; of equal ones the first in reading order.
+    /// @param pixels where the query patch begins, a row of it every `stride` floats.
+    /// @param hint one of the set's patches that may be near, or an invalid source.
     /// @return distance without the penalty.
     PatchMatch nearest(const float* pixels, std::ptrdiff_t stride, const PatchMatch& hint) const;
 
@@ -65,8 +65,8 @@ private:
     struct Best {
         int number = 0;
         float distance = 0, cost = 0;
-        float slack = 0; ///< what rounding may add to the distance of two descriptors
-        float limit = 0; ///< of the squared distance of descriptors whose patches may cost less
+        float slack = 0; ///< largest rounding error of the distance of two descriptors
+        float limit = 0; ///< squared distance of descriptors up to which patches may cost less
 
         void setCost(float least) {
             const float root = std::sqrt(least) + slack;
@@ -83,7 +83,7 @@ private:
 
     std::vector<const Interleaved*> m_images;
     const PatchBasis& m_basis;
-    std::vector<Entry> m_entries; ///< by rising first coordinate
+    std::vector<Entry> m_entries; ///< by increasing first coordinate
     std::vector<Source> m_sources;
     std::vector<float> m_penalties;
 };

@@ -65,7 +65,7 @@ double cutWeights(const ImageView& old, const ImageView& fresh, const Overlap& o
                   PlaneSpan error, PlaneSpan weight) {
     measureError(old, fresh, overlap, error);
     const BoundaryCut cut = minimumErrorCut(error, overlap);
-    // The error is not needed any more and lends its room.
+    // The error is no longer needed, so its memory is reused.
     soften(cut, overlap, softness, error, weight);
     return cut.cost;
 }

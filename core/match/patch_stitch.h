@@ -11,8 +11,8 @@
 
 namespace texloom {
 
-/// Weights of the old pixels of a patch, 0 to 1, by which a fresh one is joined to what is there. Each fills
-/// all of `weight`, which is patch × patch like `old` and `fresh`.
+/// Weights of the old pixels of a patch, 0 to 1, by which a fresh one is joined to the existing pixels. Each
+/// fills all of `weight`, which is patch × patch like `old` and `fresh`.
 
 /// 1 beyond the boundary of least error and 0 within it (see minimumErrorCut()).
 /// @param softness 0 for a sharp cut, else half the width in pixels over which it blends: the mean over
@@ -31,9 +31,9 @@ void rampWeights(const Overlap& overlap, PlaneSpan weight);
 /// Mixes the old pixels into a fresh patch by these weights.
 void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh);
 
-/// How a patch is joined to what is there: along the cut of least error, sharp or smoothed; by the mean on
-/// the overlap (by a ramp where the output closes and every border is known); or not at all, so that the new
-/// patch hides what it overlaps; or by Poisson or midway blending in the middle of the overlap.
+/// How a patch is joined to the existing pixels: along the cut of least error, sharp or smoothed; by the mean
+/// on the overlap (by a ramp where the output closes and every border is known); or not at all, so that the
+/// new patch hides what it overlaps; or by Poisson or midway blending in the middle of the overlap.
 enum class PatchStitch { Cut, SmoothCut, Average, None, Poisson, Midway };
 
 /// The entries of a PatchStitch parameter.
@@ -48,11 +48,12 @@ public:
 
     PatchStitcher(PatchStitch stitch, int patch, const MidwayOptions& midway = {});
 
-    /// Makes ready for an overlap; not to be called while others join.
+    /// Prepares for an overlap; not to be called while other threads join.
     void prepare(const Overlap& overlap);
 
     Scratch scratch() const;
-    /// Makes `fresh` what is to be placed. @param old the patch as it is on the canvas, known on `overlap`.
+    /// Turns `fresh` into the patch to be placed. @param old the patch as it is on the canvas, known on
+    /// `overlap`.
     void join(const ImageView& old, const Overlap& overlap, Image& fresh, Scratch& scratch) const;
 
 private:

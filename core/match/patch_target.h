@@ -21,20 +21,20 @@ public:
             allow(source.mask, patch);
     }
 
-    /// Top left pixels of patches, whether they may be found or not.
+    /// Number of patches in each direction, whether they are allowed or not.
     Size positions() const { return m_positions; }
     const Interleaved& pixels() const { return m_pixels; }
     int longerSide() const { return m_positions.longerSide(); }
-    /// Patches that may be found.
+    /// Number of allowed patches.
     std::int64_t count() const {
         return m_allowed.empty() ? m_positions.area() : static_cast<std::int64_t>(m_list.size());
     }
-    /// Whether the patch with this top left pixel may be found.
+    /// Whether the patch with this top left pixel is allowed.
     bool has(int x, int y) const {
         return x >= 0 && y >= 0 && x < m_positions.width && y < m_positions.height &&
                (m_allowed.empty() || m_allowed[index(x, y)] != 0);
     }
-    /// The nth patch that may be found, row by row.
+    /// The nth allowed patch, row by row.
     Source nth(std::int64_t n, std::uint16_t exemplar) const {
         const std::int64_t at = m_allowed.empty() ? n : m_list[static_cast<std::size_t>(n)];
         return {static_cast<std::uint16_t>(at % m_positions.width),

@@ -10,10 +10,10 @@ namespace texloom {
 
 namespace {
 
-/// The axes are learnt from about this many patches and look at no more values than this of each.
+/// The axes are learnt from about this many patches and use at most this many values of each.
 constexpr double kSamples = 1500;
 constexpr int kDimensions = 150;
-/// More patches than this are thinned out: their neighbours are found by propagation.
+/// Larger sets are subsampled: the neighbours of the patches left out are found by propagation.
 constexpr double kMostPatches = 1 << 18;
 
 double pixelsOf(std::span<const Interleaved* const> images) {

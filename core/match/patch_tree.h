@@ -12,10 +12,11 @@
 namespace texloom {
 
 /// A k-d tree over patches by their first principal components: a patch is looked up in one leaf, whose few
-/// patches are likely among the nearest, and equal ones surely are there. Random starts rarely meet a match
-/// that is a single position; so the leaves start PatchMatch, as in propagation-assisted k-d trees (He & Sun,
-/// CVPR 2012). nanoflann's exact search over the same numbers takes 12 to 38 times as long for each lookup
-/// (11 to 23 µs here, 8 neighbours, 512² exemplars, patches of 4 to 16 px), for patches 2 to 8 % nearer.
+/// patches are likely among the nearest, and identical ones always are there. Random starts rarely hit a
+/// match at a single position, so PatchMatch starts from the leaves, as in propagation-assisted k-d trees (He
+/// & Sun, CVPR 2012). nanoflann's exact search over the same numbers takes 12 to 38 times as long for each
+/// lookup (11 to 23 µs here, 8 neighbours, 512² exemplars, patches of 4 to 16 px), for patches 2 to 8 %
+/// nearer.
 class PatchTree {
 public:
     /// Most patches in a leaf.
@@ -27,7 +28,7 @@ public:
               const std::function<bool(const Source&)>& has, const std::function<void()>& check);
 
 private:
-    /// Four sums at once: left to itself the compiler makes vectors of the wrong dimension.
+    /// Four sums at once: left to itself, the compiler vectorises the wrong dimension.
     using Vector = float __attribute__((vector_size(16)));
     static constexpr int kAxes = 8;
     using Descriptor = std::array<float, kAxes>;
@@ -53,7 +54,7 @@ public:
         const PatchTree& m_tree;
         Descriptor m_descriptor{};
         int m_next = -1;
-        std::array<Branch, kBranches> m_other{}; ///< by rising gap
+        std::array<Branch, kBranches> m_other{}; ///< by increasing gap
         int m_others = 0;
     };
 

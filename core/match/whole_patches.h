@@ -9,8 +9,8 @@
 namespace texloom {
 
 /// Calls visit(x, y) for the top left of every square of `patch` pixels in which a mask is nowhere 0, row by
-/// row, until it returns true. Takes a few operations for each pixel whatever the patch, by growing squares
-/// from their lower right corner. @param check called for every row; may throw.
+/// row, until it returns true. Takes a few operations per pixel, whatever the size of the patch, by growing
+/// squares from their lower right corner. @param check called for every row; may throw.
 /// @return whether a visit returned true.
 template <class Visit>
 bool anyWholePatch(

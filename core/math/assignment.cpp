@@ -16,8 +16,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// ε falls by this factor from one auction to the next.
 constexpr double kScaling = 6;
-/// The first ε, the one that gives the exact solution its first prices, and the one of a relaxed assignment
-/// without, as shares of the mean cost.
+/// The first ε, the one that yields the first prices for the exact solution, and the one of a relaxed
+/// assignment for which none is given, as shares of the mean cost.
 constexpr double kFirst = 0.1, kRough = 5e-3, kLast = 2e-4;
 /// Share of ε by which a column may be worse than one whose cost is not known yet.
 constexpr double kUnseen = 0.2;
@@ -36,7 +36,7 @@ public:
         : m_prices(prices), m_open(prices.size(), kInfinite), m_from(prices.size(), -1),
           m_closed(prices.size(), 0) {}
 
-    /// Tries the ways through `row` to everything not closed yet: `base` and the cost with the price.
+    /// Tries the paths through `row` to all columns not closed yet: `base` plus cost and price.
     /// @return the column that is nearest then.
     int relax(const float* costs, int row, double base) {
         using Lane = Lanes<double>;
@@ -72,7 +72,7 @@ public:
         }
         return nearest.place;
     }
-    /// No shorter way to this column will be found.
+    /// Closes a column: no shorter path to it will be found.
     double close(int column) {
         m_closed[at(column)] = m_open[at(column)];
         m_open[at(column)] = kInfinite;
@@ -85,7 +85,7 @@ public:
 private:
     std::vector<double> m_prices; ///< infinite for what is closed
     std::vector<double> m_open;   ///< lengths; infinite for what is closed
-    std::vector<double> m_from;   ///< the row that would take it; of one type with the rest, for vectors
+    std::vector<double> m_from;   ///< the row that would take it; of the same type as the rest, for SIMD
     std::vector<double> m_closed; ///< lengths
 };
 
@@ -121,7 +121,7 @@ void Assigner::reset(double price) {
         refreshPrice(static_cast<int>(column));
 }
 
-/// Gives free places the lowest price, and keeps the others' within bounds.
+/// Gives free places the lowest price, and keeps the prices of the others within bounds.
 void Assigner::lowerFree(double lowest, double highest) {
     std::vector<std::pair<double, int>> places;
     for (std::size_t column = 0; column < m_places.size(); ++column) {
@@ -190,7 +190,7 @@ std::vector<int> Assigner::assign(AssignmentCosts& costs, const AssignmentOption
     return m_column;
 }
 
-/// Takes all columns back. @return every row.
+/// Releases all columns. @return every row.
 std::vector<int> Assigner::releaseAll(int rows) {
     std::fill(m_assigned.begin(), m_assigned.end(), -1);
     m_column.assign(at(rows), -1);
@@ -199,7 +199,7 @@ std::vector<int> Assigner::releaseAll(int rows) {
     return all;
 }
 
-/// Takes the columns back from rows for which, at these prices, another would be better by more than ε.
+/// Releases the columns of rows for which, at these prices, another would be better by more than ε.
 /// @return the rows without a column.
 std::vector<int> Assigner::releaseWorse(AssignmentCosts& costs, double epsilon, JobContext& context) {
     std::vector<double> paid(at(costs.rows), kInfinite);
@@ -228,8 +228,8 @@ std::vector<int> Assigner::releaseWorse(AssignmentCosts& costs, double epsilon, 
     return left;
 }
 
-/// Bids are made until every row has a column: at first for all, or with `stay` for those whose column is
-/// no longer good enough. Prices begin as they are.
+/// Lets rows bid until every row has a column: at first all rows, or with `stay` those whose column is no
+/// longer good enough. Starts from the present prices.
 void Assigner::auction(AssignmentCosts& costs, double epsilon, double ceiling, bool stay,
                        JobContext& context) {
     if (std::isfinite(ceiling))
@@ -284,10 +284,10 @@ bool Assigner::offers(AssignmentCosts& costs, int row, double limit) const {
     return static_cast<double>(offersTo(costs, row, 0).best) < limit;
 }
 
-/// The best column for a row, and the price at which the second best would be as good, and ε more.
+/// The best column for a row, and the price at which the second best would be as good, plus ε.
 Assigner::Bid Assigner::bidOf(AssignmentCosts& costs, int row, double epsilon, double ceiling) const {
     const float* values = costs.valuesOf(row);
-    // Part of ε is spent on columns that only may be better, so that fewer need be looked at.
+    // Part of ε is allowed for columns that are only possibly better, so that fewer need be examined.
     const double slack = costs.bounded() ? kUnseen * epsilon : 0;
     const Offers two = offersTo(costs, row, slack);
     const int column = costs.column(row, two.place);
@@ -326,8 +326,8 @@ void Assigner::release(int row) {
     m_column[at(row)] = -1;
 }
 
-/// Prices as far as bids without ε lead (augmenting row reduction of Jonker & Volgenant), then shortest
-/// augmenting paths for the rest. At any time, the column of a row that has one is the best for it.
+/// Finds prices as far as bids without ε lead (augmenting row reduction of Jonker & Volgenant), then shortest
+/// augmenting paths for the rest. Throughout, every row with a column has its best one.
 void Assigner::solveExactly(const AssignmentCosts& costs, JobContext& context) {
     std::fill(m_assigned.begin(), m_assigned.end(), -1);
     m_column.assign(at(costs.rows), -1);
@@ -369,7 +369,7 @@ std::vector<int> Assigner::push(const AssignmentCosts& costs, std::vector<int> w
             waiting.push_back(before);
             --steps;
         }
-        // A column with one place may cost more without a loss: only its own row pays.
+        // The price of a column with one place may rise without a loss: only its own row pays it.
         if (m_places[at(column)] == 1 && std::isfinite(two.second))
             m_price[at(column)] += two.second - two.best;
         m_assigned[at(place)] = row;

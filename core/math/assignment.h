@@ -11,30 +11,30 @@ namespace texloom {
 
 /// How well columns are to be assigned to rows.
 struct AssignmentOptions {
-    /// The sum of costs is at most this much a row above the smallest possible; 0 for the smallest itself.
+    /// The sum of costs is at most this much per row above the minimum; 0 for the minimum itself.
     double epsilon = 0;
     /// ρ of the relaxed assignment: what each row too many, or too few, costs at a column (Gutierrez, thesis
-    /// 2020, eq. 3.29). Infinite: there are never too many. With less, an auction with `epsilon`, or a small
-    /// one for 0, finds it.
+    /// 2020, eq. 3.29). Infinite: there are never too many. If finite, the assignment is found by an auction
+    /// with `epsilon`, or a small value for 0.
     double relaxation = std::numeric_limits<double>::infinity();
-    /// With a relaxation: begins with the last assignment and its prices. Far fewer bids where costs have
-    /// changed little, but the sum may then be more than `epsilon` a row above the smallest.
+    /// With a relaxation: starts from the last assignment and its prices. This takes far fewer bids where
+    /// costs have changed little, but the sum may exceed the minimum by more than `epsilon` per row.
     bool carryOn = false;
 };
 
 /// Assigns one column to each row of a matrix of costs, each column to as many rows as it has places, so that
 /// the sum of costs is smallest: the linear assignment problem. The auction algorithm with ε-scaling
 /// (Bertsekas 1988), in which rows bid for columns; bids are made in parallel and taken in the order of the
-/// rows, so that threads change nothing. For the exact solution, shortest augmenting paths (Jonker &
-/// Volgenant 1987) settle what the auction left open. Prices are kept from one assignment to the next, where
-/// costs that changed little need few bids.
+/// rows, so that the number of threads changes nothing. For the exact solution, shortest augmenting paths
+/// (Jonker & Volgenant 1987) settle what the auction left open. Prices are kept from one assignment to the
+/// next, which takes few bids where costs have changed little.
 class Assigner {
 public:
     /// @param places of each column, at least 0.
     explicit Assigner(std::vector<int> places);
 
     /// @param costs whose rows hold all columns where the relaxation is infinite; then there must be a place
-    /// for every row. Bounds give way to costs where it matters, for the smallest sum everywhere.
+    /// for every row. Bounds are replaced by costs where it matters; for the minimum, everywhere.
     /// @return the column of each row.
     std::vector<int> assign(AssignmentCosts& costs, const AssignmentOptions& options, JobContext& context);
 

@@ -10,19 +10,18 @@
 
 namespace texloom {
 
-/// A matrix of costs, from which each row is to be given a column: whole, or some of the columns of each row.
+/// A matrix of costs for assigning a column to each row: complete, or with only some columns of each row.
 /// Costs are not negative.
 struct AssignmentCosts {
     int rows = 0;
     int columns = 0;
-    /// Row by row. A number with a minus sign, which zero can have, too, is only a lower bound: the cost is
-    /// not less than its magnitude. Rows with bounds hold all columns, in order.
+    /// Row by row. A number with its sign bit set, −0 included, is only a lower bound: its magnitude bounds
+    /// the cost from below. Rows with bounds hold all columns, in order.
     std::vector<float> costs;
     /// The columns that the costs of a row belong to, as many for every row; empty: all, in order.
     std::vector<std::int32_t> choices;
     int perRow = 0; ///< costs in a row
-    /// Where there are bounds: writes the costs of a row at some columns. Called by several threads at a
-    /// time.
+    /// Where there are bounds: writes the costs of a row at some columns. Called from several threads.
     std::function<void(int row, std::span<const int> columns, float* to)> cost;
 
     const float* valuesOf(int row) const {
@@ -32,7 +31,7 @@ struct AssignmentCosts {
         return costs.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(perRow);
     }
     bool bounded() const { return static_cast<bool>(cost); }
-    /// The cost at one place of a row of bounds, where it takes the place of the bound.
+    /// The cost at one place of a row; replaces a bound there.
     float known(int row, int place) {
         float& entry = valuesOf(row)[place];
         if (std::signbit(entry))

@@ -8,7 +8,7 @@ namespace texloom {
 
 namespace {
 
-/// Components with less than this share of the largest variance are rounding.
+/// Components with less than this share of the largest variance are rounding errors.
 constexpr double kLeastShare = 1e-9;
 
 /// to_i = offset_i + Σ_j matrix(i, j) (from_j − shift_j) along one row.
@@ -79,7 +79,7 @@ ChannelPca::ChannelPca(const Eigen::MatrixXd& covariance, int leading) {
     const Eigen::Index first = leading > 0 ? std::min<Eigen::Index>(leading, channels) : channels;
     const Eigen::Index rest = channels - first;
     const Axes main = axesOf(covariance.topLeftCorner(first, first));
-    // The regression goes through the components, which have the inverse of the covariance in them.
+    // The regression is computed from the components, which contain the inverse of the covariance.
     const Eigen::MatrixXd slope = covariance.bottomLeftCorner(rest, first) * main.toComponents.transpose();
     const Eigen::MatrixXd beyond = covariance.bottomRightCorner(rest, rest) - slope * slope.transpose();
     const Axes other = axesOf(beyond);

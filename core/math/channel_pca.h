@@ -10,7 +10,8 @@
 
 namespace texloom {
 
-/// The covariance of the channels of an image, normalised by its pixels. @param check called for every row.
+/// The covariance of the channels of an image, normalised by the number of pixels. @param check called for
+/// every row.
 Eigen::MatrixXd channelCovariance(
     const ImageView& image, const std::function<void()>& check = [] {});
 
@@ -19,9 +20,9 @@ Eigen::MatrixXd channelCovariance(
 /// that a grey picture in three equal channels has one component, and a constant picture none.
 class ChannelPca {
 public:
-    /// @param leading if not 0, the first channels come first: the first leadingComponents() components are
-    /// those of these channels alone, the others those of what the other channels have beyond their linear
-    /// regression on these.
+    /// @param leading if not 0, this many of the first channels come first: the first leadingComponents()
+    /// components are those of these channels alone, the others those of the other channels' residuals after
+    /// linear regression on these.
     explicit ChannelPca(const Eigen::MatrixXd& covariance, int leading = 0);
 
     /// Number of components, at most the number of channels; the first has the most variance.
@@ -32,7 +33,7 @@ public:
     /// Components of the rows [first, last) of `from`: those of (pixel − mean). Rows may be done by several
     /// threads. @param means one per channel. @param to has components() channels and the size of `from`.
     void project(const ImageView& from, std::span<const double> means, int first, int last, Image& to) const;
-    /// The way back: mean + mix of the components. @param to has one channel per mean.
+    /// The inverse: mean + mix of the components. @param to has one channel per mean.
     void unproject(const ImageView& from, std::span<const double> means, int first, int last,
                    Image& to) const;
 

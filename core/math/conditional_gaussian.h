@@ -7,10 +7,10 @@
 namespace texloom {
 
 /// A Gaussian vector of low rank with a little white noise, x = μ + Q a + σ e with a ~ N(0, I) and e ~ N(0,
-/// I), conditioned on some of its entries: the coefficients a given those entries (Raad, thesis 2016,
-/// section 3.3, with Γ = QQᵗ + σ²I). Where the source factors matrices as large as a patch, Woodbury's
-/// identity leaves one of the number of coefficients m: a | q₀ ~ N((G + σ²I)⁻¹ Rᵗ d, σ² (G + σ²I)⁻¹) with R
-/// the known rows of Q, G = RᵗR and d = q₀ less the known part of μ.
+/// I), conditioned on some of its entries: the coefficients a given those entries (Raad, thesis 2016, section
+/// 3.3, with Γ = QQᵗ + σ²I). Where the source factors matrices as large as a patch, Woodbury's identity
+/// reduces this to one of size m, the number of coefficients: a | q₀ ~ N((G + σ²I)⁻¹ Rᵗ d, σ² (G + σ²I)⁻¹)
+/// with R the known rows of Q, G = RᵗR and d = q₀ minus the known part of μ.
 class ConditionalGaussian {
 public:
     /// @param rows the known rows of Q by columns: m columns of `known` values. @param known number of known

@@ -7,11 +7,11 @@ namespace texloom {
 namespace {
 
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
-/// Most costs that are asked for at a time.
+/// The maximum number of costs requested at a time.
 constexpr int kMost = 16;
 
 using Lane = Lanes<float>;
-/// Places of a row, this far apart, whose lowest sum is kept.
+/// Places of a row, kApart from each other, of which the lowest sum is kept.
 struct Cell {
     static constexpr int kPlaces = 16, kApart = Lane::kCount, kSpan = kPlaces * kApart;
     int first;
@@ -31,7 +31,8 @@ Lane::Pack magnitudes(const float* costs) {
     return values;
 }
 
-/// The lowest sums of costs, or bounds of them, and prices of the cells of `count` places, whole spans.
+/// The lowest sums of costs, or bounds of them, and prices in each of the cells of `count` places, a multiple
+/// of a span.
 void lowestOfCells(const float* costs, const float* prices, int count, float* to) {
     for (int begin = 0; begin < count; begin += Cell::kSpan, to += Cell::kApart) {
         Lane::Pack lowest = Lane::Pack{} + kInfinite;
@@ -43,7 +44,7 @@ void lowestOfCells(const float* costs, const float* prices, int count, float* to
     }
 }
 
-/// The sums of one row's costs and the prices, where bounds give way to costs, several at a time.
+/// The sums of one row's costs and the prices, where bounds are replaced by costs, several at a time.
 class Row {
 public:
     Row(AssignmentCosts& costs, int row, const float* prices)
@@ -75,8 +76,8 @@ public:
     float value(int place) const {
         return place < 0 ? kInfinite : std::abs(m_values[place]) + m_prices[place];
     }
-    /// Asks for what is lowest in each of several parts of the row, where it is less than `limit`: the best
-    /// is soon found then.
+    /// Requests the lowest cost of each of several parts of the row, if its sum is below `limit`: this soon
+    /// finds the best.
     void askHere(float limit) {
         constexpr int kParts = 16;
         for (int part = 0; part < kParts; ++part) {
@@ -98,7 +99,7 @@ public:
         }
         answer();
     }
-    /// Asks for every place whose sum is less than limit() then.
+    /// Requests every place whose sum is below limit() at that moment.
     template <class Limit> void askBelow(const Limit& limit) {
         for (int cell = 0; cell < cells(); ++cell)
             if (lowest(cell) < limit())
@@ -127,7 +128,7 @@ public:
         }
         m_count = 0;
     }
-    /// The best of those that were asked for.
+    /// The best of those requested.
     const BestTwo<float>& best() const { return m_best; }
 
 private:
@@ -143,7 +144,7 @@ private:
         forEach(cell, [&](int place) { lowest = std::min(lowest, value(place)); });
         m_lowest[static_cast<std::size_t>(cell)] = lowest;
     }
-    void add(int place) { // of equal ones the first is the best, in whatever order they come
+    void add(int place) { // of equal ones the first is the best, whatever their order
         m_best.add(place, value(place), kInfinite);
     }
 

@@ -24,7 +24,7 @@ template <class T> struct BestTwo {
             second = std::min(second, value);
         }
     }
-    /// Joins what other places gave. @param rest their second best.
+    /// Merges the result of other places. @param rest their second best.
     void add(int where, T value, T rest) {
         if (value == best && where >= 0 && where < place)
             std::swap(where, place);
@@ -33,7 +33,7 @@ template <class T> struct BestTwo {
     }
 };
 
-/// As many values as fit a vector of every machine: larger ones are taken apart badly.
+/// As many values as fit a SIMD vector of every machine: compilers split larger ones badly.
 template <class T> struct Lanes;
 template <> struct Lanes<float> {
     using Pack = float __attribute__((vector_size(16)));
@@ -84,8 +84,8 @@ template <class T> BestTwo<T> bestTwo(const float* costs, const T* prices, int c
     return result;
 }
 
-/// A column whose cost and price sum to at most `slack` more than the best of the row, with that sum, and
-/// what no other sum is less than. Bounds that may hide better ones give way to costs.
+/// A column whose cost and price sum to at most `slack` more than the best of the row, with that sum, and a
+/// lower bound of all other sums. Bounds that may hide better columns are replaced by costs.
 BestTwo<float> bestTwo(AssignmentCosts& costs, int row, const float* prices, float slack);
 
 /// Whether any cost of the row and the column's price sum to less than `limit`.

@@ -67,7 +67,7 @@ struct DestroyPlan {
 };
 using Plan = std::unique_ptr<std::remove_pointer_t<fftwf_plan>, DestroyPlan>;
 
-/// The only place where plans are made; FFTW's planner is not safe to be called from several threads.
+/// The only place where plans are made; FFTW's planner is not thread-safe.
 fftwf_plan planFor(const Batch& batch) {
     static std::mutex mutex;
     static std::map<Batch, Plan> plans;
@@ -129,7 +129,7 @@ void RealFft2d::forwardRows(const float* image, int first, int last, Complex* sp
     for (int row = first; row < last; row += kBlock) {
         const auto plan = planFor({Kind::RealForward, m_size.width, std::min(kBlock, last - row), 1,
                                    static_cast<int>(m_rowStride), static_cast<int>(m_columnStride), 1});
-        // FFTW's out-of-place real transform leaves its input alone, though its interface does not say const.
+        // FFTW's out-of-place real transform leaves its input alone, though its interface is not const.
         fftwf_execute_dft_r2c(plan, const_cast<float*>(image) + row * m_rowStride, raw(spectrum + row));
     }
 }

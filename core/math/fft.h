@@ -32,9 +32,9 @@ private:
 
 /// Two-dimensional Fourier transforms of real images of one size, unnormalised (forward then backward
 /// multiplies by the area), in single precision through FFTW with ESTIMATE plans from one cache, so that
-/// every run on a machine uses the same plans. They are done in two passes that the caller sees, because
-/// patches are mostly zero and only part of the output is wanted: rows that are zero, or not wanted, are left
-/// out.
+/// every run on a machine uses the same plans. They are done in two passes that the caller controls, because
+/// patches are mostly zero and only part of the output is needed: rows that are zero, or not needed, are
+/// skipped.
 ///
 /// A spectrum is stored by columns: column k (0 to width / 2) at `k * columnStride()`, `height` values each.
 class RealFft2d {
@@ -48,7 +48,7 @@ public:
     int columns() const { return m_size.width / 2 + 1; }
     std::ptrdiff_t columnStride() const { return m_columnStride; }
     /// Floats from one row of a real image to the next: as in an Image of this size, whose planes can be
-    /// given.
+    /// passed.
     std::ptrdiff_t rowStride() const { return m_rowStride; }
     std::size_t spectrumSize() const {
         return static_cast<std::size_t>(m_columnStride) * static_cast<std::size_t>(columns());
@@ -61,24 +61,26 @@ public:
     /// `check` is called between blocks and may throw.
     void forwardRows(const float* image, int rows, Complex* spectrum,
                      const std::function<void()>& check) const;
-    /// Transforms the rows [first, last) alone and leaves the other rows of the spectrum as they are. Calls
-    /// for different rows may run at the same time. `first` is a multiple of kBlock.
+    /// Transforms only the rows [first, last) and leaves the other rows of the spectrum unchanged. Calls for
+    /// different rows may run at the same time. `first` is a multiple of kBlock.
     void forwardRows(const float* image, int first, int last, Complex* spectrum) const;
     /// Transforms the columns [first, last) of a spectrum in place.
     void forwardColumns(Complex* spectrum, int first, int last) const;
     void backwardColumns(Complex* spectrum, int first, int last) const;
-    /// Gives the first `rows` rows of the image; the spectrum is used up.
+    /// Computes the first `rows` rows of the image and destroys the spectrum.
     void backwardRows(Complex* spectrum, int rows, float* image, const std::function<void()>& check) const;
-    /// Gives the rows [first, last) alone and uses up the same rows of the spectrum; as forwardRows()
-    /// otherwise.
+    /// Computes only the rows [first, last) and destroys the same rows of the spectrum; otherwise like
+    /// forwardRows().
     void backwardRows(Complex* spectrum, int first, int last, float* image) const;
 
     /// Both passes over the whole image, one thread; `check` is called between blocks and may throw.
     void forward(const float* image, Complex* spectrum, const std::function<void()>& check) const;
     void backward(Complex* spectrum, float* image, const std::function<void()>& check) const;
 
-    /// Rows and columns are best worked on this many at a time.
+    /// Rows and columns are best processed this many at a time.
     static constexpr int kBlock = 16;
+    /// How many blocks hold so many rows or columns.
+    static constexpr int blocksFor(int count) { return (count + kBlock - 1) / kBlock; }
 
 private:
     Size m_size;
@@ -86,9 +88,9 @@ private:
     std::ptrdiff_t m_rowStride;
 };
 
-/// Two-dimensional backward transforms to complex images, unnormalised, for spectra that are zero in large
-/// parts, as those of analytic signals are: blocks of columns that are zero are not transformed. Plans and
-/// layout are as those of RealFft2d, but a spectrum has all `width` columns.
+/// Two-dimensional backward transforms to complex images, unnormalised, for spectra that are largely zero,
+/// like those of analytic signals: blocks of columns that are zero are skipped. Plans and layout are as those
+/// of RealFft2d, but a spectrum has all `width` columns.
 class ComplexFft2d {
 public:
     using Complex = std::complex<float>;
@@ -106,7 +108,7 @@ public:
         return static_cast<std::size_t>(m_rowStride) * static_cast<std::size_t>(m_size.height);
     }
 
-    /// @param filled for each column whether anything in it is not zero. The spectrum is used up.
+    /// @param filled for each column, whether it holds anything but zeros. The spectrum is destroyed.
     /// @param check called between blocks; may throw.
     void backward(Complex* spectrum, const std::vector<bool>& filled, Complex* image,
                   const std::function<void()>& check) const;

@@ -3,8 +3,8 @@
 namespace texloom {
 
 /// The point whose weighted sum of distances to all others is smallest.
-/// @param points `count` points of `dimension` values (at most 16), one after another; @param weights theirs,
-/// above 0.
+/// @param points `count` points of `dimension` values (at most 16), one after another; @param weights of the
+/// points, above 0.
 /// @param result `dimension` values: where to start on entry, the median on return.
 
 /// A step shorter than `tolerance` times the mean distance ends it.

@@ -21,7 +21,7 @@ void GridFlow::link(int a, Side side, int b, std::int32_t forth, std::int32_t ba
     at(b).capacity[opposite(side)] = back;
 }
 
-/// Flow goes straight through a node that is tied to both terminals; what is left is a tie to one of them.
+/// Flow passes straight through a node that is tied to both terminals, which leaves a tie to one of them.
 void GridFlow::tieToFirst(int node, std::int32_t capacity) {
     if (at(node).terminal < 0)
         m_flow += std::min(capacity, -at(node).terminal);
@@ -68,7 +68,7 @@ void GridFlow::begin() {
     }
 }
 
-/// Hangs a node on a parent that it sees on this side.
+/// Attaches a node to the parent on this side of it.
 void GridFlow::adopt(int node, int parent, int side) {
     Node& child = at(node);
     child.tree = at(parent).tree;
@@ -77,8 +77,8 @@ void GridFlow::adopt(int node, int parent, int side) {
     child.distance = at(parent).distance + 1;
 }
 
-/// Looks at the neighbours of a node in a tree and takes in those that are free.
-/// @return whether one of the other tree was met: flow can then go from node `from` through its `side`.
+/// Visits the neighbours of a node in a tree and adopts those that are free.
+/// @return whether a node of the other tree was found: flow can then go from node `from` through its `side`.
 bool GridFlow::grow(int node, int& from, int& side) {
     const Tree tree = at(node).tree;
     for (int s = 0; s < 4; ++s) {
@@ -99,14 +99,14 @@ bool GridFlow::grow(int node, int& from, int& side) {
             return true;
         } else if (neighbour.parent < kTerminal && neighbour.stamp <= at(node).stamp &&
                    neighbour.distance > at(node).distance + 1) {
-            // A shorter way to the terminal.
+            // A shorter path to the terminal.
             adopt(other, node, opposite(s));
         }
     }
     return false;
 }
 
-/// The least capacity left between a node and its tree's terminal.
+/// The least residual capacity between a node and its tree's terminal.
 std::int32_t GridFlow::narrowest(int node) {
     std::int32_t least = std::numeric_limits<std::int32_t>::max();
     while (at(node).parent != kTerminal) {
@@ -118,7 +118,7 @@ std::int32_t GridFlow::narrowest(int node) {
     return std::min(least, std::abs(at(node).terminal));
 }
 
-/// Sends flow along the tree; nodes whose link is then full become orphans.
+/// Sends flow along the tree; nodes whose link is then saturated become orphans.
 void GridFlow::push(int node, std::int32_t flow) {
     const Tree tree = at(node).tree;
     while (at(node).parent != kTerminal) {
@@ -153,7 +153,7 @@ std::int32_t GridFlow::augment(int from, int side) {
     return flow;
 }
 
-/// How far a node lies from its tree's terminal, or −1 if it hangs on an orphan. Distances that are found are
+/// The distance of a node from its tree's terminal, or −1 if it descends from an orphan. Distances found are
 /// kept for the round.
 int GridFlow::distanceToTerminal(int node) {
     int steps = 0, current = node;
@@ -177,7 +177,7 @@ int GridFlow::distanceToTerminal(int node) {
     return found;
 }
 
-/// Finds an orphan the parent nearest to the terminal, or sets it free.
+/// Gives an orphan the parent nearest to the terminal, or frees it.
 void GridFlow::rehang(int node) {
     Node& orphan = at(node);
     int best = -1, bestDistance = std::numeric_limits<int>::max();
@@ -198,7 +198,7 @@ void GridFlow::rehang(int node) {
     orphan.distance = bestDistance + 1;
 }
 
-/// Takes a node out of its tree: its children become orphans, and neighbours may take it in again.
+/// Removes a node from its tree: its children become orphans, and neighbours may adopt it again.
 void GridFlow::release(int node, Tree tree) {
     Node& freed = at(node);
     for (int s = 0; s < 4; ++s) {
@@ -233,7 +233,7 @@ std::int64_t GridFlow::solve(const std::function<void()>& check) {
         }
         ++m_round;
         m_flow += augment(from, side);
-        // Orphans may come to it meanwhile.
+        // More orphans may be added meanwhile.
         for (std::size_t i = 0; i < m_orphans.size(); ++i) {
             if (i % 4096 == 4095)
                 check();

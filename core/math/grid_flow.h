@@ -8,16 +8,16 @@ namespace texloom {
 
 /// Minimum cut between two terminals of a graph whose nodes have up to four links, as pixels have: by maximum
 /// flow with search trees from both terminals (Boykov & Kolmogorov, "An experimental comparison of
-/// min-cut/max-flow algorithms", IEEE PAMI 26, 2004). Capacities are whole numbers, and nodes are taken in a
-/// fixed order, so that a cut depends on nothing else.
+/// min-cut/max-flow algorithms", IEEE PAMI 26, 2004). Capacities are integers, and nodes are processed in a
+/// fixed order, so the cut is deterministic.
 class GridFlow {
 public:
     /// The four links of a node; opposite ones differ in the last bit.
     enum Side { Left, Right, Up, Down };
-    /// A capacity that no cut crosses, as long as there are others.
+    /// A capacity that no cut crosses if there is any other.
     static constexpr std::int32_t kForbidden = 1 << 29;
 
-    /// @param nodes how many to make room for.
+    /// @param nodes number of nodes to reserve memory for.
     explicit GridFlow(std::size_t nodes);
 
     int add();
@@ -29,22 +29,23 @@ public:
     void tieToFirst(int node, std::int32_t capacity);
     void tieToSecond(int node, std::int32_t capacity);
 
-    /// The value of the least cut. @param check called every few milliseconds; may throw.
+    /// The value of the minimum cut. @param check called every few milliseconds; may throw.
     std::int64_t solve(const std::function<void()>& check = [] {});
-    /// After solve(): whether a node is on the first terminal's side of the least cut nearest to it.
+    /// After solve(): whether a node is on the first terminal's side of the minimum cut nearest to that
+    /// terminal.
     bool first(int node) const { return m_nodes[static_cast<std::size_t>(node)].tree == Tree::First; }
 
     static std::uint64_t bytesFor(std::size_t nodes) { return nodes * (sizeof(Node) + 2 * sizeof(int)); }
 
 private:
     enum class Tree : std::uint8_t { None, First, Second };
-    /// What a node hangs on, apart from its four sides.
+    /// What a node can be attached to, apart from its four sides.
     static constexpr std::uint8_t kTerminal = 4, kOrphan = 5, kNone = 6;
 
     struct Node {
         int to[4] = {-1, -1, -1, -1};
-        std::int32_t capacity[4] = {0, 0, 0, 0}; ///< left for flow away from the node
-        std::int32_t terminal = 0;               ///< left from the first, or, negative, to the second
+        std::int32_t capacity[4] = {0, 0, 0, 0}; ///< residual, for flow away from the node
+        std::int32_t terminal = 0;               ///< residual, from the first or, negative, to the second
         Tree tree = Tree::None;
         std::uint8_t parent = kNone;
         bool waiting = false;    ///< in the queue
@@ -54,7 +55,7 @@ private:
 
     Node& at(int node) { return m_nodes[static_cast<std::size_t>(node)]; }
     static int opposite(int side) { return side ^ 1; }
-    /// What is left for flow along the tree's direction through the link from a parent to its child.
+    /// The residual capacity, in the tree's direction, of the link between a parent and its child.
     std::int32_t fromParent(const Node& parent, const Node& child, int childSide) const {
         return child.tree == Tree::First ? parent.capacity[opposite(childSide)] : child.capacity[childSide];
     }

@@ -15,14 +15,13 @@ constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 /// Samples between two checks.
 constexpr std::size_t kPiece = std::size_t{1} << 18;
 
-/// A whole number that orders as the float does.
+/// An integer that orders as the float does.
 std::uint32_t orderedBits(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value + 0.0F);
     return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
 }
 
-/// A step without a common factor with `count`, near the golden section of it, below it: its multiples
-/// scatter evenly.
+/// A step coprime to `count`, near its golden section: its multiples scatter evenly.
 std::size_t scatteringStep(std::size_t count) {
     auto step = static_cast<std::size_t>(0.6180339887 * static_cast<double>(count));
     while (std::gcd(step, count) != 1)

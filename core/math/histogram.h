@@ -9,11 +9,11 @@
 namespace texloom {
 
 /// Sorts and ranks samples by radix, in pieces between which `check` is called every few milliseconds.
-/// Keeps its room from one call to the next; one object per thread.
+/// Keeps its memory from one call to the next; one object per thread.
 class SampleRanks {
 public:
     /// Orders the samples of a plane. Equal samples keep the order of a fixed walk that scatters them over
-    /// the plane, so that giving them different values draws no ramps. At most 2^32 − 1 samples.
+    /// the plane, so that giving them different values creates no ramps. At most 2^32 − 1 samples.
     void sort(const PlaneView& plane, const std::function<void()>& check);
     /// Number of samples last sorted.
     std::size_t size() const { return m_order.size(); }
@@ -36,7 +36,7 @@ public:
     /// Gives `plane` this distribution and keeps the order of its samples: the sample of rank r gets the
     /// sample of rank r here (Heeger & Bergen 1995, section 3, exact). Where the numbers of samples differ,
     /// ranks are matched by quantile with linear interpolation.
-    /// @return the mean square of what the samples changed by.
+    /// @return the mean squared change of the samples.
     double match(const PlaneSpan& plane, SampleRanks& ranks, const std::function<void()>& check) const;
 
 private:

@@ -10,10 +10,10 @@ namespace {
 constexpr int kBetweenChecks = 1 << 15;
 /// Levels with no more cells than this are not coarsened.
 constexpr std::size_t kFewest = 32;
-/// At the coarsest level, which has to be solved well.
+/// At the coarsest level, which must be solved accurately.
 constexpr int kSweeps = 8;
 
-/// Makes room in steps, since the system takes its time to hand out much memory.
+/// Allocates in steps, since the system is slow to provide much memory at once.
 template <class T>
 void fillTo(std::vector<T>& values, std::size_t count, const T& value, const Multigrid::Check& check) {
     constexpr std::size_t kStep = 1 << 18;
@@ -116,8 +116,8 @@ Multigrid::Level Multigrid::coarsened(Level& finer, std::vector<Pixel>& pixels, 
     }
     Level level;
     link(level, places);
-    // Cells are twice as far apart and their links twice as many: half the sum. Those to given pixels grow
-    // less far, from the middle of a cell to that of a pixel.
+    // Cells are twice as far apart and their links twice as many: half the sum. Links to given pixels grow
+    // less, as they run from the centre of a cell to that of a pixel.
     const float farther = static_cast<float>(side + 1) / static_cast<float>(2 * side + 1);
     std::vector<float> given(places.size(), 0);
     each(finer, [&](std::size_t i, const Cell& cell) {
@@ -185,7 +185,8 @@ void Multigrid::descend(std::size_t number) {
         Level& coarser = m_levels[number + 1];
         std::fill(coarser.right.begin(), coarser.right.end(), 0.0F);
         const std::vector<float>& values = level.values;
-        // Having started from 0, a forward sweep leaves what it did not know yet.
+        // After a forward sweep from 0, the residual of a cell is what the cells after it contribute, which
+        // were still 0.
         each(level, [&](std::size_t i, const Cell& cell) {
             coarser.right[static_cast<std::size_t>(level.parents[i])] +=
                 cell.toRight * values[static_cast<std::size_t>(cell.right)] +

@@ -30,12 +30,12 @@ public:
     Multigrid(const std::vector<Pixel>& pixels, const std::vector<float>& given, Check check);
 
     int count() const { return static_cast<int>(m_levels.front().cells.size()) - 1; }
-    /// The finest level, with a last cell that stands for all that are not there.
+    /// The finest level, with a last cell that stands for all missing ones.
     const std::vector<Cell>& cells() const { return m_levels.front().cells; }
 
     /// to = A from; both with count() + 1 values, the last 0.
     void multiply(const std::vector<double>& from, std::vector<double>& to) const;
-    /// Where to write the right side of the equations before precondition(), by pixel.
+    /// Where to write the right-hand side of the equations before precondition(), by pixel.
     std::vector<float>& right() { return m_levels.front().right; }
     /// The V-cycle's solution.
     const std::vector<float>& precondition();

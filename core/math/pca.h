@@ -8,19 +8,19 @@
 
 namespace texloom {
 
-/// The eigenvectors of a covariance, one a column, by falling variance, and the variances. Each direction's
-/// largest component is positive, so that it does not depend on the solver's whim.
+/// The eigenvectors of a covariance, one per column, by decreasing variance, and the variances. Each
+/// direction's largest component is positive, so that its sign does not depend on the solver.
 struct CovarianceAxes {
     Eigen::MatrixXd directions;
     Eigen::VectorXd variances; ///< rounding may leave some a little below 0
 };
 CovarianceAxes covarianceAxes(const Eigen::MatrixXd& covariance);
 
-/// The directions in which vectors vary most: the first of their covariance's axes.
+/// The directions in which vectors vary most: the leading principal axes of their covariance.
 struct PrincipalAxes {
     int dimension = 0;
     std::vector<double> mean;      ///< dimension
-    std::vector<double> axes;      ///< count × dimension, one direction a row, orthonormal
+    std::vector<double> axes;      ///< count × dimension, one direction per row, orthonormal
     std::vector<double> variances; ///< count
 
     int count() const { return static_cast<int>(variances.size()); }

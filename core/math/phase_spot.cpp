@@ -35,6 +35,11 @@ double sumOfSquares(const PlaneView& plane) {
 
 } // namespace
 
+Size PhaseSpot::torusFor(Size exemplar, Size output, Wrap wrap) {
+    return {wrap.x ? output.width : std::max(output.width, exemplar.width),
+            wrap.y ? output.height : std::max(output.height, exemplar.height)};
+}
+
 PhaseSpot::PhaseSpot(const ImageView& exemplar, Size torus, const SpotOptions& options,
                      const std::function<void()>& check)
     : m_values(options.periodic ? periodicComponent(exemplar, check) : Image(exemplar)), m_torus(torus),

@@ -14,11 +14,15 @@ struct SpotOptions {
 };
 
 /// The exemplar as a spot that is laid on a torus of any size (Galerne, Gousseau & Morel 2011, section V):
-/// its mean is taken off, and along every axis on which the torus has another length its borders fade out.
-/// On a smaller torus the spot is folded: pixels a whole number of turns apart add up. Values are scaled by
+/// its mean is subtracted, and along every axis on which the torus has another length its borders fade out.
+/// On a smaller torus the spot is folded: pixels a whole number of periods apart add up. Values are scaled by
 /// one factor for all channels, so that the sum of the channels' variances on the torus is the exemplar's.
 class PhaseSpot {
 public:
+    /// The torus to draw on for an output. One that is smaller than the exemplar and need not wrap is cut
+    /// from a torus of the exemplar's size, because folding the spot would let it meet itself.
+    static Size torusFor(Size exemplar, Size output, Wrap wrap);
+
     /// @param check called every few milliseconds; may throw.
     PhaseSpot(const ImageView& exemplar, Size torus, const SpotOptions& options,
               const std::function<void()>& check);

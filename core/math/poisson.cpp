@@ -92,7 +92,7 @@ class IterativeRegion {
 public:
     IterativeRegion(const std::vector<std::uint8_t>& unknown, Size size, const std::function<void()>& check);
 
-    /// @param progress told of the share of the digits that are right.
+    /// @param progress called with the share of the wanted digits that are correct.
     void solve(std::span<const float> divergence, PlaneSpan values,
                const std::function<void(double)>& progress);
     std::size_t count() const { return m_pixels.size(); }
@@ -103,9 +103,9 @@ private:
     /// Calls visit(i) for every equation.
     template <class Visit> void each(Visit visit) const;
     double product(const Vector& a, const Vector& b) const;
-    /// Right side less A f, and the largest value that is known.
+    /// The right-hand side minus A f, and the largest known value.
     double begin(std::span<const float> divergence, const PlaneView& values);
-    /// m_image = the cycle's answer to the residual
+    /// m_image = the cycle's solution for the residual
     void precondition();
     double worst() const;
 
@@ -294,7 +294,7 @@ Image solvePoisson(const ImageView& divergence, const std::vector<double>& means
     const auto area = static_cast<std::size_t>(size.area());
     for (int c = 0; c < divergence.channels; ++c) {
         std::vector<double> f(area, 0.0), residual(area);
-        // Transforms are in single precision; what is left of the residual is solved for again.
+        // Transforms are in single precision; the remaining residual is solved for again.
         for (int round = 0; round < 3; ++round) {
             double mean = 0;
             for (int y = 0; y < size.height; ++y)

@@ -12,8 +12,8 @@ namespace texloom {
 
 /// Poisson's equation Δf = g on some pixels of an image, the other pixels being given (Pérez, Gangnet &
 /// Blake, SIGGRAPH 2003). Δ is the sum of the differences to the neighbours above, below, left and right that
-/// the image has: at its border nothing flows. The equations are factored once and serve any number of images
-/// and threads.
+/// the image has: there is no flux across its border. The equations are factored once and serve any number of
+/// images and threads.
 class PoissonRegion {
 public:
     /// @param unknown by rows, not 0 where f is wanted. Every connected part must touch a given pixel.
@@ -33,15 +33,15 @@ private:
 
 /// The same for a region that is solved once, and may be large: by conjugate gradients preconditioned by
 /// multigrid (see Multigrid), in a number of steps that hardly depends on the size, until no residual is
-/// above 1e-7 of the values' range. The unknown pixels of `values` are where it starts.
+/// above 1e-7 of the values' range. The unknown pixels of `values` are the starting point.
 /// @param divergence g at the unknown pixels by rows, one channel after another. @param progress called with
 /// 0 to 1 every few milliseconds; may throw.
 void solvePoisson(
     const std::vector<std::uint8_t>& unknown, std::span<const float> divergence, Image& values,
     const std::function<void(double)>& progress = [](double) {});
 
-/// The same with every pixel unknown and nothing flowing over the border, by cosine transforms: f is known up
-/// to a constant, and gets the mean given. The divergence's own mean, which no f can have, is left out.
+/// The same with every pixel unknown and no flux across the border, by cosine transforms: f is known up to a
+/// constant, and gets the mean given. The divergence's own mean, which no f can have, is subtracted.
 Image solvePoisson(const ImageView& divergence, const std::vector<double>& means);
 
 } // namespace texloom

@@ -14,8 +14,8 @@ enum class PhaseModel {
 };
 
 /// The random factors by which the spectrum of a real image becomes that of a random phase texture (Galerne,
-/// Gousseau & Morel 2011), drawn by frequency. The same factors serve all channels, so that these keep their
-/// relations. The mean's factor is 0: it is not random.
+/// Gousseau & Morel 2011), drawn by frequency. The same factors serve all channels, so that their relations
+/// are preserved. The mean's factor is 0: it is not random.
 class RandomPhases {
 public:
     RandomPhases(PhaseModel model, Size size, const Random& random)

@@ -26,7 +26,7 @@ std::vector<Complex> transformed(const std::vector<float>& line) {
     return all;
 }
 
-/// 1 − e^(2πik / length): a sample at 0 less one at the far end.
+/// 1 − e^(2πik / length): a sample at 0 minus one at the far end.
 std::vector<Complex> steps(int length) {
     std::vector<Complex> values;
     for (int k = 0; k < length; ++k) {

@@ -9,7 +9,7 @@ namespace texloom {
 
 /// The spectrum of the smooth component s of an image u = p + s (see periodicComponent()), one frequency at a
 /// time: s solves Poisson's equation for the jumps across the borders, whose transform is that of two lines.
-/// So p can be had from the spectrum of u without an image of s.
+/// So p can be obtained from the spectrum of u without an image of s.
 class SmoothSpectrum {
 public:
     explicit SmoothSpectrum(const PlaneView& image);

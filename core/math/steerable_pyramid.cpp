@@ -254,7 +254,7 @@ void SteerablePyramid::analyticRaised(int scale, int orientation, const Complex*
 }
 
 /// Doubles the frequencies on the orientation's side, each read from a half spectrum at its own place or,
-/// conjugated, at the opposite one, and leaves out the others. Frequencies on the line between count once.
+/// conjugated, at the opposite one, and sets the others to 0. Frequencies on the dividing line count once.
 void SteerablePyramid::layOneSided(int scale, int orientation, const Complex* half, int halfScale,
                                    Complex* image, const Check& check) const {
     const ComplexFft2d& transform = complexFft(scale);

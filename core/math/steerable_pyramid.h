@@ -26,11 +26,10 @@ namespace texloom {
 /// Images of any size are taken as periodic. Filters are defined by frequency in cycles per pixel of the
 /// image and not by index, so that bands of images of different sizes can be compared. Scale s has ⌈width /
 /// 2^s⌉ × ⌈height / 2^s⌉ samples: on sides that 2^s does not divide its samples lie a little closer than 2^s
-/// pixels, so that no frequency that passes the filters is lost or folded, and nothing is padded.
+/// pixels, so that no frequency that passes the filters is lost or aliased, and nothing is padded.
 ///
 /// A spectrum is in the layout of fft(scale) and divided by the number of samples: bin 0 holds the mean. All
-/// members are safe to be called from several threads. `check` is called every few milliseconds and may
-/// throw.
+/// members are thread-safe. `check` is called every few milliseconds and may throw.
 class SteerablePyramid {
 public:
     using Complex = std::complex<float>;
@@ -55,13 +54,13 @@ public:
     /// A new spectrum of a scale, all 0.
     FftBuffer<Complex> spectrum(int scale) const;
     /// Frequency of a column or a row of a scale's spectrum in radians per 2^scale pixels, between −π and π
-    /// but for sides that do not divide, where the outermost ones lie just beyond.
+    /// except on sides that 2^scale does not divide, where the outermost ones lie just beyond.
     double frequencyX(int scale, int column) const;
     double frequencyY(int scale, int row) const;
 
     /// The spectrum of a real image of a scale's size, rows fft(scale).rowStride() apart.
     void forward(int scale, const float* image, Complex* spectrum, const Check& check) const;
-    /// The image of a spectrum, which is used up.
+    /// The image of a spectrum, which is destroyed.
     void backward(int scale, Complex* spectrum, float* image, const Check& check) const;
 
     /// spectrum × H₀, for the high residual of the whole image.
@@ -72,10 +71,10 @@ public:
     void limit(int scale, Complex* spectrum, const Check& check) const;
     /// The spectrum of the next scale: × L, and without what is beyond its reach.
     void lower(int scale, const Complex* spectrum, Complex* next, const Check& check) const;
-    /// spectrum += next as it is, which belongs to the next scale: interpolation by zero padding.
+    /// spectrum += next unchanged, which belongs to the next scale: interpolation by zero padding.
     void raise(int scale, const Complex* next, Complex* spectrum, const Check& check) const;
-    /// The spectrum of a real oriented band. Orientation k passes frequencies along the angle πk / K,
-    /// measured from the x axis to the y axis, most.
+    /// The spectrum of a real oriented band. Orientation k responds most to frequencies at the angle πk / K,
+    /// measured from the x axis to the y axis.
     void takeBand(int scale, int orientation, const Complex* spectrum, Complex* band,
                   const Check& check) const;
     /// spectrum += band through the same filter backwards.
@@ -116,11 +115,12 @@ private:
     std::vector<float> m_high;
 };
 
-/// The size to synthesise at for an output: on an axis that wraps the output's own, on others the next that
-/// 2^scales divides and FFTW transforms fast, with room for a low residual; it is cut off afterwards.
+/// The size to synthesise at for an output: on an axis that wraps the output's own, on others the next size
+/// that 2^scales divides and FFTW transforms fast, with room for a low residual; the excess is cropped
+/// afterwards.
 Size pyramidCanvas(Size output, bool wrapX, bool wrapY, int scales);
 
-/// The most scales, up to `wanted`, that an exemplar has, and an output on the axes on which it wraps.
+/// The most scales, up to `wanted`, that an exemplar allows, and an output on the axes on which it wraps.
 int commonScales(int wanted, Size exemplar, Size output, bool wrapX, bool wrapY);
 
 } // namespace texloom

@@ -35,8 +35,8 @@ Midway::Midway(std::span<const float> first, std::span<const float> second, doub
         m_knots.push_back({mass, placeA, placeB, (1 - share) * placeA + share * placeB});
     };
     add(0, 0, 0);
-    // Both sums rise together; a border of either is a knot. Where one stands still, its place moves on while
-    // the other's waits; where both do, they move together.
+    // Both sums are followed together; a border of either is a knot. Where one is constant, its place
+    // advances while the other's waits; where both are, they advance together.
     std::size_t i = 1, j = 1;
     while (i < a.size() || j < b.size()) {
         const double nextA = i < a.size() ? a[i] : 2, nextB = j < b.size() ? b[j] : 2;

@@ -11,7 +11,7 @@ namespace texloom {
 /// where the source's algorithms 6 and 7 sample them.
 class Midway {
 public:
-    /// @param first, second signals of one length, not negative. One without any mass counts as even.
+    /// @param first, second signals of one length, not negative. A signal without any mass counts as uniform.
     /// @param share 0 for the first, 1 for the second, 0.5 for the middle.
     Midway(std::span<const float> first, std::span<const float> second, double share = 0.5);
 
@@ -30,11 +30,11 @@ private:
 
     int m_length;
     double m_mass;
-    std::vector<Knot> m_knots; ///< rising in every member
+    std::vector<Knot> m_knots; ///< increasing in every member
 };
 
-/// A signal whose mass moved: the cumulative sum of `signal` read at the given places (n + 1 of them, from 0
-/// to n, never falling), differentiated and scaled to `mass`.
+/// A signal with its mass moved: the cumulative sum of `signal` read at the given places (n + 1 of them, from
+/// 0 to n, non-decreasing), differentiated and scaled to `mass`.
 std::vector<float> deformed(std::span<const float> signal, std::span<const double> places, double mass);
 
 /// Sum of a signal.

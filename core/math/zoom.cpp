@@ -1,5 +1,6 @@
 #include "core/math/zoom.h"
 
+#include "core/image/mirror.h"
 #include "core/math/fft.h"
 
 #include <algorithm>
@@ -14,11 +15,7 @@ namespace {
 using Complex = std::complex<float>;
 
 int reflected(int at, int length, bool wraps) {
-    if (wraps)
-        return (at % length + length) % length;
-    const int period = 2 * length;
-    const int folded = (at % period + period) % period;
-    return folded < length ? folded : period - 1 - folded;
+    return wraps ? (at % length + length) % length : mirrored(at, length);
 }
 
 std::vector<float> gaussianKernel(double sigma) {
@@ -43,7 +40,7 @@ void convolveRow(const float* padded, const std::vector<float>& kernel, float* t
             to[x] += kernel[k] * padded[static_cast<std::size_t>(x) + k];
 }
 
-/// One periodic line, sampled more closely.
+/// One periodic line, sampled more finely.
 class LineZoom {
 public:
     LineZoom(int length, int target)
@@ -73,7 +70,7 @@ private:
     FftBuffer<float> m_wide;
 };
 
-/// Makes rows of `width` pixels, twice as many as they have or 1 less.
+/// Resamples rows to `width` pixels, twice as many as they have or 1 less.
 Image zoomedRows(const ImageView& image, int width, bool wraps, const std::function<void()>& check) {
     Image wide({width, image.height}, image.channels);
     const int length = wraps ? image.width : 2 * image.width;

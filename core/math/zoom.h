@@ -16,10 +16,10 @@ Image blurred(const ImageView& image, double sigma, Wrap wrap, const std::functi
 /// Every second pixel of an image, from the first: ⌈width / 2⌉ × ⌈height / 2⌉ (eq. 3.9).
 Image everySecond(const ImageView& image);
 
-/// Standard deviation of the Gaussian that everySecond() needs before it not to alias.
+/// Standard deviation of the Gaussian that must precede everySecond() to avoid aliasing.
 inline constexpr double kZoomSigma = 1.4;
 
-/// The image between whose pixels as many new ones lie, by zero padding of its Fourier transform (eq. 3.11).
+/// The image with as many new pixels between its own, by zero padding of its Fourier transform (eq. 3.11).
 /// @param size of the result: twice the image's, or 1 less on either side; an axis that wraps then still
 /// closes, a little less than twice as long.
 Image zoomedIn(const ImageView& image, Size size, Wrap wrap, const std::function<void()>& check);

@@ -28,6 +28,18 @@ template <class Settings> Param toleranceField(double Settings::*member) {
     return field(member, "tolerance", TR("Tolerance")).range(0, 10).symbol("ε");
 }
 
+/// The same for methods that quilt: w_o and ε of Raad & Galerne (IPOL 2017).
+template <class Settings> Param quiltOverlapField(double Settings::*member) {
+    return overlapField(member).symbol("w_o").help(TR(
+        "Share of the patch that overlaps its neighbours: larger joins better, but repeats itself sooner."));
+}
+
+template <class Settings> Param quiltToleranceField(double Settings::*member) {
+    return toleranceField(member).help(
+        TR("How much worse than the best a patch may fit and still be drawn: larger varies more, smaller "
+           "copies longer stretches."));
+}
+
 /// How far contrast is balanced where outputs grow from the nearest patches: see ContrastBalance::share.
 template <class Settings> Param contrastField(double Settings::*member) {
     return field(member, "contrast", TR("Contrast"))

@@ -4,8 +4,10 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/match/patch_distances.h"
+#include "core/match/patch_quilter.h"
 #include "core/match/whole_patches.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace texloom {
@@ -36,13 +38,16 @@ std::vector<PatchSource> patchSources(const Request& request) {
     return sources;
 }
 
+bool leavesWholePatch(const Request& request, int side) {
+    return std::any_of(request.exemplars.begin(), request.exemplars.end(), [side](const Exemplar& exemplar) {
+        return !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), side);
+    });
+}
+
 void checkPatchRequest(const Request& request, int patch) {
-    bool anyPatch = false;
-    for (const Exemplar& exemplar : request.exemplars) {
+    for (const Exemplar& exemplar : request.exemplars)
         checkExemplar(exemplar, patch);
-        anyPatch = anyPatch || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), patch);
-    }
-    if (!anyPatch)
+    if (!leavesWholePatch(request, patch))
         failUsage("The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.",
                   patch);
     checkWrap(request.wrap.x, request.size.width, "width", patch);
@@ -100,6 +105,16 @@ Synthesis grown(PatchGrower& grower, const Request& request, const Message& stag
     context.stage(0.98 - mapWeight, stage);
     Synthesis result = withEstimatedMap(grower.grow(), request, mapWeight, context);
     result.figures = {{TR("Patches"), static_cast<double>(grower.patches())}};
+    return result;
+}
+
+Synthesis quilted(Quilt quilt, MapKind kind) {
+    Synthesis result;
+    result.image = std::move(quilt.image);
+    result.map = std::move(quilt.map);
+    result.mapKind = kind;
+    result.figures = {{TR("Patches"), static_cast<double>(quilt.patches)},
+                      {TR("Mean error along a cut"), quilt.meanCutError}};
     return result;
 }
 

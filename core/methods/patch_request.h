@@ -14,10 +14,15 @@
 
 namespace texloom {
 
+struct Quilt;
+
 /// What methods that compare square patches share in reading a request.
 
 /// The exemplars with their masks; views of the request.
 std::vector<PatchSource> patchSources(const Request& request);
+
+/// Whether the masks leave a whole square of `side` pixels in any exemplar.
+bool leavesWholePatch(const Request& request, int side);
 
 /// Checks that every exemplar holds a patch of this size, that the masks leave one, and that the output is
 /// large enough to wrap. @throws UsageError
@@ -53,6 +58,9 @@ template <class Settings> PatchGrower::Layout layoutOf(const Request& request, c
 /// growing has the rest.
 Synthesis grown(PatchGrower& grower, const Request& request, const Message& stage, double mapWeight,
                 JobContext& context);
+
+/// The result of quilting: image and map, the number of patches, and how well they join.
+Synthesis quilted(Quilt quilt, MapKind kind);
 
 /// The result of a method that makes new pixels: the image with its estimated map.
 /// @param weight of the stage that makes the map.

@@ -18,7 +18,12 @@ enum class Extent {
 /// One thing that a method takes or gives. Everything around a method follows from its ports: the rows of the
 /// inspector, `--input`, the fields of recipes, which method may follow which, what is kept and exported.
 struct Port {
-    std::string id;    ///< kebab-case, as recipes and the command line write it
+    /// Kebab-case, as recipes and the command line write it. Of a port of the kind Model, it is also the kind
+    /// of model (Model::kind) that goes through it: files and results with a model of another kind are
+    /// refused (loadInput(), Method::check(), assetFor()). So methods that make or use the same models give
+    /// their port the same id, which lets one follow the other, too; a method can have one port for each
+    /// kind; and a kind that changes its meaning needs a new id.
+    std::string id;
     std::string title; ///< as the window shows it
     std::string help;  ///< what it is for, in one sentence
     AssetKind kind = AssetKind::Image;

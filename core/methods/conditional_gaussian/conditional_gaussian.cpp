@@ -16,7 +16,7 @@ constexpr double kMapWeight = 0.1;
 /// Draws of each kind begin here, at every place of the grid.
 constexpr std::uint32_t kCoefficients = 2, kNoise = 1U << 16U;
 
-/// Over all exemplars and channels, each channel about its own mean.
+/// The standard deviation over all exemplars and channels, each channel about its own mean.
 double standardDeviation(const Request& request) {
     double squares = 0, count = 0;
     for (const Exemplar& exemplar : request.exemplars) {
@@ -34,8 +34,7 @@ double standardDeviation(const Request& request) {
     return std::sqrt(squares / count);
 }
 
-/// Every patch is drawn from the Gaussian of the exemplar patches that fit best, given the pixels that are
-/// there already.
+/// Every patch is drawn from the Gaussian of the exemplar patches that fit best, given the existing pixels.
 class Sampler : public PatchGrower {
 public:
     Sampler(const Request& request, const Settings& settings, JobContext& context)
@@ -73,7 +72,7 @@ private:
                      [&](int x, int y) { return !cell.overlap.contains(x, y, m_settings.patch); });
     }
 
-    /// Adds white noise of a standard deviation where `where(x, y)` says so.
+    /// Adds white noise of a standard deviation where `where(x, y)` is true.
     template <class Noise, class Where>
     static void addNoise(Image& patch, double deviation, const Noise& noise, const Where& where) {
         for (int c = 0; c < patch.channels(); ++c)

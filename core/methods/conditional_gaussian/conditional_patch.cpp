@@ -61,7 +61,7 @@ void conditionPatch(std::span<const ImageView> patches, const Image& known, cons
         largest = std::max(largest, std::abs(difference[i]));
         difference[i] -= model.mean[i];
     }
-    // Keeps the factors sound where all patches are the same.
+    // Keeps the factorisation well-defined where all patches are identical.
     const double least = std::max(1e-9 * largest, 1e-30);
     const ConditionalGaussian gaussian(model.rows, static_cast<int>(difference.size()), difference,
                                        std::max(sigma, least));

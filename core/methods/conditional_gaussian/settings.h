@@ -4,8 +4,8 @@
 
 namespace texloom::conditional_gaussian {
 
-/// What becomes of the pixels that a patch shares with its neighbours: they stay as they are (CLG), or they
-/// vary a little first (RCLG).
+/// How the pixels that a patch shares with its neighbours are treated: they stay as they are (CLG), or are
+/// varied a little first (RCLG).
 enum class Model { Exact, Relaxed };
 
 /// Which patch of the conditional Gaussian is placed.

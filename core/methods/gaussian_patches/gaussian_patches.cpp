@@ -24,8 +24,8 @@ struct Settings {
     int overlapPixels() const { return overlapFor(patch, overlap); }
 };
 
-/// Replaces every patch of a guide by a sample of the Gaussian of the exemplar patches most like it. The
-/// guide is the exemplar itself, mirrored beyond its borders, or the initial image.
+/// Replaces every patch of a guide by a sample of the Gaussian of the exemplar patches most similar to it.
+/// The guide is the exemplar itself, mirrored beyond its borders, or the initial image.
 class Replacer : public PatchGrower {
 public:
     Replacer(const Request& request, const Settings& settings, JobContext& context)
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// Without an initial image the guide goes on beyond the output.
+    /// Without an initial image, the guide extends beyond the output.
     Footprint compared(const PatchCell& cell) const override {
         return Footprint::filled(m_request.initial() ? canvas().visible(cell) : patchSize());
     }

@@ -146,9 +146,7 @@ void check(const Request& request, const Settings& settings) {
         failUsage(
             "Random placement looks at nothing, so it cannot follow the initial image; choose entire or "
             "sub-patch.");
-    if (std::all_of(request.exemplars.begin(), request.exemplars.end(), [](const Exemplar& exemplar) {
-            return exemplar.mask() && !(valueRange(*exemplar.mask()).largest > 0);
-        }))
+    if (!leavesWholePatch(request, 1))
         failUsage("The mask hides all of the exemplar; leave at least 1 px to copy.");
 }
 

@@ -15,7 +15,7 @@ BandStack::BandStack(const SteerablePyramid& pyramid, JobContext& context)
         m_spectra.push_back(pyramid.spectrum(scale));
 }
 
-/// The high residual needs the whole image's spectrum, which is then limited in place for the bands.
+/// The high residual needs the whole image's spectrum, which is then low-passed in place for the bands.
 void BandStack::decompose(const PlaneView& image) {
     const auto check = [this] { m_context.check(); };
     m_pyramid.forward(0, image.data, m_spectra.front().data(), check);

@@ -21,7 +21,7 @@ public:
     /// of the plane is kept for synthesise().
     void analyse(const PlaneView& image, bool keep,
                  const std::function<void(int part, const PlaneSpan& plane)>& visit);
-    /// Writes the image that the kept parts make.
+    /// Reconstructs the image from the kept parts.
     void synthesise(const PlaneSpan& image);
 
     static std::uint64_t bytesFor(Size size, int scales, int orientations, int threads);
@@ -40,7 +40,7 @@ private:
     const SteerablePyramid& m_pyramid;
     JobContext& m_context;
     std::vector<Part> m_parts;       ///< large ones first
-    std::vector<Spectrum> m_spectra; ///< what comes in at each scale
+    std::vector<Spectrum> m_spectra; ///< input of each scale
 };
 
 } // namespace texloom::heeger_bergen

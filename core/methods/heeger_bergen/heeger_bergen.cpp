@@ -1,9 +1,11 @@
 #include "core/base/text.h"
+#include "core/image/mirror.h"
 #include "core/math/channel_pca.h"
 #include "core/math/periodic_component.h"
 #include "core/methods/heeger_bergen/band_stack.h"
 #include "core/methods/heeger_bergen/settings.h"
 #include "core/methods/method.h"
+#include "core/methods/spectrum_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +32,8 @@ struct Target {
     std::vector<Histogram> parts;
 };
 
-/// Makes one texture (Briand et al., IPOL 2014, algorithm 4): each principal component by itself goes back
-/// and forth between the pyramid and the pixels and takes on the exemplar's distribution in either.
+/// Makes one texture (Briand et al., IPOL 2014, algorithm 4): each principal component separately alternates
+/// between the pyramid and the pixels and takes on the exemplar's distribution in both.
 class Synthesizer {
 public:
     Synthesizer(const Request& request, const Settings& settings, JobContext& context)
@@ -117,10 +119,6 @@ void Synthesizer::start() {
         // Beyond the output the canvas is filled with its mirror image, which has no jump.
         const Image& initial = *m_request.initial();
         Image padded(m_image.size(), initial.channels());
-        const auto mirrored = [](int at, int length) {
-            const int folded = at % (2 * length);
-            return std::min(folded, 2 * length - 1 - folded);
-        };
         overRows(m_image.height(), [&](int first, int last) {
             for (int c = 0; c < initial.channels(); ++c)
                 for (int y = first; y < last; ++y)
@@ -206,7 +204,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const double parts = settings.orientations * 4.0 / 3 + 2;
     const auto pixels = static_cast<double>(canvas.area());
     Estimate need;
-    // The exemplar's distributions stay while the canvas is worked on.
+    // The exemplar's distributions stay in memory while the canvas is processed.
     const std::uint64_t distributions =
         static_cast<std::uint64_t>(parts + 1) * Image::bytesFor(exemplar, channels);
     need.bytes =
@@ -231,23 +229,11 @@ const Method self = method<Settings>(
      .category = Category::Statistics,
      .takes = {ports::exemplar(), ports::initial()},
      .gives = {ports::wrappingImage()}},
-    {field(&Settings::scales, "scales", TR("Scales"))
-         .range(1, 8)
-         .symbol("P")
-         .help(
-             TR("Octaves that the pyramid takes apart: more keep larger features. Small images use fewer.")),
-     field(&Settings::orientations, "orientations", TR("Orientations"))
-         .range(1, 8)
-         .symbol("Q")
-         .help(TR("Directions told apart at each scale: more keep lines at more angles, and take longer.")),
+    {octavesField(&Settings::scales).symbol("P"), orientationsField(&Settings::orientations).symbol("Q"),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 200)
          .help(TR("Rounds between pyramid and pixels: more bring both closer to the exemplar.")),
-     field(&Settings::periodic, "periodic", TR("Take off border jumps"))
-         .group(TR("Advanced"))
-         .help(TR(
-             "Learns from the exemplar's periodic component, without which its borders count as horizontal "
-             "and vertical lines."))},
+     periodicField(&Settings::periodic)},
     run, check, estimate);
 
 } // namespace texloom::heeger_bergen

@@ -21,7 +21,7 @@ public:
           m_settings(settings) {}
 
 private:
-    /// Draw 0 chooses the seed patch; the Gaussian's coefficients are the following ones.
+    /// Draw 0 chooses the seed patch; the following draws are the Gaussian's coefficients.
     void make(const PatchCell& cell, Workspace& work) override {
         const std::vector<ImageView> patches = search().pixels(nearest(cell, m_settings.neighbours, work));
         drawPatch(patches, context().random(), cell, 2, work.fresh);

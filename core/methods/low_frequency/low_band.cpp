@@ -14,10 +14,6 @@ namespace {
 
 constexpr int kBlock = RealFft2d::kBlock;
 
-int blocksFor(int count) {
-    return (count + kBlock - 1) / kBlock;
-}
-
 /// The transform of a Gaussian of this deviation on a torus: e^(−2π²θ²f²).
 std::vector<float> gaussian(int length, double theta) {
     std::vector<float> values;
@@ -44,10 +40,10 @@ void LowBand::drawFactors() {
 }
 
 void LowBand::forward(const PlaneView& plane, Complex* spectrum) {
-    m_context.parallel(0, blocksFor(plane.height), [&](int block) {
+    m_context.parallel(0, RealFft2d::blocksFor(plane.height), [&](int block) {
         m_fft.forwardRows(plane.data, block * kBlock, std::min(plane.height, (block + 1) * kBlock), spectrum);
     });
-    m_context.parallel(0, blocksFor(m_fft.columns()), [&](int block) {
+    m_context.parallel(0, RealFft2d::blocksFor(m_fft.columns()), [&](int block) {
         m_fft.forwardColumns(spectrum, block * kBlock, std::min(m_fft.columns(), (block + 1) * kBlock));
     });
 }
@@ -80,7 +76,7 @@ void LowBand::changeColumn(int column, const SmoothSpectrum* smooth, const Phase
 }
 
 void LowBand::subtract(const PlaneSpan& plane) {
-    m_context.parallel(0, blocksFor(plane.height), [&](int block) {
+    m_context.parallel(0, RealFft2d::blocksFor(plane.height), [&](int block) {
         const int first = block * kBlock, last = std::min(plane.height, first + kBlock);
         m_fft.backwardRows(m_spectrum.data(), first, last, m_plane.plane(0).data);
         for (int y = first; y < last; ++y) {
@@ -110,7 +106,7 @@ void LowBand::change(Image& image, const PhaseSpot* spot, Size visible, double w
             transformSpot(*spot, c);
         forward(image.plane(c), m_spectrum.data());
         show(0.4);
-        m_context.parallel(0, blocksFor(m_fft.columns()), [&](int block) {
+        m_context.parallel(0, RealFft2d::blocksFor(m_fft.columns()), [&](int block) {
             const int first = block * kBlock, last = std::min(m_fft.columns(), first + kBlock);
             for (int column = first; column < last; ++column)
                 changeColumn(column, smooth ? &*smooth : nullptr, spot, c);

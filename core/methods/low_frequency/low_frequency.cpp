@@ -1,11 +1,12 @@
 #include "core/base/text.h"
+#include "core/image/mirror.h"
 #include "core/match/patch_grid.h"
 #include "core/match/patch_quilter.h"
 #include "core/methods/low_frequency/low_band.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/spectrum_fields.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -15,12 +16,9 @@ namespace {
 
 constexpr double kOverlap = 0.25, kTolerance = 0.1;
 
-/// The torus on which the low band is drawn. An output smaller than the exemplar that need not wrap is cut
-/// from one of the exemplar's size, because folding the spot would let it meet itself.
+/// The torus on which the low band is drawn.
 Size torusFor(const Request& request) {
-    const Size exemplar = request.exemplars.front().image->size();
-    return {request.wrap.x ? request.size.width : std::max(request.size.width, exemplar.width),
-            request.wrap.y ? request.size.height : std::max(request.size.height, exemplar.height)};
+    return PhaseSpot::torusFor(request.exemplars.front().image->size(), request.size, request.wrap);
 }
 
 /// Whether the high band must be grown, there being no picture of the size to take it from.
@@ -131,16 +129,10 @@ const Method self = method<Settings>(
          .symbol("θ")
          .help(TR("Deviation of the Gaussian that parts the bands: larger changes only what is slower, 0 "
                   "changes everything.")),
-     field(&Settings::periodic, "periodic", TR("Take off border jumps"))
-         .group(TR("Advanced"))
+     periodicField(&Settings::periodic)
          .help(TR("Works on the periodic component, without which the borders draw horizontal and vertical "
                   "streaks. Outputs that wrap always need it.")),
-     field(&Settings::transition, "transition", TR("Fading border"))
-         .range(0, 0.5)
-         .symbol("α")
-         .group(TR("Advanced"))
-         .help(TR("Share of each side over which the exemplar fades out where the output has another size: "
-                  "larger leaves fewer streaks, smaller keeps slow changes.")),
+     transitionField(&Settings::transition),
      field(&Settings::patch, "patch", TR("Detail patch"))
          .range(4, 256)
          .unit("px")

@@ -53,11 +53,11 @@ private:
     }
 
     const Settings& m_settings;
-    bool m_guided; ///< whether the canvas begins with an image
+    bool m_guided; ///< whether the canvas starts from an image
 };
 
-/// What sorting and moving the mass of one patch's lines takes on a thread, with room for the allocator's
-/// own.
+/// The memory that a thread needs for sorting and moving the mass of one patch's lines, with the allocator's
+/// overhead.
 constexpr std::uint64_t kScratchBytes = 4ULL << 20;
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {

@@ -28,15 +28,6 @@ std::vector<PatchSource> sourcesOf(const std::vector<ExemplarScales>& exemplars,
     return sources;
 }
 
-/// Pixels that a footprint counts.
-double areaOf(const Footprint& shape, int patch) {
-    int count = 0;
-    for (int y = 0; y < patch; ++y)
-        for (int x = 0; x < patch; ++x)
-            count += shape.contains(x, y, patch) ? 1 : 0;
-    return count;
-}
-
 } // namespace
 
 ExemplarScales exemplarScales(const Exemplar& exemplar, int scales, const std::function<void()>& check) {
@@ -83,7 +74,7 @@ std::vector<PatchPosition> ScaleSampler::neighbours(const PatchCell& cell, Works
     // Eq. 3.13 times n²: mean squares of both terms.
     compare(cell, work.known, work);
     const double area = m_settings.patch * m_settings.patch;
-    search().add(low.search, area / areaOf(compared(cell), m_settings.patch), work.search);
+    search().add(low.search, area / compared(cell).pixels(m_settings.patch), work.search);
     return search().nearest(m_settings.neighbours, work.search);
 }
 

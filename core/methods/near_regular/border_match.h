@@ -17,8 +17,8 @@ struct Point {
 };
 
 /// Rates all patches of an exemplar by how well they fit a border: by squared differences (eq. 4.4 and 4.5),
-/// or by γ with the hole in the border's middle left out of all sums (section 4.2.2). Serves any number of
-/// threads, each with its own Scratch.
+/// or by γ with the hole that the border encloses left out of all sums (section 4.2.2). May be used by any
+/// number of threads, each with its own Scratch.
 class BorderMatch {
 public:
     using Scratch = PatchDistances::Scratch;
@@ -35,8 +35,8 @@ public:
     void prepare(const Overlap& border);
     Scratch scratch() const { return m_distances.scratch(); }
 
-    /// The patch that fits best of those up to `tolerance` pixels from one of `points`; of all if there is no
-    /// point. @param known a patch whose border counts. @param check called every few milliseconds; may
+    /// The patch that fits best of those up to `tolerance` pixels from one of `points`; of all if there are
+    /// no points. @param known a patch whose border counts. @param check called every few milliseconds; may
     /// throw.
     Point choose(const ImageView& known, const Overlap& border, const std::vector<Point>& points,
                  int tolerance, Scratch& scratch, const std::function<void()>& check) const;

@@ -120,7 +120,7 @@ void Filler::readBorder(const Gap& gap, Workspace& work) const {
                               : from.column > gap.cell.column ? right
                               : from.row < gap.cell.row       ? top
                                                               : bottom;
-            // Where the blocks beside a gap stand wide, the nearest that they have.
+            // Where the blocks beside a gap are far apart, their nearest pixels are used.
             const Point begin = corner(from);
             const int fromX = std::clamp(at.x + x, begin.x, begin.x + patch - 1) + by.x;
             const int fromY = std::clamp(at.y + y, begin.y, begin.y + patch - 1) + by.y;
@@ -130,7 +130,7 @@ void Filler::readBorder(const Gap& gap, Workspace& work) const {
     }
 }
 
-/// Where gaps of even rows have come in at the corners already.
+/// Updates the known corners with gaps of even rows that are already filled.
 void Filler::readCutsAround(const Gap& gap, Workspace& work) const {
     const Point at = corner(gap.cell);
     const int patch = m_layout.patch();
@@ -172,8 +172,8 @@ void Filler::cutGap(Gap& gap, Workspace& work) const {
     gap.keep = std::move(cut.keep);
 }
 
-/// In a corner of the border two sampled blocks meet along the diagonal. What of that seam the cut leaves
-/// open counts as part of the cut: it is added where the cut would cross the diagonal.
+/// In a corner of the border two sampled blocks meet along the diagonal. The part of that seam that the cut
+/// leaves uncovered counts as part of the cut: it is added where the cut would cross the diagonal.
 void Filler::addCornerSeams(const Gap& gap, Workspace& work) const {
     const Overlap border = borderOf(gap.cell);
     const Point at = corner(gap.cell);
@@ -236,7 +236,7 @@ void Filler::paint(int x, int y, Shift shift) {
                           0};
 }
 
-/// One block's own pixels as sampled blocks make them: a gap in wedges of its neighbours, as far as they
+/// Paints one block's own pixels from sampled blocks: a gap in wedges from its neighbours, as far as they
 /// reach.
 void Filler::paintSampled(Cell cell) {
     const int left = std::max(m_part.x, m_layout.horizontal().start(cell.column));

@@ -24,8 +24,8 @@ struct Plan {
 };
 
 /// Fills the part of an output that a request asks for. Sampled blocks depend on their place and the seed
-/// alone, gaps on the four sampled blocks round them, and their cuts on up to four gaps besides, so that
-/// every part equals that part of the whole.
+/// alone, gaps on the four sampled blocks around them, and their cuts on up to four more gaps, so that every
+/// part equals that part of the whole.
 class Filler {
 public:
     Filler(const Request& request, const Settings& settings, const Plan& plan, JobContext& context);
@@ -33,12 +33,12 @@ public:
     Filler(const Filler&) = delete;
     Filler& operator=(const Filler&) = delete;
 
-    /// Fills image and map of the result; two stages that weigh `weight` together.
+    /// Fills image and map of the result, in two stages of total weight `weight`.
     void fill(Synthesis& result, double weight);
 
 private:
     struct Workspace;
-    /// A filled gap: where its patch lies in the exemplar, and what of it was cut away.
+    /// A filled gap: where its patch lies in the exemplar, and which part of it was cut away.
     struct Gap {
         Cell cell;
         Point patch;

@@ -86,7 +86,7 @@ std::vector<Cell> Layout::gapsOf(const Region& part) const {
     const auto last = [](const Axis& axis, int first, int end) {
         return axis.wraps() ? std::min(end, first + axis.count() - 1) : end;
     };
-    // One block further than the patches that touch the part: those whose cuts theirs run into.
+    // One block further than the patches that touch the part: their cuts run into those of these neighbours.
     const Cell from = at(part.x, part.y), to = at(part.right() - 1, part.bottom() - 1);
     std::set<std::tuple<int, int, int>> order;
     for (int row = from.row - 2; row <= last(m_vertical, from.row - 2, to.row + 2); ++row)

@@ -7,12 +7,12 @@
 
 namespace texloom::near_regular {
 
-/// Where blocks lie along one axis. On an axis that does not wrap they are all of one length and go on for
-/// ever in both directions, so that a block does not depend on the output's size; on one that wraps an even
-/// number of blocks, whose lengths differ by a pixel at most, divides the output.
+/// Where blocks lie along one axis. On an axis that does not wrap, they all have the same length and continue
+/// without bound in both directions, so that a block does not depend on the output's size; on one that wraps
+/// an even number of blocks, whose lengths differ by a pixel at most, divides the output.
 class Axis {
 public:
-    /// @param block length in pixels; on an axis that wraps, the largest there may be.
+    /// @param block length in pixels; on an axis that wraps, the largest allowed.
     Axis(int length, int block, bool wraps);
 
     bool wraps() const { return m_count > 0; }
@@ -62,7 +62,7 @@ public:
         return {m_horizontal.identity(cell.column), m_vertical.identity(cell.row)};
     }
     /// The sampled block that a pixel belongs to as long as no gap is filled: its own, or, in a gap, the
-    /// neighbour it is nearest to, which makes the borders wedges (fig. 4.8 b).
+    /// neighbour it is nearest to, which makes the borders wedge-shaped (fig. 4.8 b).
     Cell sampledAt(int x, int y) const { return sampledAt(x, y, at(x, y)); }
     /// The same where the pixel's block is known.
     Cell sampledAt(int x, int y, Cell cell) const;

@@ -19,8 +19,7 @@ namespace {
 constexpr double kTooUneven = 0.5;
 constexpr int kSmallestExemplar = 8;
 constexpr int kSmallestBlock = 4;
-/// The source's block and border on its exemplars of 128 px: 40 and 10 px. Cuts find a better way in a wider
-/// one.
+/// The source's block and border on its exemplars of 128 px: 40 and 10 px. A wider border gives better cuts.
 constexpr double kBlockShare = 0.3125, kBorderShare = 0.25, kBorderShareOfCut = 0.4;
 
 int even(double length) {
@@ -71,7 +70,7 @@ int patchFor(const Settings& settings, int block) {
     return block + borderFor(settings, block) + 1;
 }
 
-/// Fits the lattice to an output that wraps, and says so where that changes it visibly.
+/// Fits the lattice to an output that wraps, and adds a note where that changes it visibly.
 Lattice closing(const Lattice& lattice, const Request& request, std::vector<Message>& notes) {
     if (!request.wrap.x && !request.wrap.y)
         return lattice;
@@ -120,8 +119,8 @@ void check(const Request& request, const Settings& settings) {
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size exemplar = request.exemplars.front().image->size(), part = request.part().size;
     const int channels = request.channels();
-    // What the lattice will make of the block is not known yet: cuts take at most 2¼ bytes for each pixel of
-    // a gap.
+    // How the lattice will change the block is not known yet: cuts take at most 2¼ bytes for each pixel of a
+    // gap.
     const int shapes = request.wrap.x || request.wrap.y ? 16 : 1;
     const auto beyond = static_cast<std::uint64_t>(part.width + 4LL * exemplar.width) *
                         static_cast<std::uint64_t>(part.height + 4LL * exemplar.height);
@@ -141,7 +140,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     return need;
 }
 
-/// Smaller blocks where the mask leaves no patch of the size that was chosen.
+/// Smaller blocks where the mask leaves no patch of the chosen size.
 int fittingMask(const Settings& settings, const Plan& plan) {
     int block = plan.block;
     while (
@@ -151,7 +150,7 @@ int fittingMask(const Settings& settings, const Plan& plan) {
     return block;
 }
 
-/// A mask that was interpolated: whatever took part of a hidden pixel is hidden.
+/// An interpolated mask: every pixel to which a hidden one contributed is hidden.
 Image hardened(Image mask) {
     constexpr float kRounding = 1e-4F;
     for (int y = 0; y < mask.height(); ++y)
@@ -174,10 +173,10 @@ struct Prepared {
     Image image; ///< empty where the exemplar is sampled as it is
     Image mask;  ///< likewise
     std::optional<Rectification> change;
-    bool even = false; ///< slow changes of light were taken out
+    bool even = false; ///< slow changes of light were removed
 };
 
-/// Changes over more pixels than this are of the light: one tile, or one block where there is no lattice.
+/// Changes over more pixels than this count as light: one tile, or one block where there is no lattice.
 int lightWidth(const Settings& settings, const Plan& plan) {
     const Vec2 tile = plan.from.extent();
     const double longest = std::max(tile.x, tile.y);
@@ -185,7 +184,7 @@ int lightWidth(const Settings& settings, const Plan& plan) {
     return static_cast<int>(std::ceil(plan.from.free() ? block : longest));
 }
 
-/// Whether the light is to be evened out; says so where the exemplar decides.
+/// Whether the light is to be evened out; adds a note where the exemplar decides.
 bool lightGoes(const std::string& exemplar, const Settings& settings, const Plan& plan,
                std::vector<Message>& notes, const std::function<void()>& check) {
     if (settings.flatten != EvenLight::Automatic)
@@ -240,7 +239,7 @@ void mapBack(PositionMap& map, const Rectification& change, Size exemplar, JobCo
     }
 }
 
-/// A lattice longer than the blocks.
+/// The note for a lattice longer than the blocks.
 Message longTiles(const Settings& settings, const Plan& plan) {
     const Vec2 extent = plan.from.extent();
     const int whole = static_cast<int>(std::lround(std::max(extent.x, extent.y)));
@@ -256,7 +255,7 @@ Message longTiles(const Settings& settings, const Plan& plan) {
                    extent.x, extent.y, plan.block, remedy);
 }
 
-/// Rows of which the exemplar shows only the direction.
+/// The note for rows of which the exemplar shows only the direction.
 Message orderedRows(const std::string& exemplar, const Plan& plan) {
     return message("Nothing in {} repeats, but rows run through all of it: they keep the order that they "
                    "have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window "

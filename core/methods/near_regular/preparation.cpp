@@ -24,7 +24,7 @@ void boxBlur(std::vector<double>& line, int width) {
     }
 }
 
-/// Two boxes after each other: a soft window that leaves nothing of a period of its width.
+/// Two box filters in succession: a soft window that removes a period of its width completely.
 void blur(PlaneSpan plane, int width, const std::function<void()>& check) {
     std::vector<double> line;
     for (int y = 0; y < plane.height; ++y) {
@@ -61,8 +61,8 @@ std::optional<Vec2> nearAxis(const Lattice& lattice, bool vertical) {
     return best;
 }
 
-/// What two translations become when they are put on the axes: whole numbers of pixels, and as many for each
-/// of the lattice's own steps where the two are a multiple of those.
+/// The lengths of two translations once they are put on the axes: whole numbers of pixels, and equally many
+/// for each of the lattice's own steps where the two are multiples of those.
 Lattice onAxes(const Lattice& lattice, std::optional<Vec2> right, std::optional<Vec2> down) {
     const auto whole = [](double length, double parts) {
         return parts * std::max(1.0, std::round(length / parts));
@@ -120,7 +120,7 @@ Rectification rectification(const Lattice& lattice, Size exemplar) {
     const std::optional<Vec2> right = nearAxis(lattice, false), down = nearAxis(lattice, true);
     const Lattice from = right && down ? Lattice{*right, *down} : lattice;
     const Lattice to = onAxes(lattice, right, down);
-    // The change takes `to` to `from`; its columns are where steps right and down lead.
+    // The map takes `to` to `from`; its columns are the images of steps right and down.
     const auto lead = [&](Vec2 step) {
         const Vec2 c = to.coordinates(step);
         return from.at(c.x, c.y);
@@ -130,7 +130,7 @@ Rectification rectification(const Lattice& lattice, Size exemplar) {
     result.columnY = lead({0, 1});
     const Lattice change{result.columnX, result.columnY};
     result.lattice = {change.coordinates(lattice.v1), change.coordinates(lattice.v2)};
-    // The upright rectangle inside the exemplar's image under the change.
+    // The axis-aligned rectangle inside the exemplar's image under the map.
     const double w = exemplar.width - 1, h = exemplar.height - 1;
     const Vec2 topRight = change.coordinates({w, 0}), bottomLeft = change.coordinates({0, h});
     const Vec2 bottomRight = change.coordinates({w, h});

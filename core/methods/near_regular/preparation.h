@@ -7,16 +7,16 @@
 
 namespace texloom::near_regular {
 
-/// The exemplar with slow changes of light taken out of each channel: its mean over a soft window of `width`
-/// pixels is made the same everywhere, so that blocks from all places have one brightness (the source's
-/// fig. 5.12). @param width at least a tile, or the texture itself goes.
+/// The exemplar with slow changes of light removed from each channel: its mean over a soft window of `width`
+/// pixels is made the same everywhere, so that blocks from all places have one brightness (the source's fig.
+/// 5.12). @param width at least a tile, or the texture itself is removed.
 Image flattened(const ImageView& exemplar, int width, const std::function<void()>& check);
 
-/// How uneven the light is that flattened() would take out: the standard deviation of the slow changes over
-/// that of the rest, in the channel where it is largest; 0 for a constant exemplar.
+/// How uneven the light is that flattened() would remove: the standard deviation of the slow changes relative
+/// to that of the rest, in the channel where it is largest; 0 for a constant exemplar.
 double unevenness(const ImageView& exemplar, int width, const std::function<void()>& check);
 
-/// A linear change of the plane that puts a lattice's courses on the axes and its vectors on whole pixels.
+/// A linear map of the plane that puts a lattice's courses on the axes and its vectors on whole pixels.
 struct Rectification {
     Lattice lattice; ///< what the lattice becomes
     Vec2 columnX,

@@ -18,7 +18,7 @@ Sampler::Sampler(Size exemplar, const Lattice& from, const Lattice& to, Vec2 ori
                 m_allowed.push_back({x, y});
 }
 
-/// Where the patch would lie if the exemplar went on for ever. The lattices may differ, so that the patch is
+/// Where the patch would lie if the exemplar were unbounded. The lattices may differ, so that the patch is
 /// right at its middle.
 Vec2 Sampler::target(Cell cell) const {
     const Cell own = m_layout.identity(cell);
@@ -65,7 +65,7 @@ bool Sampler::inOrder(const Point& p) const {
     return across >= -0.5 - kRounding && across <= 0.5 + kRounding;
 }
 
-/// Where no patch lies as the lattice asks, the one that lies least off it.
+/// Where no patch lies on the lattice, the one nearest to it.
 Point Sampler::nearestAllowed(Cell cell) const {
     const Vec2 start = target(cell);
     const auto off = [&](const Point& p) {

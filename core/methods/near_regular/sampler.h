@@ -9,8 +9,8 @@
 
 namespace texloom::near_regular {
 
-/// Where in the exemplar patches lie that look like a block of the output: at the multiples of the lattice
-/// that lead from the one to the other (López Recas 2011, section 4.2.1). Points name a patch by its top left
+/// Where patches that look like a block of the output lie in the exemplar: at the multiples of the lattice
+/// vectors from the place of the block (López Recas 2011, section 4.2.1). Points name a patch by its top left
 /// pixel.
 class Sampler {
 public:
@@ -22,7 +22,7 @@ public:
 
     /// Whether patches may come from anywhere.
     bool free() const { return m_from.free(); }
-    /// All patches that lie as the lattice asks, to the nearest pixel.
+    /// All patches that lie on the lattice, to the nearest pixel.
     std::vector<Point> alike(Cell cell) const;
     /// One of alike(), drawn by the block's place; the allowed patch nearest to one where there is none.
     Point drawn(Cell cell) const;

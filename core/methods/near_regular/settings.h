@@ -10,15 +10,15 @@ enum class Match { Difference, Correlation };
 /// How neighbouring blocks are joined: along minimum-error cuts, or by the source's linear blending.
 enum class Join { Cut, Blend };
 
-/// Whether slow changes of light are taken out of the exemplar first; automatic: where patches would show.
+/// Whether slow changes of light are removed from the exemplar first; automatic: where patches would show.
 enum class EvenLight { Automatic, Yes, No };
 
 /// Parameters of constrained random sampling and gap filling (López Recas 2011, section 4.2).
 struct Settings : LatticeSettings {
     double originX = 0,
            originY = 0; ///< the exemplar's point that lies at the output's top left, in its lattice
-    int block = 0;      ///< side of the blocks in pixels; 0: by the exemplar and its lattice
-    int border = 0;     ///< width of the compared border in pixels; 0: by the block
+    int block = 0;      ///< side of the blocks in pixels; 0: chosen from the exemplar and its lattice
+    int border = 0;     ///< width of the compared border in pixels; 0: chosen from the block
     int tolerance = 3;  ///< how far from the lattice a gap's patch may lie, in pixels
     Match match = Match::Difference;
     Join join = Join::Cut;

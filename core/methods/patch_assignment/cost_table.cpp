@@ -7,11 +7,11 @@ namespace texloom::patch_assignment {
 
 namespace {
 
-/// Patches of the output that one thread takes at a time, and of the exemplar, which are then at hand for all
+/// Patches of the output that one thread takes at a time, and of the exemplar, which then stay cached for all
 /// of them.
 constexpr int kRows = 8, kColumns = 64;
-/// Patches of the output, and of the exemplar, whose bounds are compared with the costs, and the share of
-/// these below which so many would be asked for, one by one, that it is quicker to compute all.
+/// Patches of the output, and of the exemplar, whose bounds are compared with the costs, and the ratio of
+/// bounds to costs below which so many costs would be requested one by one that it is faster to compute all.
 constexpr int kSampledRows = 32, kSampledColumns = 256;
 constexpr double kNear = 0.9;
 
@@ -62,7 +62,7 @@ std::vector<int> CostTable::moved(const ExemplarPatches& patches, const Wanted& 
     return rows;
 }
 
-/// Lets a row of bounds fall by what its patch has moved. @return whether it still says something.
+/// Lowers a row of bounds by the distance its patch has moved. @return whether it is still of use.
 bool CostTable::outlives(int row, float moved, const Tolerance& tolerance) {
     float& fallen = m_fallen[static_cast<std::size_t>(row)];
     fallen += moved;
@@ -77,7 +77,7 @@ bool CostTable::outlives(int row, float moved, const Tolerance& tolerance) {
     return true;
 }
 
-/// Whether the bounds of some patches come near the costs.
+/// Whether the bounds of some patches are close to the costs.
 bool CostTable::near(const std::vector<int>& rows, const ExemplarPatches& patches) const {
     std::vector<float> sums(product(1, patches.sumFloats()));
     double bounds = 0, costs = 0;

@@ -9,20 +9,20 @@
 
 namespace texloom::patch_assignment {
 
-/// What it costs to give patches of the output each of the exemplar's, kept from one iteration to the next: a
-/// row is computed again only when its patch has changed. Where the assignment need not be the best, rows
-/// begin as bounds, which take a quarter of the time, as long as these come near the costs.
+/// The costs of assigning each of the exemplar's patches to patches of the output, kept from one iteration to
+/// the next: a row is computed again only when its patch has changed. Where the assignment need not be
+/// optimal, rows begin as bounds, which take a quarter of the time, as long as these are close to the costs.
 class CostTable {
 public:
     /// Writes the patch of the output that a row is for, in the form of ExemplarPatches::planar().
     using Wanted = std::function<void(int row, float* to)>;
 
-    /// How rows outlive changes of their patches. Costs are norms of differences: a patch that moves by d
-    /// costs no more than d less or more, whatever it is given.
+    /// When rows stay valid although their patches change. Costs are norms of differences: when a patch moves
+    /// by d, each of its costs changes by at most d.
     struct Tolerance {
-        float keep = 0; ///< a row is kept as it is where its patch has moved by no more since it was computed
-        /// Whether rows begin as bounds, and fall by what the patch has moved as long as that is no more than
-        /// `fall` in all.
+        float keep = 0; ///< a row is kept while its patch has moved by at most this since it was computed
+        /// Whether rows begin as bounds, which are lowered by the distance the patch has moved, up to `fall`
+        /// in total.
         bool bounds = false;
         float fall = 0;
     };

@@ -14,21 +14,21 @@ namespace texloom::patch_assignment {
 
 namespace {
 
-/// Scales on which an initial image is worked on.
+/// Number of scales on which an initial image is processed.
 constexpr int kInitialLevels = 2;
 constexpr int kBandRows = 8;
-/// Where choices are narrowed: ε, and what a use too many costs, as shares of the mean cost.
+/// Where choices are narrowed: ε, and the cost of each use too many, as shares of the mean cost.
 constexpr double kNarrowEpsilon = 0.05, kNarrowRho = 1;
 /// Where choices are narrowed, iterations end when no more than this share of the patches changes.
 constexpr double kNarrowChange = 0.02;
-/// Where assignments need not be the best, iterations end when the cost falls by less than this share: the
-/// last changes are but a choice among equals. On the finest scale, and on the others, which what follows
-/// builds on.
+/// Where assignments need not be optimal, iterations end when the cost falls by less than this share: the
+/// last changes only choose among equals. For the finest scale, and for the others, on which later ones
+/// build.
 constexpr double kSettledFine = 0.04, kSettled = 0.005;
-/// On the finest scale ε falls by this factor with each iteration, down to this share: when
-/// costs are low, the same ε would be most of them, and few patches still change.
+/// On the finest scale ε falls by this factor with each iteration, down to this share: when costs are low,
+/// the same ε would be too large a part of them, and few patches still change.
 constexpr double kFinerEpsilon = 0.5, kLeastEpsilon = 0.1;
-/// By how much of ε a patch may move while its costs are kept: that much worse they can be on either side.
+/// The share of ε by which a patch may move while its costs are kept, which may then be off by as much.
 constexpr float kKeptShare = 0.05F;
 
 double sampledMean(const AssignmentCosts& costs) {
@@ -192,7 +192,7 @@ double Optimizer::toleranceAt(int level, int iteration) const {
     return m_settings.epsilon * m_range * std::max(kLeastEpsilon, share);
 }
 
-/// Shares the lattice and the exemplar's patches out to bands that are assigned one after another.
+/// Divides the lattice and the exemplar's patches among bands that are assigned one after another.
 void Optimizer::plan(Pass& pass, int level) const {
     const Size count = pass.lattice.count();
     const double offered = pass.patches.count();
@@ -226,7 +226,7 @@ AssignmentOptions Optimizer::options(const Pass& pass) const {
     return options;
 }
 
-/// @return the share of the lattice's patches that have another one than before.
+/// @return the share of the lattice's patches whose assignment has changed.
 double Optimizer::project(Pass& pass) {
     const std::vector<int> before = pass.chosen;
     double cost = 0;

@@ -16,7 +16,7 @@ namespace texloom::patch_assignment {
 
 /// Makes an image that has the exemplar's patches, each as often as the exemplar has it (Gutierrez, thesis
 /// 2020, algorithm 1): assigns the exemplar's patches to those of the image at the least cost, joins them by
-/// geometric medians, and again, from coarse to fine. The image closes on both axes.
+/// geometric medians, and repeats, from coarse to fine. The image closes on both axes.
 ///
 /// The whole cost matrix is assigned at once where that is possible, else band by band of the output, each
 /// with its share of the patches. Where even that would take hours, every patch of the output chooses only
@@ -30,12 +30,12 @@ public:
     static int levelsFor(const Request& request, const Settings& settings);
     /// Patches of the exemplars and of the canvas on the finest scale.
     static double exemplarPatches(const Request& request, const Settings& settings);
-    /// Costs that are in memory at once, at most.
+    /// The maximum number of costs in memory at once.
     static constexpr double kMostCosts = 1.0e8;
-    /// Costs that are computed for one scale, at most, before choices are narrowed.
+    /// The maximum number of costs computed for one scale before choices are narrowed.
     static constexpr double kMostWork = 0.9e9;
-    /// Patches of the output, at most, where many of them share one of the exemplar's: the exact assignment
-    /// then moves whole groups.
+    /// The maximum number of patches of the output where many of them share one of the exemplar's: the exact
+    /// assignment then moves whole groups.
     static constexpr double kMostSharing = 10000;
     static bool narrows(double rows, double columns, int iterations);
     /// Choices of each patch where they are narrowed.

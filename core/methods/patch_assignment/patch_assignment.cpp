@@ -8,7 +8,7 @@ namespace texloom::patch_assignment {
 
 namespace {
 
-/// About how long costs and assignments take.
+/// The approximate time that costs and assignments take.
 double secondsFor(const Settings& settings, double rows, double perRow, int channels, bool narrowed) {
     const double pairs = rows * perRow;
     const double costs = pairs * settings.patch * settings.patch * 1e-10 * (1 + channels);

@@ -1,6 +1,7 @@
 #include "core/methods/patch_assignment/patches.h"
 
 #include "core/base/wide_vectors.h"
+#include "core/image/mirror.h"
 #include "core/match/patch_set.h"
 
 #include <algorithm>
@@ -11,15 +12,8 @@ namespace texloom::patch_assignment {
 
 namespace {
 
-/// Patches this near in the order of brightness are looked at for similar ones.
+/// Patches this near in the order of brightness are searched for similar ones.
 constexpr int kWindow = 512;
-
-/// Position `at` of a row of `length` pixels that is mirrored at both ends.
-int mirrored(int at, int length) {
-    const int period = 2 * length;
-    const int within = ((at % period) + period) % period;
-    return within < length ? within : period - 1 - within;
-}
 
 struct PlanarShape {
     int area, channels;
@@ -32,8 +26,7 @@ int lanes(int count) {
     return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Distances between the colours of `count` pixels. Channels is 0 where the compiler need not know their
-/// number.
+/// Distances between the colours of `count` pixels. Channels is 0 where only known at run time.
 template <int Channels>
 [[gnu::always_inline]] inline void colourDistances(const float* wanted, const float* own, PlanarShape shape,
                                                    int count, float* to) {
@@ -222,7 +215,7 @@ std::vector<int> ExemplarPatches::supply(int wanted, Supply kind, JobContext& co
         std::uint32_t key;
         int patch;
     };
-    // In each round every patch is given away as often as its share of one round is.
+    // In each round, every patch is handed out as often as its share of one round.
     std::vector<std::vector<Copy>> rounds(static_cast<std::size_t>(wanted / count() + 3));
     for (int n = 0; n < count(); ++n) {
         const double share = wanted * m_weights[static_cast<std::size_t>(n)] / whole;

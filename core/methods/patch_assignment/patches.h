@@ -14,9 +14,9 @@ namespace texloom::patch_assignment {
 /// borders, so that patches lie around every pixel of the grid.
 class ExemplarPatches {
 public:
-    /// Most patches that are similar to one which are kept.
+    /// The number of similar patches kept for each patch, at most.
     static constexpr int kSimilar = 6;
-    /// What rounding may add to a cost or a bound of one, as a share of it.
+    /// The largest rounding error of a cost or of a bound, as a share of it.
     static constexpr float kRounding = 1e-5F;
 
     ExemplarPatches(std::span<const PatchSource> sources, const Settings& settings, bool random,
@@ -31,9 +31,9 @@ public:
     Source unmirrored(const Source& source) const;
     /// The patch nearest to a place in a mirrored exemplar, or −1 far from any.
     int nearest(int exemplar, int x, int y) const;
-    /// How often each patch should be used by `wanted` patches, in the order in which they are to be given
-    /// away: all once, at random, then all again; by the mask's values where there is one, and
-    /// by the exemplars' weights.
+    /// How often each patch should be used by `wanted` patches, in the order in which they are handed out:
+    /// all once, at random, then all again; by the mask's values where there is one, and by the exemplars'
+    /// weights.
     std::vector<int> supply(int wanted, Supply kind, JobContext& context) const;
 
     /// Costs are for patches in this form: pixels of one channel after another.
@@ -46,14 +46,14 @@ public:
     void costs(const float* planar, int first, int last, float* to) const;
     void costs(const float* planar, std::span<const int> patches, float* to) const;
 
-    /// Sums of a patch over 2 × 2 pixels, in the form of planar(). No sum of distances between colours is
-    /// less than the distance between their sums.
+    /// Sums of a patch over 2 × 2 pixels, in the form of planar(). The distance between sums is a lower bound
+    /// of the sum of distances between colours.
     int sumFloats() const { return m_sumArea * m_channels; }
     void sums(const float* planar, float* to) const;
     /// Lower bounds of the costs, with a minus sign (see AssignmentCosts), in a quarter of the time.
     void bounds(const float* sums, int first, int last, float* to) const;
 
-    /// kSimilar patches like each one.
+    /// kSimilar patches similar to each one.
     void findSimilar(JobContext& context);
     const int* similar(int patch) const {
         return m_similar.data() + static_cast<std::ptrdiff_t>(patch) * kSimilar;

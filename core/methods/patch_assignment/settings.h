@@ -21,9 +21,9 @@ struct Settings {
     int coarseIterations = 50; ///< at most, on each scale but the finest
     int fineIterations = 10;
     Grid grid = Grid::Regular;
-    double epsilon = 0;   ///< of the auction, for colours from 0 to 1; 0: the best assignment
+    double epsilon = 0;   ///< of the auction, for colours from 0 to 1; 0: the optimal assignment
     bool relaxed = false; ///< whether patches may be used more or less often than they should
-    double rho = 5;       ///< ρ: what each time costs
+    double rho = 5;       ///< ρ: the cost of each such use
     Supply supply = Supply::Duplicate;
     Median median = Median::Weiszfeld;
     PatchFinish finish = PatchFinish::Blend;

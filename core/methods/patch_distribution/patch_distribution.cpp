@@ -180,10 +180,6 @@ private:
     double m_distance = 0;
 };
 
-void check(const Request& request, const Settings& settings) {
-    checkPatchRequest(request, settings.patch);
-}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const std::vector<Size> exemplars = request.exemplarSizes();
     const int channels = request.channels();
@@ -237,6 +233,6 @@ const Method self = method<Settings>(
          .help(TR(
              "Random directions along which patches are compared in one iteration: more make each iteration "
              "surer and longer."))},
-    run, check, estimate);
+    run, checkPatch, estimate);
 
 } // namespace texloom::patch_distribution

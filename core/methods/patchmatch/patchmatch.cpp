@@ -12,7 +12,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const auto area = static_cast<std::uint64_t>(canvas.area());
     const std::vector<Size> exemplars = request.exemplarSizes();
     Estimate need;
-    // The map with the coarser one it was made from, and the matches of the lattice.
+    // The map, the coarser one it was made from, and the matches of the lattice.
     need.bytes =
         PositionMap::bytesFor(canvas) * 5 / 4 +
         PatchField::bytesFor({canvas.width / 2 + 1, canvas.height / 2 + 1}) * 4 / 3 +

@@ -17,12 +17,12 @@ namespace {
 constexpr int kPatchesAcross = 2;
 /// Scales below the finest on which an initial image is matched.
 constexpr int kInitialLevels = 2;
-/// On the finest scales the matches are nearly there: they need fewer rounds, and only look around.
+/// On the finest scales, the matches are nearly final: they need fewer rounds and only a local search.
 constexpr int kFineRounds = 4;
 constexpr int kFineRadius = 8;
 constexpr int kPreviewSide = 640;
-/// While patches still disagree their mean would level everything out: there the best of them decide. Later
-/// it makes the better joins.
+/// While patches still disagree, their mean would blur everything, so the best of them decide. Later, the
+/// mean gives better joins.
 constexpr VoteWeight kDecided{0.05F, 3}, kSettled{0.3F, 2}, kAgreed{1, 1};
 /// Rows of the canvas that one thread votes on at a time.
 constexpr int kBand = 16;
@@ -203,7 +203,7 @@ void Synthesizer::carryUp(int level) {
     });
 }
 
-/// Makes a preview of the map, where one is looked at.
+/// Makes a preview of the map, if one is wanted.
 void Synthesizer::offer(int level) {
     if (!m_context.previewDue())
         return;

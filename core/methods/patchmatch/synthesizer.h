@@ -11,8 +11,8 @@
 
 namespace texloom::patchmatch {
 
-/// How much the proposal of a patch counts that lies at squared distance d from its match, for mean distance
-/// D: (soft + d / D)^-power. A high power lets the best patches decide; a low one looks for agreement.
+/// The weight of the proposal of a patch at squared distance d from its match, for mean distance D: (soft + d
+/// / D)^-power. A high power lets the best patches decide; a low one looks for agreement.
 struct VoteWeight {
     float soft;
     int power;
@@ -27,10 +27,10 @@ struct VoteWeight {
 };
 
 /// Synthesises from coarse to fine: on each scale the patches of the output look for similar ones in the
-/// exemplar (PatchMatch), and every pixel becomes a copy of that one among the pixels its patches propose
-/// that is nearest to their weighted mean (the discrete solver of Han et al., "Fast example-based surface
-/// texture synthesis via discrete optimization", 2006). So the state is a position map alone; the output of a
-/// scale is the same map in the next one's pixels. The canvas closes on both axes.
+/// exemplar (PatchMatch), and every pixel becomes a copy of the pixel, among those its patches propose, that
+/// is nearest to their weighted mean (the discrete solver of Han et al., "Fast example-based surface texture
+/// synthesis via discrete optimization", 2006). So the whole state is a position map; the output of a scale
+/// is the same map in the next one's pixels. The canvas closes on both axes.
 class Synthesizer {
 public:
     /// Pixels from one patch to the next.
@@ -39,9 +39,9 @@ public:
     Synthesizer(const Request& request, const Settings& settings, JobContext& context);
     Synthesis run();
 
-    /// Size of what is worked on for this output.
+    /// Size of the canvas for this output.
     static Size canvasFor(Size output, Wrap wrap, int patch);
-    /// Scales that are used.
+    /// Number of scales used.
     static int levelsFor(const Request& request, const Settings& settings);
 
 private:
@@ -59,7 +59,7 @@ private:
     const Settings& m_settings;
     JobContext& m_context;
     ExemplarPyramid m_pyramid;
-    PositionMap m_map; ///< of the present scale
+    PositionMap m_map; ///< of the current scale
 };
 
 } // namespace texloom::patchmatch

@@ -8,20 +8,20 @@
 
 namespace texloom::portilla_simoncelli {
 
-/// How to change variables X, given fixed variables Y, so that they get wanted covariances:
+/// How to change variables X, given fixed variables Y, so that they have the wanted covariances:
 /// X' = own X + other Y.
 struct Mixing {
     Eigen::MatrixXd own;
     Eigen::MatrixXd other; ///< without columns where there is no Y
 };
 
-/// The symmetric map that takes a covariance to another and moves samples least (the optimal transport
-/// between two Gaussians); the choice of the free orthogonal matrix in Portilla & Simoncelli 2000, appendix
-/// A.3 that changes least.
+/// The symmetric map that takes one covariance to another and moves samples least (the optimal transport
+/// between two Gaussians); this is the choice of the free orthogonal matrix in Portilla & Simoncelli 2000,
+/// appendix A.3 that changes least.
 Eigen::MatrixXd leastMap(const Eigen::MatrixXd& current, const Eigen::MatrixXd& wanted);
 
 /// Gives X, of covariance xx and cross-covariance xy with Y, of covariance yy, the covariances wantedXx and
-/// wantedXy (appendix A.4). Where both cannot be had at once, the cross-covariance is kept.
+/// wantedXy (appendix A.4). Where both cannot be attained at once, the cross-covariance is kept.
 Mixing mixingTo(const Eigen::MatrixXd& xx, const Eigen::MatrixXd& xy, const Eigen::MatrixXd& yy,
                 const Eigen::MatrixXd& wantedXx, const Eigen::MatrixXd& wantedXy);
 
@@ -42,7 +42,7 @@ public:
     /// The central part for lags up to `reach`.
     static Eigen::MatrixXd central(const Eigen::MatrixXd& lags, int reach);
     /// Convolves with the zero-phase filter that gives the image the wanted autocorrelation (appendix A.5).
-    /// @param current as measure() gave it. @param wanted of this reach or more.
+    /// @param current as returned by measure(). @param wanted of this reach or more.
     void impose(const Eigen::MatrixXd& current, const Eigen::MatrixXd& wanted, Complex* spectrum,
                 const Check& check) const;
     /// Mean square of the image.

@@ -16,7 +16,7 @@ using Complex = SteerablePyramid::Complex;
 using Check = SteerablePyramid::Check;
 using Samples = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The factors by which a column of a spectrum goes to a neighbour.
+/// The factors that shift a column of a spectrum to a neighbour.
 std::vector<Complex> shiftFactors(const SteerablePyramid& pyramid, int column, int neighbour) {
     const int scale = pyramid.scales();
     std::vector<Complex> factors(at(pyramid.size(scale).height));
@@ -46,7 +46,7 @@ Samples shiftedColumn(const SteerablePyramid& pyramid, const LowSpectra& low, in
     return samples;
 }
 
-/// Sets a column of the spectra to what a map made of its neighbours.
+/// Sets a column of the spectra from its neighbours after a map.
 void layColumn(const SteerablePyramid& pyramid, const Samples& mixed, int column, const LowSpectra& low) {
     const int height = pyramid.size(pyramid.scales()).height;
     const std::ptrdiff_t offset = column * pyramid.fft(pyramid.scales()).columnStride();

@@ -19,7 +19,7 @@ using LowSpectra = std::vector<FftBuffer<SteerablePyramid::Complex>>;
 Eigen::MatrixXd lowCovariance(const SteerablePyramid& pyramid, const LowSpectra& low,
                               const SteerablePyramid::Check& check);
 
-/// Applies a linear map to these variables; what it makes of each neighbour is shifted back and averaged.
+/// Applies a linear map to these variables; each neighbour's result is shifted back and averaged.
 void mixLow(const SteerablePyramid& pyramid, const Eigen::MatrixXf& map, const LowSpectra& low,
             const SteerablePyramid::Check& check);
 

@@ -22,8 +22,9 @@ using Check = std::function<void()>;
 Moments momentsOf(const PlaneView& plane, const Check& check);
 
 /// Gives a plane the wanted mean, variance, skewness, kurtosis and range, one after the other: the shape by
-/// moving the samples along the gradient of skewness, then of kurtosis, until the value is reached or as near
-/// as it gets (Portilla & Simoncelli 2000, appendix A.1 and A.2), and samples beyond the range to its ends.
+/// moving the samples along the gradient of skewness, then of kurtosis, until the value is reached as nearly
+/// as possible (Portilla & Simoncelli 2000, appendix A.1 and A.2); samples beyond the range are moved to its
+/// ends.
 /// @param current the plane's moments; those of a constant plane only get the mean.
 void imposeMoments(const PlaneSpan& plane, const Moments& current, const Moments& wanted, const Check& check);
 

@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/portilla_simoncelli/synthesizer.h"
+#include "core/methods/spectrum_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,16 +45,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 
 std::vector<Param> params() {
     return {
-        field(&Settings::scales, "scales", TR("Scales"))
-            .range(1, 8)
-            .symbol("N")
-            .help(TR("Octaves that the pyramid takes apart: more keep larger features. Small images use "
-                     "fewer.")),
-        field(&Settings::orientations, "orientations", TR("Orientations"))
-            .range(2, 8)
-            .symbol("K")
-            .help(
-                TR("Directions told apart at each scale: more keep lines at more angles, and take longer.")),
+        octavesField(&Settings::scales).symbol("N"),
+        orientationsField(&Settings::orientations).range(2, 8).symbol("K"),
         field(&Settings::neighbourhood, "neighbourhood", TR("Neighbourhood"))
             .range(1, 15)
             .unit("px")
@@ -107,10 +100,7 @@ std::vector<Param> params() {
         field(&Settings::phases, "phases", TR("Bands: phases across scales"))
             .group(TR("Statistics"))
             .help(TR("How phases line up from one scale to the next: lit edges against shaded ones.")),
-        field(&Settings::periodic, "periodic", TR("Take off border jumps"))
-            .group(TR("Advanced"))
-            .help(TR("Learns from the exemplar's periodic component, without which its borders count as "
-                     "horizontal and vertical lines.")),
+        periodicField(&Settings::periodic),
     };
 }
 

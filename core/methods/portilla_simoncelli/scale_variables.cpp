@@ -174,7 +174,7 @@ void ScaleVariables::gatherNext(int scale, Kind kind, const Block& block, int y,
     }
 }
 
-/// The way back of this scale's variables.
+/// The inverse for this scale's variables.
 void ScaleVariables::scatter(int scale, Kind kind, const Block& block, const Samples& samples) {
     const int width = block.right - block.left;
     for (int band = 0; band < bands(); ++band) {

@@ -11,17 +11,17 @@
 
 namespace texloom::portilla_simoncelli {
 
-/// Which variables of a scale are looked at together with those of the next one.
+/// Which variables of a scale are considered together with those of the next one.
 enum class Kind { Magnitudes, Reals };
 
 /// The first samples of a buffer as an image of a scale of a pyramid.
 PlaneSpan spanOf(const SteerablePyramid& pyramid, int scale, const FftBuffer<float>& buffer);
 
 /// The variables of one scale whose covariances count: the magnitudes and real parts of its bands, and those
-/// of the next scale, interpolated to it, which only serve to compare with. Bands are ordered by component,
+/// of the next scale, interpolated to it, which serve only for comparison. Bands are ordered by component,
 /// then orientation. Below the coarsest bands lie the low residuals: their magnitudes have no next ones,
-/// their real parts each component's low residual and its neighbours. Its memory serves one scale after the
-/// other.
+/// their real parts each component's low residual and its neighbours. Its memory is reused for one scale
+/// after the other.
 class ScaleVariables {
 public:
     using Complex = SteerablePyramid::Complex;
@@ -46,10 +46,10 @@ public:
 
     /// Of this scale's variables, then of the next one's. Magnitudes count without their means.
     Eigen::MatrixXd covariance(int scale, Kind kind) const;
-    /// Changes this scale's variables, by the next one's, too.
+    /// Changes this scale's variables, using those of the next one as well.
     void mix(int scale, Kind kind, const Mixing& mixing);
 
-    /// Bytes that an object takes for a pyramid whose finest scale has planes of so many bytes.
+    /// Bytes that an object takes for a pyramid whose finest scale has planes of this many bytes.
     static std::uint64_t bytesFor(std::uint64_t plane, int scales, int components, int orientations);
 
 private:

@@ -9,7 +9,7 @@ struct Settings {
     int neighbourhood =
         7; ///< side of the square of lags whose autocorrelation counts; even ones count as odd
     int iterations = 50;
-    double momentum = 0.8; ///< share of an iteration's change that is added once more
+    double momentum = 0.8; ///< share of an iteration's change that is added again
     double weight = 0.5;   ///< share of the second exemplar where there are two
     bool periodic = true;  ///< measure on the exemplar's periodic component
     int jointChannels = 0; ///< how many of the first channels are synthesised jointly; 0 for all

@@ -65,7 +65,7 @@ private:
         add(Group::Marginals, moments.largest, moments.largest - moments.smallest, false);
     }
 
-    /// Low-pass images with next to nothing in them only have their variance set, and do not count.
+    /// For very faint low-pass images, only the variance is imposed, and they do not count.
     void addImage(ImageStatistics& image) {
         const bool counts = image.variance() > kLeastVariance;
         addMatrix(Group::Autocorrelation, image.autocorrelation, counts);

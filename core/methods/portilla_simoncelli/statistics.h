@@ -11,7 +11,7 @@
 
 namespace texloom::portilla_simoncelli {
 
-/// The groups of statistics that can be imposed or left out, and are reported apart.
+/// The groups of statistics that can be imposed or left out, and are reported separately.
 enum class Group {
     Marginals,                ///< moments and range of channels, components and low-pass images
     Autocorrelation,          ///< of components and low-pass images
@@ -33,9 +33,9 @@ struct ImageStatistics {
     double variance() const { return autocorrelation(0, autocorrelation.rows() - 1); }
 };
 
-/// Statistics of the bands of one scale. Bands are ordered by component, then orientation; the variables of
-/// the next scale, too, but for the coarsest scale, where they are each component's low-pass image and its
-/// four neighbours (colour extension of the authors' code).
+/// Statistics of the bands of one scale. Bands are ordered by component, then orientation; so are the
+/// variables of the next scale, except at the coarsest scale, where they are each component's low-pass image
+/// and its four neighbours (colour extension of the authors' code).
 struct ScaleStatistics {
     std::vector<double> magnitudeMeans;
     std::vector<Eigen::MatrixXd> magnitudeAutocorrelations;
@@ -60,7 +60,7 @@ struct Statistics {
     void mix(const Statistics& other, double share);
 };
 
-/// Low-pass images whose variance is at most this, of 1 for the component, are too faint to be shaped.
+/// Low-pass images whose variance is at most this, of 1 for the component, are too faint to be adjusted.
 inline constexpr double kLeastVariance = 1e-4;
 
 using Deviations = std::array<double, kGroups>;

@@ -131,7 +131,7 @@ void Sweep::shapeScale(int scale) {
     report(scale, 1);
 }
 
-/// Forgets what relates components that have no statistics in common.
+/// Discards the covariances of components that have no statistics in common.
 void Sweep::keepFamilies(Eigen::MatrixXd& matrix, int rowsEach, int columnsEach) const {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
         for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
@@ -141,7 +141,7 @@ void Sweep::keepFamilies(Eigen::MatrixXd& matrix, int rowsEach, int columnsEach)
         }
 }
 
-/// Measures how a scale's variables go together and with the next scale's, and mixes them as wanted.
+/// Measures the covariances of a scale's variables, also with the next scale's, and mixes them as wanted.
 void Sweep::relate(int scale, Kind kind) {
     const bool magnitudes = kind == Kind::Magnitudes;
     const int next = m_variables.nextCount(scale, kind), each = m_pyramid.orientations(),
@@ -307,7 +307,7 @@ std::uint64_t Sweep::bytesFor(Size size, int scales, int components, const Setti
                                plane * channels +
                                spectrum * (channels + 2 * channels * 4 / 3 + bands / 3 + 3 + together);
     const std::uint64_t each = 5 * spectrum;
-    // A tenth for what the allocator keeps back.
+    // A tenth for the allocator's overhead.
     return (held + static_cast<std::uint64_t>(threads) * each) * 11 / 10 + (std::uint64_t{16} << 20);
 }
 

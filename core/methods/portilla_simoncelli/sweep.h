@@ -14,8 +14,8 @@ namespace texloom::portilla_simoncelli {
 
 /// One pass over the components of an image, from the coarsest scale to the finest, that measures all
 /// statistics below those of pixels and, with wanted ones, imposes them on the way (Portilla & Simoncelli
-/// 2000, section 3.2). Each is measured as it is met: the deviations are those that the last pass left. Keeps
-/// its memory from pass to pass.
+/// 2000, section 3.2). Each is measured when it is reached, so the deviations are those that the last pass
+/// left. Keeps its memory from pass to pass.
 class Sweep {
 public:
     /// @param joint how many of the first components have statistics in common.
@@ -75,10 +75,10 @@ private:
     const Progress* m_progress = nullptr;
     Statistics m_measured;
     std::vector<Spectrum> m_high;                 ///< high residuals by component
-    std::vector<std::vector<Spectrum>> m_spectra; ///< what comes in at each scale, by component
+    std::vector<std::vector<Spectrum>> m_spectra; ///< input of each scale, by component
     std::vector<std::vector<Spectrum>> m_bands;   ///< real bands by scale; of scale 0 a few at a time
     std::vector<std::vector<Spectrum>> m_images;  ///< low-pass images as they become, by scale and component
-    ScaleVariables m_variables;                   ///< of the scale under way
+    ScaleVariables m_variables;                   ///< of the current scale
     std::vector<Plane> m_planes;                  ///< low-pass images, by component
     int m_planeScale = 0;
 };

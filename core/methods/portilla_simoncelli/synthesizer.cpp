@@ -1,6 +1,7 @@
 #include "core/methods/portilla_simoncelli/synthesizer.h"
 
 #include "core/base/text.h"
+#include "core/image/mirror.h"
 #include "core/math/periodic_component.h"
 
 #include <algorithm>
@@ -48,11 +49,6 @@ std::vector<int> commonReaches(const Request& request, const Settings& settings)
                        [](int a, int b) { return std::min(a, b); });
     }
     return reaches;
-}
-
-int mirrored(int at, int length) {
-    const int folded = at % (2 * length);
-    return std::min(folded, 2 * length - 1 - folded);
 }
 
 } // namespace
@@ -132,7 +128,7 @@ Statistics Synthesizer::measured(const Image& image, Image& components, Sweep& s
     return statistics;
 }
 
-/// The range is that of the exemplar itself, which its periodic component may leave.
+/// The range is that of the exemplar itself, which its periodic component may exceed.
 void Synthesizer::measureExemplars() {
     for (std::size_t i = 0; i < m_learned.size(); ++i) {
         const Image& image = m_learned[i];
@@ -181,7 +177,7 @@ Synthesis Synthesizer::constant() const {
     return result;
 }
 
-/// Beyond the output an initial image goes on as its mirror image, which has no jump.
+/// Beyond the output, an initial image is continued by its mirror image, which has no jump.
 void Synthesizer::start() {
     if (m_request.initial()) {
         const Image& initial = *m_request.initial();
@@ -226,7 +222,7 @@ void Synthesizer::iterate(Sweep& sweep, int iteration) {
     m_context.progress((iteration + 1.0) / m_settings.iterations);
 }
 
-/// Goes on from the result the way that the iteration went, as the authors' code does.
+/// Steps beyond the result in the direction of the last change (momentum), as the authors' code does.
 void Synthesizer::stepOn() {
     const auto share = static_cast<float>(m_settings.momentum);
     overRows(m_image.height(), [&](int first, int last) {

@@ -19,7 +19,7 @@ public:
 
     Synthesis run();
 
-    /// Scales that the exemplars and the output leave of those asked for.
+    /// The number of scales, of those requested, that the exemplars and the output allow.
     static int scalesFor(const Request& request, const Settings& settings);
     /// Size at which the texture is made; the output is cut from it.
     static Size canvasFor(const Request& request, const Settings& settings);

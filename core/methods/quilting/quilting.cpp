@@ -17,14 +17,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     const std::vector<PatchSource> exemplars = patchSources(request);
     const QuiltOptions options = settings.quiltOptions(request);
-    Quilt quilt = PatchQuilter(exemplars, options, context).run();
-    Synthesis result;
-    result.image = std::move(quilt.image);
-    result.map = std::move(quilt.map);
-    result.mapKind = settings.stitch == Stitch::Cut ? MapKind::Exact : MapKind::Dominant;
-    result.figures = {{TR("Patches"), static_cast<double>(quilt.patches)},
-                      {TR("Mean error along a cut"), quilt.meanCutError}};
-    return result;
+    return quilted(PatchQuilter(exemplars, options, context).run(),
+                   settings.stitch == Stitch::Cut ? MapKind::Exact : MapKind::Dominant);
 }
 
 } // namespace
@@ -44,13 +38,7 @@ const Method self = method<Settings>(
          .symbol("w_p")
          .help(TR("Side of the squares that are copied: larger keeps larger structures whole, smaller varies "
                   "more.")),
-     overlapField(&Settings::overlap)
-         .symbol("w_o")
-         .help(TR("Share of the patch that overlaps its neighbours: larger joins better, but repeats itself "
-                  "sooner.")),
-     toleranceField(&Settings::tolerance)
-         .help(TR("How much worse than the best a patch may fit and still be drawn: larger varies more, "
-                  "smaller copies longer stretches.")),
+     quiltOverlapField(&Settings::overlap), quiltToleranceField(&Settings::tolerance),
      field(&Settings::stitch, "stitch", TR("Stitch"))
          .choices({{"cut", TR("Minimum-error cut")}, {"smooth-cut", TR("Smoothed cut")}})
          .group(TR("Advanced"))

@@ -3,6 +3,7 @@
 #include "core/math/phase_spot.h"
 #include "core/methods/method.h"
 #include "core/methods/random_phase/settings.h"
+#include "core/methods/spectrum_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +18,9 @@ constexpr int kBlock = RealFft2d::kBlock;
 /// Rows between two moments for progress and previews.
 constexpr int kRowsAtOnce = 1024;
 
-/// The torus on which the noise is drawn. An output smaller than the exemplar that need not wrap is cut from
-/// a torus of the exemplar's size, because folding the spot would let it meet itself.
+/// The torus on which the noise is drawn.
 Size torusFor(const Request& request) {
-    const Size exemplar = request.exemplars.front().image->size();
-    return {request.wrap.x ? request.size.width : std::max(request.size.width, exemplar.width),
-            request.wrap.y ? request.size.height : std::max(request.size.height, exemplar.height)};
-}
-
-int blocksFor(int count) {
-    return (count + kBlock - 1) / kBlock;
+    return PhaseSpot::torusFor(request.exemplars.front().image->size(), request.size, request.wrap);
 }
 
 /// Draws one texture: multiplies the spectrum of every channel of the spot by the same random factors.
@@ -79,13 +73,13 @@ void Field::fill(const PhaseSpot& spot, int channel) {
     for (int column = 0; column < m_fft.columns(); ++column)
         std::fill(m_spectrum.data() + column * m_fft.columnStride() + spot.rows(),
                   m_spectrum.data() + column * m_fft.columnStride() + m_fft.size().height, Complex(0, 0));
-    m_context.parallel(0, blocksFor(spot.rows()), [&](int block) {
+    m_context.parallel(0, RealFft2d::blocksFor(spot.rows()), [&](int block) {
         m_fft.forwardRows(plane.data, block * kBlock, std::min(spot.rows(), (block + 1) * kBlock),
                           m_spectrum.data());
     });
     show(channel, 0.3);
     const float scale = 1 / static_cast<float>(m_fft.size().area());
-    m_context.parallel(0, blocksFor(m_fft.columns()), [&](int block) {
+    m_context.parallel(0, RealFft2d::blocksFor(m_fft.columns()), [&](int block) {
         const int first = block * kBlock, last = std::min(m_fft.columns(), first + kBlock);
         m_fft.forwardColumns(m_spectrum.data(), first, last);
         for (int column = first; column < last; ++column) {
@@ -109,7 +103,7 @@ void Field::finishRows(const PhaseSpot& spot, int channel) {
     const auto mean = static_cast<float>(spot.mean(channel));
     for (int top = 0; top < plane.height; top += kRowsAtOnce) {
         const int bottom = std::min(plane.height, top + kRowsAtOnce);
-        m_context.parallel(0, blocksFor(bottom - top), [&](int block) {
+        m_context.parallel(0, RealFft2d::blocksFor(bottom - top), [&](int block) {
             const int first = top + block * kBlock, last = std::min(bottom, first + kBlock);
             m_fft.backwardRows(m_spectrum.data(), first, last, plane.data);
             for (int y = first; y < last; ++y)
@@ -160,16 +154,10 @@ const Method self = method<Settings>(
          .help(
              TR("Random phase noise keeps each frequency's strength exactly; spot noise lets it vary as in a "
                 "Gaussian field.")),
-     field(&Settings::periodic, "periodic", TR("Take off border jumps"))
-         .group(TR("Advanced"))
+     periodicField(&Settings::periodic)
          .help(TR("Learns from the exemplar's periodic component, without which its borders draw horizontal "
                   "and vertical streaks.")),
-     field(&Settings::transition, "transition", TR("Fading border"))
-         .range(0, 0.5)
-         .symbol("α")
-         .group(TR("Advanced"))
-         .help(TR("Share of each side over which the exemplar fades out where the output has another size: "
-                  "larger leaves fewer streaks, smaller keeps slow changes."))},
+     transitionField(&Settings::transition)},
     run, check, estimate);
 
 } // namespace texloom::random_phase

@@ -13,10 +13,11 @@ namespace texloom::regular_tile {
 
 namespace {
 
-constexpr int kSmallest = 8; ///< shorter side of an exemplar that a tile is looked for in
+constexpr int kSmallest = 8; ///< shorter side of an exemplar in which a tile is searched
 constexpr int kStrip = 32;   ///< rows of the output that one task makes
 
-/// The rectangle by which an exemplar without a lattice is most like itself, more than half as large as it.
+/// The tile of an exemplar without a lattice: the displacements, of half to three quarters of its sides, at
+/// which it is most similar to itself.
 Lattice likestRectangle(const ImageView& exemplar, const std::function<void()>& check) {
     const Correlation gamma = autocorrelation(exemplar, check);
     const auto best = [](int length, auto value) {
@@ -75,7 +76,7 @@ private:
         m_lattice = latticeFor(m_settings, m_request.exemplars.front().name,
                                m_request.exemplars.front().image, m_result.notes, check);
         if (m_settings.lattice == LatticeSource::Given)
-            m_lattice = m_settings.given(); // the very parallelogram that was asked for
+            m_lattice = m_settings.given(); // exactly the parallelogram requested
         if (m_lattice.free())
             m_lattice = likestRectangle(m_exemplar, check);
         m_lattice = withLength(m_lattice, m_exemplar.size());
@@ -109,7 +110,7 @@ private:
                           m_tile.x, m_tile.y);
             return;
         }
-        // A border that leaves no tile inside the exemplar gives way.
+        // A border that leaves no tile inside the exemplar is narrowed.
         for (int border = m_settings.border;; border /= 2) {
             Image costs =
                 tileCosts(m_exemplar, m_lattice, std::max(1, border), [this] { m_context.check(); });
@@ -158,7 +159,7 @@ private:
     }
 
     /// Each copy of the tile moves by a whole number of pixels, so that it stays a copy where the lattice's
-    /// vectors are no whole numbers.
+    /// vectors are not integers.
     Source sourceOf(int x, int y) const {
         const Vec2 at = m_lattice.coordinates({x + 0.5, y + 0.5});
         const Vec2 corner = m_lattice.at(std::floor(at.x), std::floor(at.y));

@@ -11,8 +11,8 @@ namespace texloom::regular_tile {
 /// How well each tile of an exemplar joins itself when it is repeated (López Recas 2011, section 4.1.1): the
 /// sum, over a border along each of two sides, of squared differences to the opposite side (eq. 4.2), for the
 /// tile whose first corner is pixel (x, y). One channel of the exemplar's size; infinite where the tile or
-/// its borders reach beyond the exemplar. The differences are made once for all tiles, and summed along rows
-/// once, so that a tile costs as many steps as its borders have rows.
+/// its borders reach beyond the exemplar. The differences are computed once for all tiles, and summed along
+/// rows once, so that a tile takes as many steps as its borders have rows.
 /// @param border width of a border in pixels, centred on the tile's side. @param check called per row.
 Image tileCosts(const ImageView& exemplar, const Lattice& lattice, int border,
                 const std::function<void()>& check);
@@ -28,7 +28,7 @@ struct Tile {
     float cost = 0;
 };
 
-/// One of the tiles up to (1 + tolerance) times as costly as the best, drawn evenly.
+/// One of the tiles up to (1 + tolerance) times as costly as the best, drawn uniformly.
 /// @throws Error if no tile is at a finite cost.
 Tile drawTile(const Image& costs, double tolerance, const Random& random);
 

@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kLargestPatch = 32;
 constexpr int kMargin = kLargestPatch - 1;
-/// Patches and half as many between them must fit side by side, or there is nothing to choose from.
+/// Two of the smallest patches must fit side by side, or there is nothing to choose from.
 constexpr int kSmallestSide = 2 * Optimizer::kSmallestPatch;
-/// Scales on which an initial image is worked on.
+/// Number of scales on which an initial image is processed.
 constexpr int kInitialLevels = 2;
 constexpr int kBand = 8;
 /// Rounds of PatchMatch before the first projection.
@@ -194,7 +194,7 @@ void Optimizer::optimize(int level, int patch) {
         finish(pass);
 }
 
-/// @return whether any patch has another neighbour than before.
+/// @return whether the neighbour of any patch has changed.
 bool Optimizer::project(Pass& pass, int iteration) {
     const PatchField before = pass.field;
     if (!pass.matcher) {
@@ -299,7 +299,7 @@ void Optimizer::weigh(Pass& pass) {
 }
 
 /// Spatial uniformity: patches in frequent use cost more in the next projection. Half of the use is that of
-/// the rounds before, since all patches choose at once and would all leave a good one together.
+/// earlier rounds, since all patches choose at once and would otherwise all abandon a good one together.
 void Optimizer::discourage(Pass& pass) {
     if (m_settings.uniformity <= 0)
         return;

@@ -15,7 +15,7 @@
 namespace texloom::texture_optimization {
 
 /// Makes an image whose patches are like the exemplar's (Kwatra et al., SIGGRAPH 2005): projects every patch
-/// to its nearest neighbour, joins the neighbours, and again, for patches of 32, 16 and 8 px on each scale
+/// to its nearest neighbour, joins the neighbours, and repeats, for patches of 32, 16 and 8 px on each scale
 /// from coarse to fine. The image closes on both axes.
 class Optimizer {
 public:
@@ -24,7 +24,7 @@ public:
     Optimizer(const Request& request, const Settings& settings, JobContext& context);
     Synthesis run();
 
-    /// Size of what is worked on for this output.
+    /// Size of the canvas for this output.
     static Size canvasFor(Size output, Wrap wrap);
     static int levelsFor(const Request& request, const Settings& settings);
 
@@ -49,7 +49,7 @@ private:
     const Settings& m_settings;
     JobContext& m_context;
     ExemplarPyramid m_pyramid;
-    Size m_size; ///< of the present scale's canvas
+    Size m_size; ///< of the current scale's canvas
     std::optional<ClosedCanvas> m_canvas;
     Synthesis m_result;
 };

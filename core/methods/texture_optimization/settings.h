@@ -19,7 +19,7 @@ struct Settings {
     Aggregation aggregation = Aggregation::RobustFalloff;
     Search search = Search::Exact;
     bool histogram = false;     ///< match colour histograms (section 3.2.1)
-    bool bidirectional = false; ///< let exemplar patches choose, too (section 3.2.2)
+    bool bidirectional = false; ///< exemplar patches choose, too (section 3.2.2)
     double alpha = 0.5;         ///< share of the forward energy where both directions count
     double uniformity = 0;      ///< λ_occ of the spatial uniformity (section 3.2.3)
     PatchFinish finish = PatchFinish::Blend;

@@ -19,7 +19,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const auto pixel = static_cast<std::uint64_t>(Interleaved({1, 1}, channels).pixel) * sizeof(float);
     const auto patches = static_cast<std::uint64_t>(canvas.area()) / 4 + 4096;
     Estimate need;
-    // The canvas, the image made of it, the map, and for every patch two matches and a weight.
+    // The canvas, the image made from it, the map, and two matches and a weight for every patch.
     need.bytes =
         static_cast<std::uint64_t>(padded.area()) * pixel + Image::bytesFor(canvas, channels) * 3 / 2 +
         PositionMap::bytesFor(canvas) + patches * (2 * sizeof(PatchMatch) + sizeof(float)) +

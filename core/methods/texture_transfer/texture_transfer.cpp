@@ -84,13 +84,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
         quilt = PatchQuilter(exemplars, options, context).run((1 - kPreparing) * share);
         placed += quilt.patches;
     }
-    Synthesis result;
-    result.image = std::move(quilt.image);
-    result.map = std::move(quilt.map);
-    result.mapKind = MapKind::Exact;
-    result.figures = {{TR("Patches"), static_cast<double>(placed)},
-                      {TR("Mean error along a cut"), quilt.meanCutError}};
-    return result;
+    quilt.patches = placed;
+    return quilted(std::move(quilt), MapKind::Exact);
 }
 
 } // namespace
@@ -121,13 +116,7 @@ const Method self = method<Settings>(
          .help(TR(
              "Side of the patches in the first pass; each further pass takes two thirds of it. Larger shows "
              "more of the material, smaller more of the target.")),
-     overlapField(&Settings::overlap)
-         .symbol("w_o")
-         .help(TR("Share of the patch that overlaps its neighbours: larger joins better, but repeats itself "
-                  "sooner.")),
-     toleranceField(&Settings::tolerance)
-         .help(TR("How much worse than the best a patch may fit and still be drawn: larger varies more, "
-                  "smaller copies longer stretches.")),
+     quiltOverlapField(&Settings::overlap), quiltToleranceField(&Settings::tolerance),
      field(&Settings::passes, "passes", TR("Passes"))
          .range(1, 6)
          .symbol("N")

@@ -70,23 +70,9 @@ private:
 
 /// The error of two unlike pixels: twice the variance over all channels and exemplars.
 double unlikeError(const Request& request, JobContext& context) {
-    double squares = 0, pixels = 0;
-    const std::vector<double> means =
-        channelMeans(*request.exemplars.front().image, [&] { context.check(); });
-    for (const Exemplar& exemplar : request.exemplars) {
-        const Image& image = *exemplar.image;
-        for (int c = 0; c < image.channels(); ++c)
-            for (int y = 0; y < image.height(); ++y) {
-                context.check();
-                for (int x = 0; x < image.width(); ++x) {
-                    const double value =
-                        static_cast<double>(image(x, y, c)) - means[static_cast<std::size_t>(c)];
-                    squares += value * value;
-                }
-            }
-        pixels += static_cast<double>(image.size().area());
-    }
-    return 2 * squares / pixels;
+    const auto check = [&] { context.check(); };
+    return 2 *
+           pixelVariance(patchSources(request), channelMeans(*request.exemplars.front().image, check), check);
 }
 
 /// Makes the sets of tiles of every size that a tiling has, from the samples that join best.
@@ -239,7 +225,6 @@ Image sheet(const Request& request, const Settings& settings, const Maker& maker
 
 void check(const Request& request, const Settings& settings) {
     const int side = sampleSide(settings);
-    bool any = false;
     for (const Exemplar& exemplar : request.exemplars) {
         const Size size = exemplar.image->size();
         if (size.shorterSide() < side)
@@ -247,9 +232,8 @@ void check(const Request& request, const Settings& settings) {
                 "Tiles of {} px take samples of {} × {} px, but {} is {} × {} px; choose smaller tiles or "
                 "less overlap.",
                 settings.tile, side, side, exemplar.name, size.width, size.height);
-        any = any || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), side);
     }
-    if (!any)
+    if (!leavesWholePatch(request, side))
         failUsage("The mask leaves no whole sample of {} px for tiles of {} px; choose smaller tiles or mask "
                   "less.",
                   side, settings.tile);

@@ -217,4 +217,13 @@ TEST(PatchDistances, StopWhenToldTo) {
     EXPECT_THROW(distances.compute(noise({9, 9}, 3), shape, 0, scratch, [] { throw 1; }), int);
 }
 
+TEST(Footprint, CountsThePixelsThatItContains) {
+    const int patch = 9;
+    EXPECT_EQ(Footprint(Overlap{}).pixels(patch), 0);
+    EXPECT_EQ(Footprint(Overlap{3, 2, 0, 0}).pixels(patch), 81 - 6 * 7);
+    EXPECT_EQ(Footprint(Overlap{3, 2, 1, 4}).pixels(patch), 81 - 5 * 3);
+    EXPECT_EQ(Footprint::filled({9, 9}).pixels(patch), 81);
+    EXPECT_EQ(Footprint::filled({4, 7}).pixels(patch), 28);
+}
+
 } // namespace texloom::test

@@ -1,0 +1,105 @@
+// The same bits for any number of threads, and for a part as for the whole.
+
+#include "core/base/error.h"
+#include "core/io/model_file.h"
+#include "tests/methods/conformance/fixture.h"
+#include "tests/support/textures.h"
+
+#include <gtest/gtest.h>
+
+namespace texloom::test {
+namespace {
+
+void expectSameAsset(const Asset& a, const Asset& b) {
+    ASSERT_EQ(a.index(), b.index());
+    if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&a)) {
+        EXPECT_EQ(**model, *std::get<std::shared_ptr<const Model>>(b));
+    } else if (const auto* volume = std::get_if<std::shared_ptr<const VolumeSource>>(&a)) {
+        const Box box = boxOf(**volume);
+        EXPECT_TRUE(sameVoxels(sampled(**volume, box, 1),
+                               sampled(*std::get<std::shared_ptr<const VolumeSource>>(b), box, 5)));
+    } else if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&a)) {
+        EXPECT_TRUE(samePixels(**image, *std::get<std::shared_ptr<const Image>>(b)));
+    }
+}
+
+void expectSame(const Synthesis& a, const Synthesis& b) {
+    EXPECT_TRUE(samePixels(a.image, b.image));
+    EXPECT_EQ(a.map, b.map);
+    for (const auto& [port, assets] : a.outputs.byPort()) {
+        ASSERT_EQ(assets.size(), b.outputs.at(port).size()) << port;
+        for (std::size_t i = 0; i < assets.size(); ++i)
+            expectSameAsset(assets[i], b.outputs.at(port)[i]);
+    }
+}
+
+TEST_P(Conformance, sameRecipeGivesTheSameBitsForAnyNumberOfThreads) {
+    if (method().info().repeats == Repeats::Nearly)
+        GTEST_SKIP() << "skipped: " << GetParam() << " says that it repeats but for rounding";
+    for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+        Request request = requestFor({48, 40}, 3, {101, 90});
+        if (method().info().canWrap())
+            request.wrap = wrap;
+        const Synthesis one = runWith(method(), request, 1);
+        expectSame(one, runWith(method(), request, 2));
+        expectSame(one, runWith(method(), request, 7));
+        expectSame(one, runWith(method(), request, 1));
+    }
+}
+
+TEST_P(Conformance, anotherSeedMattersAsTheMethodSays) {
+    const Synthesis one = runWith(method(), requestFor({48, 48}, 3, {96, 96}, 1), 1);
+    const Synthesis two = runWith(method(), requestFor({48, 48}, 3, {96, 96}, 2), 1);
+    EXPECT_EQ(samePixels(one.image, two.image), !method().info().usesSeed);
+}
+
+TEST_P(Conformance, boxesOfVolumesEqualThatPartOfLargerOnes) {
+    const Synthesis result = runWith(method(), requestFor({50, 61}, 3, {97, 80}), 2);
+    for (const auto& [port, assets] : result.outputs.byPort()) {
+        const auto source = result.outputs.first<VolumeSource>(port);
+        if (!source)
+            continue;
+        const Box whole = boxOf(*source);
+        const Volume all = sampled(*source, whole);
+        const Box part{whole.x + whole.size.width / 3,
+                       whole.y + whole.size.height / 2,
+                       whole.z + whole.size.depth / 4,
+                       {whole.size.width / 2, whole.size.height / 3, whole.size.depth / 2}};
+        const Volume alone = sampled(*source, part);
+        for (int c = 0; c < all.channels(); ++c)
+            for (int z = 0; z < part.size.depth; ++z)
+                for (int y = 0; y < part.size.height; ++y)
+                    for (int x = 0; x < part.size.width; ++x)
+                        ASSERT_EQ(alone(x, y, z, c), all(static_cast<int>(part.x - whole.x) + x,
+                                                         static_cast<int>(part.y - whole.y) + y,
+                                                         static_cast<int>(part.z - whole.z) + z, c));
+    }
+}
+
+TEST_P(Conformance, regionsEqualTheCropOfTheWhole) {
+    Request request = requestFor({60, 52}, 3, {141, 120});
+    const Region parts[] = {{0, 0, {40, 30}}, {57, 43, {1, 1}}, {33, 20, {70, 64}}, {110, 5, {31, 115}}};
+    if (!method().info().makesParts()) {
+        request.region = parts[0];
+        EXPECT_THROW(runWith(method(), request, 1), UsageError);
+        return;
+    }
+    for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{true, true}}) {
+        if (method().info().canWrap())
+            request.wrap = wrap;
+        request.region.reset();
+        const Synthesis whole = runWith(method(), request, 2);
+        for (const Region& part : parts) {
+            request.region = part;
+            const Synthesis alone = runWith(method(), request, 2);
+            EXPECT_TRUE(samePixels(alone.image, whole.image.view().crop(part.x, part.y, part.size)));
+            ASSERT_EQ(alone.map.size(), part.size);
+            EXPECT_EQ(alone.map.at(0, 0), whole.map.at(part.x, part.y));
+        }
+    }
+    request.region = Region{100, 100, {42, 10}};
+    EXPECT_THROW(runWith(method(), request, 1), UsageError);
+}
+
+} // namespace
+} // namespace texloom::test

@@ -1,0 +1,102 @@
+// How a run is watched, cancelled and stopped.
+
+#include "core/job/job.h"
+#include "tests/methods/conformance/fixture.h"
+#include "tests/methods/made_up_ports.h"
+#include "tests/support/time_limit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace texloom::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+TEST_P(Conformance, cancelAnswersAtOnce) {
+    const RunPlan plan = longPlan(method());
+    const auto timeToCancel = [&]() -> std::chrono::nanoseconds {
+        const auto job = startRun(plan, false);
+        const auto begun = Clock::now();
+        while (job->monitor().progress() < 0.02 && !job->finished() && Clock::now() - begun < 3s)
+            std::this_thread::sleep_for(1ms);
+        const auto asked = Clock::now();
+        job->cancel();
+        EXPECT_TRUE(std::holds_alternative<Cancelled>(job->take()));
+        return Clock::now() - asked;
+    };
+    const auto limit = limitNow(method().info().cancelsWithin);
+    if (!limit)
+        GTEST_SKIP() << kTooBusy;
+    EXPECT_LE(shortest(*limit, timeToCancel), *limit) << "until the job had ended";
+}
+
+TEST_P(Conformance, progressNeverFallsAndEndsAtOne) {
+    Request request = requestFor({64, 64}, 3, {512, 512});
+    fillPorts(method().info(), request);
+    const auto job = startRun(planFor(method(), request, briefSettings(method(), request)), false);
+    double last = 0;
+    while (!job->finished()) {
+        const double now = job->monitor().progress();
+        EXPECT_GE(now, last);
+        last = now;
+        std::this_thread::yield();
+    }
+    EXPECT_EQ(job->monitor().progress(), 1);
+    EXPECT_FALSE(job->monitor().stageTimes().empty());
+    for (const StageTime& stage : job->monitor().stageTimes())
+        EXPECT_FALSE(stage.name.empty());
+    EXPECT_TRUE(std::holds_alternative<Result>(job->take()));
+}
+
+TEST_P(Conformance, stagesMakeUpTheWhole) {
+    for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+        Request request = requestFor({48, 40}, 3, {101, 90});
+        if (method().info().canWrap())
+            request.wrap = wrap;
+        fillPorts(method().info(), request);
+        const RunPlan plan = planFor(method(), request, briefSettings(method(), request));
+        JobMonitor monitor;
+        JobContext context(
+            {request.seed, 2, false}, [] { return false; }, monitor);
+        context.step(0, 0.5); // half of a run, so that more than the whole would show, too
+        method().run(plan.requestFor(0, method().info()), plan.steps.front().settings, context);
+        context.stage(0, "what follows");
+        EXPECT_NEAR(monitor.progress(), 0.5, 1e-6) << "half the sum of the stages' weights";
+    }
+}
+
+TEST_P(Conformance, previewsComeWhileItRuns) {
+    const auto job = startRun(longPlan(method()), true);
+    int previews = 0;
+    const auto start = Clock::now();
+    while (previews < 3 && !job->finished()) {
+        if (const auto preview = job->monitor().takePreview()) {
+            ++previews;
+            EXPECT_EQ((preview->fullSize.width + preview->step - 1) / preview->step, preview->image.width());
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    // Previews may take a fiftieth of the time, so that a short run has few.
+    EXPECT_GE(previews, std::min(3, static_cast<int>(seconds / 2))) << "before the job ended";
+}
+
+TEST_P(Conformance, stopsEarlyWithWhatItHas) {
+    const RunPlan plan = longPlan(method());
+    const auto job = startRun(plan, false);
+    job->stopAndKeep();
+    const Outcome<Result> outcome = job->take();
+    ASSERT_TRUE(std::holds_alternative<Result>(outcome)) << "stopping early is not a failure";
+    const auto& result = std::get<Result>(outcome);
+    EXPECT_EQ(result.synthesis.image.channels(), plan.request.resultChannels());
+    EXPECT_EQ(result.synthesis.image.size(), plan.request.size);
+    EXPECT_LT(result.stoppedAt.value_or(0), 1);
+}
+
+} // namespace
+} // namespace texloom::test
