@@ -15,12 +15,16 @@ HERE = pathlib.Path(__file__).resolve().parent
 EXEMPLARS = HERE.parent.parent / "resources/exemplars"
 # What shows a method at its best; all others are shown on soil_clods.png.
 SHOWN_ON = {
+    "ashikhmin": "grass_dry_gray.png",
+    "fourier-mask": "solar_cells_blue.jpg",
     "gaussian-patches": "crazy_paving.png",
+    "graph-cut": "railway_ballast.png",
     "heeger-bergen": "grass_dry_gray.png",
     "midway-quilting": "plank_wall_dark.png",
     "near-regular": "solar_cells_blue.jpg",
     "patchmatch": "railway_ballast.png",
     "quilting": "crazy_paving.png",
+    "random-mosaic": "rock_strata_large.jpg",
     "random-phase": "sand_ripples.png",
     "regular-tile": "solar_cells_blue.jpg",
     "texture-optimization": "crazy_paving.png",
