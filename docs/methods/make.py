@@ -24,7 +24,6 @@ SHOWN_ON = {
     "near-regular": "solar_cells_blue.jpg",
     "patchmatch": "railway_ballast.png",
     "quilting": "crazy_paving.png",
-    "random-mosaic": "rock_strata_large.jpg",
     "random-phase": "sand_ripples.png",
     "regular-tile": "solar_cells_blue.jpg",
     "texture-optimization": "crazy_paving.png",

@@ -9,7 +9,8 @@ enum class Search { Exact, Pca };
 
 /// Parameters of the pixel growing of Efros & Leung (ICCV 1999).
 struct Settings {
-    int window = 11;        ///< side n in pixels; an even one counts as the next odd
+    int window = 21; ///< side n in pixels; an even one counts as the next odd. The source uses 11 to 25;
+                     ///< 11 grows garbage from most photos
     double tolerance = 0.1; ///< ε: a window up to (1 + ε) times as far as the nearest may be drawn
     double sigma = 1 / 6.4; ///< of the Gaussian weights, as a share of the window
     int seedSize = 3;       ///< side of the square that growth begins with
