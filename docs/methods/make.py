@@ -15,7 +15,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 EXEMPLARS = HERE.parent.parent / "resources/exemplars"
 # What shows a method at its best; all others are shown on soil_clods.png.
 SHOWN_ON = {
+    "ashikhmin": "grass_dry_gray.png",
+    "fourier-mask": "solar_cells_blue.jpg",
     "gaussian-patches": "crazy_paving.png",
+    "graph-cut": "railway_ballast.png",
     "heeger-bergen": "grass_dry_gray.png",
     "midway-quilting": "plank_wall_dark.png",
     "near-regular": "solar_cells_blue.jpg",

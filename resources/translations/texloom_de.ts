@@ -3373,6 +3373,370 @@
         <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
         <translation>{} hat {} × {} px, weniger als das verglichene Quadrat von {} px; wählen Sie eines von höchstens {} px.</translation>
     </message>
+    <message>
+        <source>A picture of the result&apos;s size whose shapes the exemplar takes on.</source>
+        <translation>Ein Bild von der Größe des Ergebnisses, dessen Formen die Vorlage annimmt.</translation>
+    </message>
+    <message>
+        <source>A tree finds a neighbourhood that is nearly the nearest, in time that hardly grows with the exemplar; exact compares all of them.</source>
+        <translation>Ein Baum findet eine Umgebung, die fast die nächste ist, in einer Zeit, die mit der Vorlage kaum wächst; exakt vergleicht alle.</translation>
+    </message>
+    <message>
+        <source>All of the image to start from is known, so that there is nothing to make; mask less.</source>
+        <translation>Alles vom Ausgangsbild ist bekannt, sodass nichts zu machen ist; maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>Ashikhmin</source>
+        <translation>Ashikhmin</translation>
+    </message>
+    <message>
+        <source>At most so many waves, the strongest: more follow finer regularity and take longer.</source>
+        <translation>Höchstens so viele Wellen, die stärksten: mehr folgen feinerer Regelmäßigkeit und dauern länger.</translation>
+    </message>
+    <message>
+        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
+        <translation>Höchstens so viele, jede halb so groß wie die vorige: mehr erhalten größere Strukturen.</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Zusammenhang</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar.</source>
+        <translation>Vergleicht alle Fenster exakt oder nur die nach ihren Hauptkomponenten wahrscheinlichen, in einer Zeit, die mit der Vorlage kaum wächst.</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenten</translation>
+    </message>
+    <message>
+        <source>Copying pixels one by one</source>
+        <translation>Pixel werden einzeln kopiert</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Drawing the regular part</source>
+        <translation>Der regelmäßige Teil wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drift over the output, in cycles</source>
+        <translation>Abweichung über die Ausgabe, in Perioden</translation>
+    </message>
+    <message>
+        <source>Efros–Leung</source>
+        <translation>Efros–Leung</translation>
+    </message>
+    <message>
+        <source>Finding waves</source>
+        <translation>Wellen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Finding what looks alike</source>
+        <translation>Ähnliches wird gesucht</translation>
+    </message>
+    <message>
+        <source>Finds out once which places of the exemplar look alike, and then walks through it, jumping between them. The fastest of the methods that work pixel by pixel; joins are rougher than Ashikhmin&apos;s.</source>
+        <translation>Findet einmal heraus, welche Stellen der Vorlage sich gleichen, und durchwandert sie dann mit Sprüngen zwischen ihnen. Das schnellste der Verfahren, die Pixel für Pixel arbeiten; Nähte sind rauer als bei Ashikhmin.</translation>
+    </message>
+    <message>
+        <source>Finds the waves that a near-regular exemplar is made of, to a fraction of a cycle, continues them over the output, and quilts patches that follow them. Suits weaves, bricks and tiles that are seen straight on.</source>
+        <translation>Findet die Wellen, aus denen eine fast regelmäßige Vorlage besteht, auf den Bruchteil einer Periode genau, setzt sie über die Ausgabe fort und fügt Patches aneinander, die ihnen folgen. Gut für Gewebe, Ziegel und Fliesen, die gerade von vorn zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Fourier mask</source>
+        <translation>Fourier-Maske</translation>
+    </message>
+    <message>
+        <source>Growing pixels</source>
+        <translation>Pixel wachsen</translation>
+    </message>
+    <message>
+        <source>Grows outwards from what is known, layer by layer, or row by row from the top left.</source>
+        <translation>Wächst von dem, was bekannt ist, Schicht um Schicht nach außen, oder Zeile um Zeile von links oben.</translation>
+    </message>
+    <message>
+        <source>Grows the output pixel by pixel from a seed; each becomes one of the exemplar&apos;s whose surroundings fit what is known around it. Faithful to small structures; slow, and a window of the wrong size grows garbage or copies verbatim.</source>
+        <translation>Lässt das Ergebnis Pixel für Pixel aus einem Keim wachsen; jedes wird eines der Vorlage, dessen Umgebung zu dem passt, was um es bekannt ist. Treu bei kleinen Strukturen; langsam, und ein Fenster von falscher Größe lässt Unsinn wachsen oder kopiert wörtlich.</translation>
+    </message>
+    <message>
+        <source>How closely the target is followed, if there is one: larger follows it more, smaller keeps more of the exemplar&apos;s structure.</source>
+        <translation>Wie genau dem Ziel gefolgt wird, falls es eines gibt: größer folgt ihm mehr, kleiner hält sich mehr an die Struktur der Vorlage.</translation>
+    </message>
+    <message>
+        <source>How far from its own place in an exemplar of the output&apos;s size a pixel&apos;s source may lie, as in a photo that is mended: smaller takes what is near, and is faster; 0 looks everywhere.</source>
+        <translation>Wie weit die Quelle eines Pixels von seiner eigenen Stelle in einer Vorlage von der Größe der Ausgabe entfernt sein darf, etwa in einem Foto, das ausgebessert wird: kleiner nimmt, was nahe liegt, und ist schneller; 0 sucht überall.</translation>
+    </message>
+    <message>
+        <source>How far from the middle pixels of the window count, as a share of the window: larger looks further, smaller trusts the nearest.</source>
+        <translation>Wie weit von der Mitte Pixel des Fensters zählen, als Anteil des Fensters: größer blickt weiter, kleiner vertraut den nächsten.</translation>
+    </message>
+    <message>
+        <source>How far these lie from the pixel and from each other at least: larger leads to more different parts of the exemplar.</source>
+        <translation>Wie weit diese mindestens vom Pixel und voneinander entfernt liegen: größer führt in verschiedenere Teile der Vorlage.</translation>
+    </message>
+    <message>
+        <source>How likely a random pixel of the exemplar may be chosen too: larger varies more and copies smaller pieces.</source>
+        <translation>Wie wahrscheinlich auch ein zufälliges Pixel der Vorlage zur Wahl steht: größer variiert mehr und kopiert kleinere Stücke.</translation>
+    </message>
+    <message>
+        <source>How likely a walk jumps where another place looks the same: larger copies smaller pieces.</source>
+        <translation>Wie wahrscheinlich gesprungen wird, wo eine andere Stelle gleich aussieht: größer kopiert kleinere Stücke.</translation>
+    </message>
+    <message>
+        <source>How much pictures A and B count beside the exemplar: larger follows them more closely.</source>
+        <translation>Wie viel die Bilder A und B neben der Vorlage zählen: größer folgt ihnen genauer.</translation>
+    </message>
+    <message>
+        <source>How much the regular part counts beside the fit of overlaps: larger keeps the order, 0 quilts without it.</source>
+        <translation>Wie viel der regelmäßige Teil neben der Passung der Überlappungen zählt: mehr hält die Ordnung, 0 quiltet ohne ihn.</translation>
+    </message>
+    <message>
+        <source>How much worse a pixel may fit that continues the copy beside it: larger copies larger pieces, 0 takes whatever fits best.</source>
+        <translation>Wie viel schlechter ein Pixel passen darf, das die Kopie daneben fortsetzt: größer kopiert größere Stücke, 0 nimmt, was am besten passt.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a window may fit and still be drawn: larger varies more, smaller copies longer stretches.</source>
+        <translation>Wie viel schlechter als das beste ein Fenster passen und doch gezogen werden darf: größer variiert mehr, kleiner kopiert längere Strecken.</translation>
+    </message>
+    <message>
+        <source>How often each scale is made: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <translation>Wie oft jede Skala gemacht wird: Durchgänge nach dem ersten sehen alles, was ein Pixel umgibt, und bessern Nähte aus.</translation>
+    </message>
+    <message>
+        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <translation>Wie oft das Ergebnis durchlaufen wird: Durchgänge nach dem ersten sehen alles, was ein Pixel umgibt, und bessern Nähte aus.</translation>
+    </message>
+    <message>
+        <source>Image analogies</source>
+        <translation>Bildanalogien</translation>
+    </message>
+    <message>
+        <source>Jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Jump map</source>
+        <translation>Sprungkarte</translation>
+    </message>
+    <message>
+        <source>Jump probability</source>
+        <translation>Sprungwahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>Jumps</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Bekannt</translation>
+    </message>
+    <message>
+        <source>Largest move to close, in cycles</source>
+        <translation>Größte Verschiebung zum Schließen, in Perioden</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Makes one pixel after another in rows, from coarse to fine, and takes each from where the exemplar looks most like what is there above and to the left. Always tiles from left to right; small details may become blurred.</source>
+        <translation>Macht zeilenweise ein Pixel nach dem anderen, von grob nach fein, und nimmt jedes von dort, wo die Vorlage dem am meisten gleicht, was darüber und links davon steht. Kachelt von links nach rechts immer; kleine Einzelheiten können verschwimmen.</translation>
+    </message>
+    <message>
+        <source>Makes one pixel after another in rows; each continues one of the copies that its neighbours belong to, so that pieces of the exemplar grow until they meet. Very fast, and at its best on natural textures such as grass, leaves and pebbles.</source>
+        <translation>Macht zeilenweise ein Pixel nach dem anderen; jedes setzt eine der Kopien fort, zu denen seine Nachbarn gehören, sodass Stücke der Vorlage wachsen, bis sie sich treffen. Sehr schnell und am besten bei natürlichen Texturen wie Gras, Laub und Kies.</translation>
+    </message>
+    <message>
+        <source>Makes what stands to picture B as the exemplar stands to picture A: paint the exemplar&apos;s materials as flat colours in A, and where they are to be in B. Without the pictures it makes more of the exemplar.</source>
+        <translation>Macht, was sich zu Bild B verhält wie die Vorlage zu Bild A: Malen Sie in A flache Farben für die Materialien der Vorlage und in B, wo sie sein sollen, und das Ergebnis hat diese Materialien dort. Ohne die Bilder macht es mehr von der Vorlage.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the neighbourhoods</source>
+        <translation>Mittlerer Abstand der Umgebungen</translation>
+    </message>
+    <message>
+        <source>Neighbourhoods in a leaf of the tree: larger finds nearer ones, but takes longer.</source>
+        <translation>Umgebungen in einem Blatt des Baums: größer findet nähere, dauert aber länger.</translation>
+    </message>
+    <message>
+        <source>Onion</source>
+        <translation>Zwiebel</translation>
+    </message>
+    <message>
+        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
+        <translation>Nur {} % von {} sind regelmäßig, sodass die Patches kaum geführt werden; senken Sie die Schwelle, oder nehmen Sie das Bild-Quilting.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Parent square</source>
+        <translation>Elternquadrat</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of them, and takes chance for rule.</source>
+        <translation>So hohe Spitzen des Spektrums, gemessen an der höchsten, zählen als Wellen: weniger findet mehr und hält Zufall für Regel.</translation>
+    </message>
+    <message>
+        <source>Picture A</source>
+        <translation>Bild A</translation>
+    </message>
+    <message>
+        <source>Picture A of {} has {} channels and picture B has {}; they need the same number.</source>
+        <translation>Bild A von {} hat {} Kanäle und Bild B hat {}; es müssen gleich viele sein.</translation>
+    </message>
+    <message>
+        <source>Picture B</source>
+        <translation>Bild B</translation>
+    </message>
+    <message>
+        <source>Picture B has the colour {}, which picture A has nowhere; paint it in A, too, or use A&apos;s colours: {}.</source>
+        <translation>Bild B hat die Farbe {}, die Bild A nirgends hat; malen Sie sie auch in A, oder nehmen Sie die Farben von A: {}.</translation>
+    </message>
+    <message>
+        <source>Places that are kept for each pixel of the exemplar because they look like it: more vary more.</source>
+        <translation>Stellen, die für jedes Pixel der Vorlage behalten werden, weil sie ihm gleichen: mehr variieren mehr.</translation>
+    </message>
+    <message>
+        <source>Principal components</source>
+        <translation>Hauptkomponenten</translation>
+    </message>
+    <message>
+        <source>Principal components by which likely windows are found: more find nearer ones, but take longer.</source>
+        <translation>Hauptkomponenten, nach denen wahrscheinliche Fenster gefunden werden: mehr finden nähere, dauern aber länger.</translation>
+    </message>
+    <message>
+        <source>Regular part</source>
+        <translation>Regelmäßiger Teil</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Search radius</source>
+        <translation>Suchradius</translation>
+    </message>
+    <message>
+        <source>Seed size</source>
+        <translation>Größe des Keims</translation>
+    </message>
+    <message>
+        <source>Share of the variance in the regular part</source>
+        <translation>Anteil der Varianz im regelmäßigen Teil</translation>
+    </message>
+    <message>
+        <source>Side of the square of the exemplar that growth begins with, at most the window: larger begins with more structure.</source>
+        <translation>Seite des Quadrats der Vorlage, mit dem das Wachstum beginnt, höchstens das Fenster: größer beginnt mit mehr Struktur.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared (an even one counts as the next odd): larger keeps larger structures, but takes longer.</source>
+        <translation>Seite des Quadrats, das verglichen wird (eine gerade zählt als die nächste ungerade): größer erhält größere Strukturen, dauert aber länger.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared (an even one counts as the next odd): too small grows garbage, too large copies verbatim.</source>
+        <translation>Seite des Quadrats, das verglichen wird (eine gerade zählt als die nächste ungerade): zu klein lässt Unsinn wachsen, zu groß kopiert wörtlich.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared on the next coarser scale (an even one counts as the next odd): larger follows the coarser scale more closely; 0 forgets it.</source>
+        <translation>Seite des Quadrats, das auf der nächstgröberen Skala verglichen wird (eine gerade zählt als die nächste ungerade): größer folgt der gröberen Skala genauer; 0 vergisst sie.</translation>
+    </message>
+    <message>
+        <source>Side of the square whose known half is compared (an even one counts as the next odd): larger keeps larger structures, but takes longer and copies more.</source>
+        <translation>Seite des Quadrats, dessen bekannte Hälfte verglichen wird (eine gerade zählt als die nächste ungerade): größer erhält größere Strukturen, dauert aber länger und kopiert mehr.</translation>
+    </message>
+    <message>
+        <source>Side of the squares by which places look alike (an even one counts as the next odd): larger jumps only where larger structures agree.</source>
+        <translation>Seite der Quadrate, nach denen Stellen sich gleichen (eine gerade zählt als die nächste ungerade): größer springt nur, wo größere Strukturen übereinstimmen.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller follows the waves more closely.</source>
+        <translation>Seite der kopierten Quadrate: größere halten größere Strukturen zusammen, kleinere folgen den Wellen genauer.</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>Target weight</source>
+        <translation>Gewicht des Ziels</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
+        <translation>Die Maske lässt keine ganze Umgebung von {} px übrig; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The target has {} channels, the exemplar {}; they need the same number.</source>
+        <translation>Das Ziel hat {} Kanäle, die Vorlage {}; es müssen gleich viele sein.</translation>
+    </message>
+    <message>
+        <source>There is a mask of what is known, but no image to start from; give that too.</source>
+        <translation>Es gibt eine Maske dessen, was bekannt ist, aber kein Ausgangsbild; geben Sie auch dieses.</translation>
+    </message>
+    <message>
+        <source>There is a picture B, but {} has no picture A; give both, or none.</source>
+        <translation>Es gibt ein Bild B, aber {} hat kein Bild A; geben Sie beide oder keines.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Baum</translation>
+    </message>
+    <message>
+        <source>Walking through the exemplar</source>
+        <translation>Die Vorlage wird durchwandert</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Wellen</translation>
+    </message>
+    <message>
+        <source>Weight of A and B</source>
+        <translation>Gewicht von A und B</translation>
+    </message>
+    <message>
+        <source>Weight of the waves</source>
+        <translation>Gewicht der Wellen</translation>
+    </message>
+    <message>
+        <source>Wei–Levoy</source>
+        <translation>Wei–Levoy</translation>
+    </message>
+    <message>
+        <source>What is to be kept of the image to start from is not said; give a mask of what is known.</source>
+        <translation>Was vom Ausgangsbild bleiben soll, ist nicht gesagt; geben Sie eine Maske dessen, was bekannt ist.</translation>
+    </message>
+    <message>
+        <source>What of the image to start from is kept; the rest, where it is black, is made anew.</source>
+        <translation>Was vom Ausgangsbild bleibt; der Rest, wo sie schwarz ist, wird neu gemacht.</translation>
+    </message>
+    <message>
+        <source>What the exemplar is made of, pixel for pixel: flat colours for its materials, or the picture before a filter made the exemplar of it.</source>
+        <translation>Woraus die Vorlage besteht, Pixel für Pixel: flache Farben für ihre Materialien, oder das Bild, bevor ein Filter die Vorlage daraus machte.</translation>
+    </message>
+    <message>
+        <source>What the result is to be made of, in the colours of picture A.</source>
+        <translation>Woraus das Ergebnis bestehen soll, in den Farben von Bild A.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>{} has a picture A, but there is no picture B; give both, or none.</source>
+        <translation>{} hat ein Bild A, aber es gibt kein Bild B; geben Sie beide oder keines.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of at most {} px, or a larger exemplar.</source>
+        <translation>{} ist {} × {} px groß, kleiner als die Umgebung von {} px; wählen Sie eine Umgebung von höchstens {} px oder eine größere Vorlage.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

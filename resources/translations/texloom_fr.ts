@@ -3373,6 +3373,370 @@
         <source>{} is {} × {} px, smaller than the compared square of {} px; choose one of at most {} px.</source>
         <translation>{} fait {} × {} px, moins que le carré comparé de {} px ; choisissez-en un d’au plus {} px.</translation>
     </message>
+    <message>
+        <source>A picture of the result&apos;s size whose shapes the exemplar takes on.</source>
+        <translation>Une image de la taille du résultat dont l’échantillon prend les formes.</translation>
+    </message>
+    <message>
+        <source>A tree finds a neighbourhood that is nearly the nearest, in time that hardly grows with the exemplar; exact compares all of them.</source>
+        <translation>Un arbre trouve un voisinage presque le plus proche, en un temps qui ne croît guère avec l’échantillon ; exacte les compare tous.</translation>
+    </message>
+    <message>
+        <source>All of the image to start from is known, so that there is nothing to make; mask less.</source>
+        <translation>Toute l’image de départ est connue, il n’y a donc rien à faire ; masquez moins.</translation>
+    </message>
+    <message>
+        <source>Ashikhmin</source>
+        <translation>Ashikhmin</translation>
+    </message>
+    <message>
+        <source>At most so many waves, the strongest: more follow finer regularity and take longer.</source>
+        <translation>Au plus autant d’ondes, les plus fortes : davantage suit une régularité plus fine et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>At most so many, each half the size of the one before: more keep larger structures.</source>
+        <translation>Au plus autant, chacune deux fois plus petite que la précédente : davantage garde de plus grandes structures.</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Cohérence</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar.</source>
+        <translation>Compare toutes les fenêtres exactement, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Composantes</translation>
+    </message>
+    <message>
+        <source>Copying pixels one by one</source>
+        <translation>Copie des pixels un à un</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Drawing the regular part</source>
+        <translation>Tracé de la partie régulière</translation>
+    </message>
+    <message>
+        <source>Drift over the output, in cycles</source>
+        <translation>Dérive sur la sortie, en périodes</translation>
+    </message>
+    <message>
+        <source>Efros–Leung</source>
+        <translation>Efros–Leung</translation>
+    </message>
+    <message>
+        <source>Finding waves</source>
+        <translation>Recherche des ondes</translation>
+    </message>
+    <message>
+        <source>Finding what looks alike</source>
+        <translation>Recherche de ce qui se ressemble</translation>
+    </message>
+    <message>
+        <source>Finds out once which places of the exemplar look alike, and then walks through it, jumping between them. The fastest of the methods that work pixel by pixel; joins are rougher than Ashikhmin&apos;s.</source>
+        <translation>Détermine une fois quels endroits de l’échantillon se ressemblent, puis le parcourt en sautant de l’un à l’autre. La plus rapide des méthodes pixel par pixel ; les raccords sont plus rudes que chez Ashikhmin.</translation>
+    </message>
+    <message>
+        <source>Finds the waves that a near-regular exemplar is made of, to a fraction of a cycle, continues them over the output, and quilts patches that follow them. Suits weaves, bricks and tiles that are seen straight on.</source>
+        <translation>Trouve à une fraction de période près les ondes qui composent un échantillon presque régulier, les prolonge sur la sortie et coud des patchs qui les suivent. Convient aux tissages, briques et carreaux vus de face.</translation>
+    </message>
+    <message>
+        <source>Fourier mask</source>
+        <translation>Masque de Fourier</translation>
+    </message>
+    <message>
+        <source>Growing pixels</source>
+        <translation>Croissance des pixels</translation>
+    </message>
+    <message>
+        <source>Grows outwards from what is known, layer by layer, or row by row from the top left.</source>
+        <translation>Croît à partir de ce qui est connu, couche par couche, ou ligne par ligne depuis le haut à gauche.</translation>
+    </message>
+    <message>
+        <source>Grows the output pixel by pixel from a seed; each becomes one of the exemplar&apos;s whose surroundings fit what is known around it. Faithful to small structures; slow, and a window of the wrong size grows garbage or copies verbatim.</source>
+        <translation>Fait croître le résultat pixel par pixel à partir d’un germe ; chacun devient un pixel de l’échantillon dont les alentours s’accordent à ce qui est connu autour de lui. Fidèle aux petites structures ; lent, et une fenêtre de mauvaise taille engendre du désordre ou copie mot à mot.</translation>
+    </message>
+    <message>
+        <source>How closely the target is followed, if there is one: larger follows it more, smaller keeps more of the exemplar&apos;s structure.</source>
+        <translation>Avec quelle précision la cible est suivie, s’il y en a une : plus grand, il la suit davantage ; plus petit, il garde plus de la structure de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>How far from its own place in an exemplar of the output&apos;s size a pixel&apos;s source may lie, as in a photo that is mended: smaller takes what is near, and is faster; 0 looks everywhere.</source>
+        <translation>À quelle distance de sa propre place, dans un échantillon de la taille de la sortie, la source d'un pixel peut se trouver, comme dans une photo que l'on répare : plus petit prend ce qui est proche et va plus vite ; 0 cherche partout.</translation>
+    </message>
+    <message>
+        <source>How far from the middle pixels of the window count, as a share of the window: larger looks further, smaller trusts the nearest.</source>
+        <translation>Jusqu’à quelle distance du milieu les pixels de la fenêtre comptent, en part de la fenêtre : plus grand, il regarde plus loin ; plus petit, il se fie aux plus proches.</translation>
+    </message>
+    <message>
+        <source>How far these lie from the pixel and from each other at least: larger leads to more different parts of the exemplar.</source>
+        <translation>À quelle distance du pixel et les uns des autres ils se trouvent au moins : plus grande, elle mène vers des parties plus différentes de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>How likely a random pixel of the exemplar may be chosen too: larger varies more and copies smaller pieces.</source>
+        <translation>Avec quelle probabilité un pixel quelconque de l’échantillon peut aussi être choisi : plus grand, il varie davantage et copie de plus petits morceaux.</translation>
+    </message>
+    <message>
+        <source>How likely a walk jumps where another place looks the same: larger copies smaller pieces.</source>
+        <translation>Avec quelle probabilité on saute là où un autre endroit a le même aspect : plus grande, elle copie de plus petits morceaux.</translation>
+    </message>
+    <message>
+        <source>How much pictures A and B count beside the exemplar: larger follows them more closely.</source>
+        <translation>Combien les images A et B comptent à côté de l’échantillon : plus grand, elles sont suivies de plus près.</translation>
+    </message>
+    <message>
+        <source>How much the regular part counts beside the fit of overlaps: larger keeps the order, 0 quilts without it.</source>
+        <translation>Combien compte la partie régulière à côté de l’accord des recouvrements : plus garde l’ordre, 0 coud sans elle.</translation>
+    </message>
+    <message>
+        <source>How much worse a pixel may fit that continues the copy beside it: larger copies larger pieces, 0 takes whatever fits best.</source>
+        <translation>De combien un pixel qui continue la copie voisine peut convenir moins bien : plus grand, il copie de plus grands morceaux ; 0 prend ce qui convient le mieux.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a window may fit and still be drawn: larger varies more, smaller copies longer stretches.</source>
+        <translation>De combien une fenêtre peut convenir moins bien que la meilleure et être tirée quand même : plus grand, cela varie davantage ; plus petit, cela copie de plus longs passages.</translation>
+    </message>
+    <message>
+        <source>How often each scale is made: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <translation>Combien de fois chaque échelle est faite : les passages après le premier voient tout ce qui entoure un pixel, ce qui répare les raccords.</translation>
+    </message>
+    <message>
+        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <translation>Combien de fois le résultat est parcouru : les passages après le premier voient tout ce qui entoure un pixel, ce qui répare les raccords.</translation>
+    </message>
+    <message>
+        <source>Image analogies</source>
+        <translation>Analogies d’images</translation>
+    </message>
+    <message>
+        <source>Jump</source>
+        <translation>Saut</translation>
+    </message>
+    <message>
+        <source>Jump map</source>
+        <translation>Carte de sauts</translation>
+    </message>
+    <message>
+        <source>Jump probability</source>
+        <translation>Probabilité de saut</translation>
+    </message>
+    <message>
+        <source>Jumps</source>
+        <translation>Sauts</translation>
+    </message>
+    <message>
+        <source>Known</source>
+        <translation>Connu</translation>
+    </message>
+    <message>
+        <source>Largest move to close, in cycles</source>
+        <translation>Plus grand déplacement pour fermer, en périodes</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>Makes one pixel after another in rows, from coarse to fine, and takes each from where the exemplar looks most like what is there above and to the left. Always tiles from left to right; small details may become blurred.</source>
+        <translation>Crée un pixel après l’autre, ligne par ligne, du grossier au fin, et prend chacun là où l’échantillon ressemble le plus à ce qui se trouve au-dessus et à gauche. Se raccorde toujours de gauche à droite ; les petits détails peuvent devenir flous.</translation>
+    </message>
+    <message>
+        <source>Makes one pixel after another in rows; each continues one of the copies that its neighbours belong to, so that pieces of the exemplar grow until they meet. Very fast, and at its best on natural textures such as grass, leaves and pebbles.</source>
+        <translation>Crée un pixel après l’autre, ligne par ligne ; chacun continue l’une des copies auxquelles ses voisins appartiennent, si bien que des morceaux de l’échantillon croissent jusqu’à se rencontrer. Très rapide, et à son mieux sur les textures naturelles comme l’herbe, les feuilles et les galets.</translation>
+    </message>
+    <message>
+        <source>Makes what stands to picture B as the exemplar stands to picture A: paint the exemplar&apos;s materials as flat colours in A, and where they are to be in B. Without the pictures it makes more of the exemplar.</source>
+        <translation>Fait ce qui est à l’image B ce que l’échantillon est à l’image A : peignez dans A des couleurs unies pour les matières de l’échantillon, et dans B là où elles doivent être, et le résultat y a ces matières. Sans ces images, il fait davantage de l’échantillon.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the neighbourhoods</source>
+        <translation>Distance moyenne des voisinages</translation>
+    </message>
+    <message>
+        <source>Neighbourhoods in a leaf of the tree: larger finds nearer ones, but takes longer.</source>
+        <translation>Voisinages dans une feuille de l’arbre : plus grand, elle en trouve de plus proches, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Onion</source>
+        <translation>Oignon</translation>
+    </message>
+    <message>
+        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
+        <translation>Seuls {} % de {} sont réguliers : presque rien ne guide les patchs ; baissez le seuil, ou prenez le quilting d’images.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordre</translation>
+    </message>
+    <message>
+        <source>Parent square</source>
+        <translation>Carré parent</translation>
+    </message>
+    <message>
+        <source>Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of them, and takes chance for rule.</source>
+        <translation>Les pics du spectre de cette hauteur, par rapport au plus haut, comptent comme ondes : moins en trouve davantage et prend le hasard pour la règle.</translation>
+    </message>
+    <message>
+        <source>Picture A</source>
+        <translation>Image A</translation>
+    </message>
+    <message>
+        <source>Picture A of {} has {} channels and picture B has {}; they need the same number.</source>
+        <translation>L’image A de {} a {} canaux et l’image B en a {} ; il en faut le même nombre.</translation>
+    </message>
+    <message>
+        <source>Picture B</source>
+        <translation>Image B</translation>
+    </message>
+    <message>
+        <source>Picture B has the colour {}, which picture A has nowhere; paint it in A, too, or use A&apos;s colours: {}.</source>
+        <translation>L’image B a la couleur {}, que l’image A n’a nulle part ; peignez-la aussi dans A, ou prenez les couleurs de A : {}.</translation>
+    </message>
+    <message>
+        <source>Places that are kept for each pixel of the exemplar because they look like it: more vary more.</source>
+        <translation>Endroits gardés pour chaque pixel de l’échantillon parce qu’ils lui ressemblent : davantage font varier plus.</translation>
+    </message>
+    <message>
+        <source>Principal components</source>
+        <translation>Composantes principales</translation>
+    </message>
+    <message>
+        <source>Principal components by which likely windows are found: more find nearer ones, but take longer.</source>
+        <translation>Composantes principales par lesquelles les fenêtres probables sont trouvées : davantage en trouvent de plus proches, mais prennent plus de temps.</translation>
+    </message>
+    <message>
+        <source>Regular part</source>
+        <translation>Partie régulière</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Search radius</source>
+        <translation>Rayon de recherche</translation>
+    </message>
+    <message>
+        <source>Seed size</source>
+        <translation>Taille du germe</translation>
+    </message>
+    <message>
+        <source>Share of the variance in the regular part</source>
+        <translation>Part de la variance dans la partie régulière</translation>
+    </message>
+    <message>
+        <source>Side of the square of the exemplar that growth begins with, at most the window: larger begins with more structure.</source>
+        <translation>Côté du carré de l’échantillon par lequel la croissance commence, au plus la fenêtre : plus grand, elle commence avec plus de structure.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared (an even one counts as the next odd): larger keeps larger structures, but takes longer.</source>
+        <translation>Côté du carré comparé (un côté pair compte comme l’impair suivant) : plus grand, il garde de plus grandes structures, mais prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared (an even one counts as the next odd): too small grows garbage, too large copies verbatim.</source>
+        <translation>Côté du carré comparé (un côté pair compte comme l’impair suivant) : trop petit, il engendre du désordre ; trop grand, il copie mot à mot.</translation>
+    </message>
+    <message>
+        <source>Side of the square that is compared on the next coarser scale (an even one counts as the next odd): larger follows the coarser scale more closely; 0 forgets it.</source>
+        <translation>Côté du carré comparé à l’échelle plus grossière (un côté pair compte comme l’impair suivant) : plus grand, il suit cette échelle de plus près ; 0 l’oublie.</translation>
+    </message>
+    <message>
+        <source>Side of the square whose known half is compared (an even one counts as the next odd): larger keeps larger structures, but takes longer and copies more.</source>
+        <translation>Côté du carré dont la moitié connue est comparée (un côté pair compte comme l’impair suivant) : plus grand, il garde de plus grandes structures, mais prend plus de temps et copie davantage.</translation>
+    </message>
+    <message>
+        <source>Side of the squares by which places look alike (an even one counts as the next odd): larger jumps only where larger structures agree.</source>
+        <translation>Côté des carrés selon lesquels les endroits se ressemblent (un côté pair compte comme l’impair suivant) : plus grand, on ne saute que là où de plus grandes structures s’accordent.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied: larger keeps larger structures whole, smaller follows the waves more closely.</source>
+        <translation>Côté des carrés copiés : plus grand garde entières de plus grandes structures, plus petit suit mieux les ondes.</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>Target weight</source>
+        <translation>Poids de la cible</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
+        <translation>Le masque ne laisse aucun voisinage entier de {} px ; choisissez-en un plus petit ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The target has {} channels, the exemplar {}; they need the same number.</source>
+        <translation>La cible a {} canaux, l’échantillon {} ; il en faut le même nombre.</translation>
+    </message>
+    <message>
+        <source>There is a mask of what is known, but no image to start from; give that too.</source>
+        <translation>Il y a un masque de ce qui est connu, mais pas d’image de départ ; donnez-la aussi.</translation>
+    </message>
+    <message>
+        <source>There is a picture B, but {} has no picture A; give both, or none.</source>
+        <translation>Il y a une image B, mais {} n’a pas d’image A ; donnez les deux, ou aucune.</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Arbre</translation>
+    </message>
+    <message>
+        <source>Walking through the exemplar</source>
+        <translation>Parcours de l’échantillon</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <translation>Ondes</translation>
+    </message>
+    <message>
+        <source>Weight of A and B</source>
+        <translation>Poids de A et B</translation>
+    </message>
+    <message>
+        <source>Weight of the waves</source>
+        <translation>Poids des ondes</translation>
+    </message>
+    <message>
+        <source>Wei–Levoy</source>
+        <translation>Wei–Levoy</translation>
+    </message>
+    <message>
+        <source>What is to be kept of the image to start from is not said; give a mask of what is known.</source>
+        <translation>Ce qui doit rester de l’image de départ n’est pas dit ; donnez un masque de ce qui est connu.</translation>
+    </message>
+    <message>
+        <source>What of the image to start from is kept; the rest, where it is black, is made anew.</source>
+        <translation>Ce qui reste de l’image de départ ; le reste, là où il est noir, est refait.</translation>
+    </message>
+    <message>
+        <source>What the exemplar is made of, pixel for pixel: flat colours for its materials, or the picture before a filter made the exemplar of it.</source>
+        <translation>De quoi l’échantillon est fait, pixel par pixel : des couleurs unies pour ses matières, ou l’image avant qu’un filtre en ait fait l’échantillon.</translation>
+    </message>
+    <message>
+        <source>What the result is to be made of, in the colours of picture A.</source>
+        <translation>De quoi le résultat doit être fait, dans les couleurs de l’image A.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>{} has a picture A, but there is no picture B; give both, or none.</source>
+        <translation>{} a une image A, mais il n’y a pas d’image B ; donnez les deux, ou aucune.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of at most {} px, or a larger exemplar.</source>
+        <translation>{} fait {} × {} px, moins que le voisinage de {} px ; choisissez un voisinage d’au plus {} px ou un échantillon plus grand.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

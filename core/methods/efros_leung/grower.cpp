@@ -1,0 +1,352 @@
+#include "core/methods/efros_leung/grower.h"
+
+#include "core/base/text.h"
+#include "core/match/coherent_candidates.h"
+#include "core/methods/patch_request.h"
+#include "core/methods/pixel_request.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace texloom::efros_leung {
+
+namespace {
+
+/// Windows that are compared exactly where the tree names the likely ones (Aguerrebere et al., IPOL 2013).
+constexpr std::size_t kLikely = 200;
+/// Pixels that one thread makes at a time; fewer are not worth a second thread.
+constexpr int kShare = 4;
+/// Draws at one place, beside that of its candidate.
+constexpr std::uint32_t kTie = 1, kSeed = 2;
+
+} // namespace
+
+int Grower::window(const Settings& settings) {
+    return oddSide(settings.window);
+}
+
+NeighbourhoodTree::Options Grower::treeOptions(const Settings& settings) {
+    NeighbourhoodTree::Options options;
+    options.axes = settings.components;
+    options.variance = 1;
+    return options;
+}
+
+Grower::Grower(const Request& request, const Settings& settings, const Start& start, JobContext& context)
+    : m_request(request), m_settings(settings), m_start(start), m_context(context),
+      m_scan(patchSources(request), window(settings), settings.sigma * window(settings),
+             [&context] { context.check(); }),
+      m_canvas(request.size, request.channels(), request.exemplarSizes()), m_known(request.size) {}
+
+Synthesis Grower::run() {
+    m_context.stage(0.02, TR("Preparing the exemplar"));
+    if (m_settings.search == Search::Pca)
+        m_tree = std::make_unique<NeighbourhoodTree>(m_scan.windows(), treeOptions(m_settings),
+                                                     [this] { m_context.check(); });
+    m_turn.assign(m_known.flags.size(), 0);
+    m_context.stage(0.96, TR("Growing pixels"));
+    begin();
+    if (m_settings.order == Order::Onion)
+        growLayers();
+    else
+        growRows();
+    m_context.stage(0.02, TR("Copying pixels"));
+    return finish();
+}
+
+void Grower::begin() {
+    if (m_start.known)
+        keep();
+    if (m_made == 0)
+        placeSeed();
+    m_wanted = m_request.size.area() - m_made;
+    m_made = 0;
+}
+
+/// Takes over what is known of the initial image. Where an exemplar of its size shows the same, the picture
+/// itself most likely, the map says so.
+void Grower::keep() {
+    const Image& image = *m_start.image;
+    m_canvas.pixels = m_scan.turned(image, [this] { m_context.check(); });
+    for (int y = 0; y < image.height(); ++y) {
+        m_context.check();
+        for (int x = 0; x < image.width(); ++x) {
+            if ((*m_start.known)(x, y, 0) == 0)
+                continue;
+            m_known.at(x, y) = 1;
+            ++m_made;
+            for (std::size_t e = 0; e < m_request.exemplars.size() && !m_canvas.map.at(x, y).valid(); ++e) {
+                const Image& exemplar = *m_request.exemplars[e].image;
+                bool same = exemplar.size() == image.size();
+                for (int c = 0; c < image.channels() && same; ++c)
+                    same = exemplar(x, y, c) == image(x, y, c);
+                if (same)
+                    m_canvas.map.at(x, y) = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                             static_cast<std::uint16_t>(e)};
+            }
+        }
+    }
+}
+
+/// Copies a square about a random window's middle to the middle of the output, or, where it grows by rows,
+/// to its beginning.
+void Grower::placeSeed() {
+    const Size size = m_request.size;
+    const int side = std::min(m_settings.seedSize, window(m_settings));
+    const Source middle = m_scan.windows().drawn(m_context.random().uniform(0, 0, kSeed));
+    const bool rows = m_settings.order == Order::Raster;
+    const int left = rows ? 0 : std::max(0, (size.width - side) / 2);
+    const int top = rows ? 0 : std::max(0, (size.height - side) / 2);
+    for (int y = 0; y < std::min(side, size.height); ++y)
+        for (int x = 0; x < std::min(side, size.width); ++x) {
+            const Continuation source(middle, x - side / 2, y - side / 2);
+            m_canvas.put(left + x, top + y, source.source(), m_scan.pixels(middle.exemplar));
+            m_known.at(left + x, top + y) = 1;
+            ++m_made;
+        }
+}
+
+bool Grower::neighbour(int x, int y, int dx, int dy, Place& found) const {
+    const Size size = m_request.size;
+    int column = x + dx, row = y + dy;
+    if (column < 0 || column >= size.width) {
+        if (!m_request.wrap.x)
+            return false;
+        column = (column % size.width + size.width) % size.width;
+    }
+    if (row < 0 || row >= size.height) {
+        if (!m_request.wrap.y)
+            return false;
+        row = (row % size.height + size.height) % size.height;
+    }
+    found = static_cast<Place>(row) * size.width + column;
+    return true;
+}
+
+/// The unknown pixels that touch one of these, each once.
+Grower::Places Grower::unknownBeside(const Places& made) {
+    Places beside;
+    for (const Place place : made)
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                Place near = 0;
+                if (!neighbour(x(place), y(place), dx, dy, near))
+                    continue;
+                const auto at = static_cast<std::size_t>(near);
+                if (m_known.flags[at] != 0 || m_turn[at] != 0)
+                    continue;
+                m_turn[at] = 1;
+                beside.push_back(near);
+            }
+    for (const Place place : beside)
+        m_turn[static_cast<std::size_t>(place)] = 0;
+    return beside;
+}
+
+int Grower::knownAround(Place place) const {
+    const int reach = m_scan.window() / 2;
+    int count = 0;
+    for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx) {
+            Place near = 0;
+            if (neighbour(x(place), y(place), dx, dy, near))
+                count += m_known.flags[static_cast<std::size_t>(near)];
+        }
+    return count;
+}
+
+/// Those with the most known pixels in their windows first; a random number of the place settles ties.
+void Grower::sortByKnown(Places& layer) const {
+    std::vector<std::tuple<int, std::uint32_t, Place>> keys;
+    keys.reserve(layer.size());
+    for (const Place place : layer)
+        keys.emplace_back(-knownAround(place), m_context.random().bits(x(place), y(place), kTie), place);
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 0; i < layer.size(); ++i)
+        layer[i] = std::get<2>(keys[i]);
+}
+
+/// Divides an order into turns: a pixel comes in the turn after the last of those that its window shows and
+/// that come before it. So those of one turn do not see each other.
+std::vector<Grower::Places> Grower::inTurns(const Places& order) {
+    const int reach = m_scan.window() / 2;
+    std::vector<Places> turns;
+    std::size_t looked = 0;
+    for (const Place place : order) {
+        if (++looked % 1024 == 0)
+            m_context.check();
+        std::int32_t last = 0;
+        for (int dy = -reach; dy <= reach; ++dy)
+            for (int dx = -reach; dx <= reach; ++dx) {
+                Place near = 0;
+                if (neighbour(x(place), y(place), dx, dy, near))
+                    last = std::max(last, m_turn[static_cast<std::size_t>(near)]);
+            }
+        m_turn[static_cast<std::size_t>(place)] = last + 1;
+        if (turns.size() <= static_cast<std::size_t>(last))
+            turns.emplace_back();
+        turns[static_cast<std::size_t>(last)].push_back(place);
+    }
+    for (const Place place : order)
+        m_turn[static_cast<std::size_t>(place)] = 0;
+    return turns;
+}
+
+void Grower::growLayers() {
+    Places made;
+    for (Place place = 0; place < m_request.size.area(); ++place)
+        if (m_known.flags[static_cast<std::size_t>(place)] != 0)
+            made.push_back(place);
+    for (;;) {
+        m_context.check();
+        Places layer = unknownBeside(made);
+        if (layer.empty())
+            return;
+        sortByKnown(layer);
+        make(inTurns(layer));
+        made = std::move(layer);
+    }
+}
+
+void Grower::growRows() {
+    Places order;
+    for (Place place = 0; place < m_request.size.area(); ++place)
+        if (m_known.flags[static_cast<std::size_t>(place)] == 0)
+            order.push_back(place);
+    make(inTurns(order));
+}
+
+void Grower::make(const std::vector<Places>& turns) {
+    const auto makeSome = [&](const Places& turn, std::size_t begin, std::size_t end) {
+        const auto work = m_pool.borrow([] { return Workspace{}; });
+        for (std::size_t i = begin; i < end; ++i) {
+            m_context.check();
+            makePixel(turn[i], *work);
+        }
+    };
+    for (const Places& turn : turns) {
+        const int shares = static_cast<int>(turn.size() + kShare - 1) / kShare;
+        if (shares == 1 || m_context.threads() == 1)
+            makeSome(turn, 0, turn.size());
+        else
+            m_context.parallel(0, shares, [&](int share) {
+                const auto begin = static_cast<std::size_t>(share) * kShare;
+                makeSome(turn, begin, std::min(turn.size(), begin + kShare));
+            });
+        m_made += static_cast<std::int64_t>(turn.size());
+        m_context.progress(static_cast<double>(m_made) / static_cast<double>(m_wanted));
+        if (!m_start.image)
+            previewMap(m_canvas.map, patchSources(m_request), 0, m_request, m_context);
+        else if (m_context.previewDue())
+            m_context.preview(shown());
+    }
+}
+
+void Grower::makePixel(Place place, Workspace& work) {
+    const Source source = choose(x(place), y(place), work);
+    m_canvas.put(x(place), y(place), source, m_scan.pixels(source.exemplar));
+    m_known.flags[static_cast<std::size_t>(place)] = 1;
+}
+
+/// What continues the copies around is likely to fit; with the tree, what it finds too.
+void Grower::findLikely(int x, int y, Workspace& work) const {
+    static const PixelRuns around = aroundRuns(3);
+    coherentCandidates(m_canvas.map, around, x, y, m_request.wrap, work.coherent);
+    work.likely.clear();
+    for (const Continuation& one : work.coherent)
+        if (m_scan.windows().has(one.x, one.y, one.exemplar))
+            work.likely.push_back(one.source());
+    if (!m_tree)
+        return;
+    m_scan.complete(m_canvas, m_known, x, y, m_request.wrap, work.vector);
+    NeighbourhoodTree::Lookup lookup(*m_tree, work.vector.data());
+    const std::size_t coherent = work.likely.size();
+    while (work.likely.size() < kLikely + coherent) {
+        const std::span<const Source> leaf = lookup.next();
+        if (leaf.empty())
+            break;
+        for (const Source& source : leaf)
+            if (std::find(work.likely.begin(), work.likely.begin() + static_cast<std::ptrdiff_t>(coherent),
+                          source) == work.likely.begin() + static_cast<std::ptrdiff_t>(coherent))
+                work.likely.push_back(source);
+    }
+}
+
+Source Grower::choose(int x, int y, Workspace& work) const {
+    m_scan.look(m_canvas, m_known, x, y, m_request.wrap, work.query);
+    if (work.query.blank())
+        return m_scan.windows().drawn(m_context.random().uniform(x, y));
+    findLikely(x, y, work);
+    const WindowScan::Nearby nearby{m_request.size, x, y, m_settings.radius};
+    if (m_tree) {
+        const auto far = [&](const Source& one) { return !m_scan.lies(one, nearby); };
+        if (!std::all_of(work.likely.begin(), work.likely.end(), far))
+            std::erase_if(work.likely, far);
+        m_scan.withinOf(work.likely, m_settings.tolerance, work.query, work.found);
+    } else
+        m_scan.within(m_settings.tolerance, nearby, work.likely, work.query, work.found,
+                      [this] { m_context.check(); });
+    return draw(work.found, x, y);
+}
+
+/// One of the candidates, each as likely as its exemplar weighs.
+Source Grower::draw(const std::vector<WindowScan::Found>& found, int x, int y) const {
+    const auto weight = [&](const WindowScan::Found& one) {
+        return m_request.exemplars[one.source.exemplar].weight;
+    };
+    double whole = 0;
+    for (const WindowScan::Found& one : found)
+        whole += weight(one);
+    double left = m_context.random().uniform(x, y) * whole;
+    for (const WindowScan::Found& one : found)
+        if ((left -= weight(one)) < 0)
+            return one.source;
+    return found.back().source;
+}
+
+/// The initial image with what was made.
+Image Grower::shown() const {
+    Image image = *m_start.image;
+    m_context.parallel(0, image.height(), [&](int y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Source& source = m_canvas.map.at(x, y);
+            for (int c = 0; source.valid() && c < image.channels(); ++c)
+                image(x, y, c) = (*m_request.exemplars[source.exemplar].image)(source.x, source.y, c);
+        }
+    });
+    return image;
+}
+
+Synthesis Grower::finish() {
+    Synthesis result;
+    result.image = m_start.image ? shown() : copied(m_canvas.map, m_request, m_context);
+    result.mapKind = MapKind::Exact;
+    for (Place place = 0; place < m_request.size.area() && m_start.image; ++place)
+        if (!m_canvas.map.at(x(place), y(place)).valid())
+            result.mapKind = MapKind::Dominant;
+    result.map = std::move(m_canvas.map);
+    m_context.progress(1);
+    return result;
+}
+
+std::uint64_t Grower::bytesFor(const Request& request, const Settings& settings, int threads) {
+    const std::vector<Size> exemplars = request.exemplarSizes();
+    const auto area = static_cast<std::uint64_t>(request.size.area());
+    std::uint64_t windows = 0;
+    for (const Size& size : exemplars)
+        windows += static_cast<std::uint64_t>(size.area());
+    // Known pixels and turns; by rows, the order and its turns too, in lists that grow.
+    const std::uint64_t places = settings.order == Order::Raster ? 4 * sizeof(Place) : 0;
+    const auto window = static_cast<std::uint64_t>(Grower::window(settings));
+    std::uint64_t bytes = PixelCanvas::bytesFor(request.size, request.channels()) +
+                          Image::bytesFor(request.size, request.channels()) + area * (5 + places) +
+                          WindowScan::bytesFor(exemplars, request.channels()) + (8U << 20U) +
+                          static_cast<std::uint64_t>(threads) *
+                              (window * window * static_cast<std::uint64_t>(request.channels()) * 64 +
+                               3 * windows * sizeof(WindowScan::Found));
+    if (settings.search == Search::Pca)
+        bytes += NeighbourhoodTree::bytesFor(exemplars, treeOptions(settings));
+    return bytes;
+}
+
+} // namespace texloom::efros_leung

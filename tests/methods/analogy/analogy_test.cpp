@@ -1,0 +1,106 @@
+#include "core/base/error.h"
+#include "core/job/job.h"
+#include "core/methods/analogy/settings.h"
+#include "core/methods/method.h"
+#include "tests/support/textures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace texloom::test {
+namespace {
+
+using analogy::Settings;
+
+std::shared_ptr<const Image> shared(Image image) {
+    return std::make_shared<const Image>(std::move(image));
+}
+
+Synthesis made(const Request& request, const CausalOptions& options) {
+    Job<Synthesis> job({request.seed, 2, false},
+                       [&](JobContext& context) { return CausalSynthesis(request, options, context).run(); });
+    return std::get<Synthesis>(job.take());
+}
+
+/// Dark texture to the left and bright to the right, with labels that say so.
+struct Halves {
+    Image picture = blobs({64, 64}, 1), labels = constant({64, 64}, 1, 0);
+    Halves() {
+        for (int y = 0; y < 64; ++y)
+            for (int x = 32; x < 64; ++x) {
+                picture(x, y, 0) += 5;
+                labels(x, y, 0) = 1;
+            }
+    }
+};
+
+TEST(Analogy, resultFollowsTheLabels) {
+    const Halves halves;
+    Request request;
+    request.exemplars.push_back({"halves", shared(halves.picture)});
+    request.size = {60, 80};
+    Image labels = constant(request.size, 1, 0);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 60; ++x)
+            labels(x, y, 0) = 1;
+    CausalOptions options = Settings{}.options();
+    CausalGuides& guides = options.guides.emplace();
+    guides.exemplars = {&halves.labels};
+    guides.output = &labels;
+    guides.weight = 20;
+    const Image image = made(request, options).image;
+    int right = 0;
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 60; ++x)
+            right += (image(x, y, 0) > 4) == (labels(x, y, 0) > 0);
+    EXPECT_GT(right, 60 * 80 * 95 / 100);
+}
+
+double continued(const PositionMap& map) {
+    int count = 0;
+    for (int y = 0; y < map.height(); ++y)
+        for (int x = 1; x < map.width(); ++x)
+            count += map.at(x, y).x == map.at(x - 1, y).x + 1 && map.at(x, y).y == map.at(x - 1, y).y;
+    return count / static_cast<double>(map.size().area());
+}
+
+TEST(Analogy, coherenceCopiesLargerPieces) {
+    Request request;
+    request.exemplars.push_back({"made up", shared(blobs({64, 64}, 3))});
+    request.size = {96, 96};
+    CausalOptions none = Settings{}.options(), much = none;
+    none.coherence = 0;
+    much.coherence = 50;
+    EXPECT_GT(continued(made(request, much).map), continued(made(request, none).map) + 0.1);
+}
+
+TEST(Analogy, picturesThatDoNotGoTogetherAreRefused) {
+    const Method& method = findMethod("analogy");
+    const auto message = [&](const Request& request) -> std::string {
+        try {
+            method.check(request, method.resolved({}, {64, 64}));
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "was taken";
+    };
+    const Halves halves;
+    Request request;
+    request.exemplars.push_back({"halves", shared(halves.picture)});
+    request.size = {60, 80};
+    EXPECT_EQ(message(request), "was taken");
+    request.inputs.set("output-guide", shared(constant({60, 80}, 3, 0)));
+    EXPECT_THAT(message(request), testing::HasSubstr("picture A"));
+    request.exemplars.front().inputs.set("guide", shared(halves.labels));
+    EXPECT_THAT(message(request), testing::AllOf(testing::HasSubstr("1"), testing::HasSubstr("3")));
+    request.inputs.set("output-guide", shared(constant({60, 80}, 1, 0)));
+    EXPECT_EQ(message(request), "was taken");
+    request.inputs.set("output-guide", shared(constant({60, 80}, 1, 0.5F)));
+    EXPECT_THAT(message(request),
+                testing::AllOf(testing::HasSubstr("(0.5)"), testing::HasSubstr("(0) and (1)")));
+    request.inputs.clear("output-guide");
+    EXPECT_THAT(message(request), testing::HasSubstr("picture B"));
+}
+
+} // namespace
+} // namespace texloom::test
