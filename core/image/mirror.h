@@ -9,4 +9,10 @@ inline int mirrored(int at, int length) {
     return folded < length ? folded : period - 1 - folded;
 }
 
+/// Index into `length` pixels that repeat, as often as need be.
+inline int repeated(int at, int length) {
+    const int rest = at % length;
+    return rest < 0 ? rest + length : rest;
+}
+
 } // namespace texloom

@@ -28,7 +28,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are written as they are in memory");
 
-using Json = nlohmann::json;
+using HeaderJson = nlohmann::json;
 using Shape = ModelArray::Shape;
 using Sink = std::function<void(const void* data, std::size_t size)>;
 using ReadAt = std::function<void(void* data, std::size_t size, std::uint64_t offset)>;
@@ -104,14 +104,14 @@ std::vector<std::string> writingOrder(const Model& model) {
 }
 
 std::string headOf(const Model& model, const std::vector<std::string>& order) {
-    Json metadata = Json::object();
+    HeaderJson metadata = HeaderJson::object();
     for (const auto& [name, text] : model.notes)
         metadata[name] = text;
     metadata["texloom.format"] = std::to_string(Model::kFormat);
     metadata["texloom.kind"] = model.kind;
     metadata["texloom.exemplars"] = fmt::format("{}", fmt::join(model.exemplarHashes, " "));
     metadata["texloom.recipe"] = model.recipe;
-    Json head = {{kMetadata, metadata}};
+    HeaderJson head = {{kMetadata, metadata}};
     std::uint64_t end = 0;
     for (const std::string& name : order) {
         const ModelArray& array = model.arrays.at(name);
@@ -121,7 +121,7 @@ std::string headOf(const Model& model, const std::vector<std::string>& order) {
                       {"shape", array.shape},
                       {"data_offsets", {begin, end}}};
     }
-    std::string text = head.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = head.dump(-1, ' ', false, HeaderJson::error_handler_t::replace);
     text.resize((text.size() + kLengthBytes - 1) / kLengthBytes * kLengthBytes, ' ');
     return text;
 }
@@ -150,18 +150,20 @@ struct Entry {
     std::uint64_t begin = 0, end = 0;
 };
 
-std::string textAt(const Json& metadata, const char* key) {
+std::string textAt(const HeaderJson& metadata, const char* key) {
     const auto found = metadata.find(key);
     return found != metadata.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-Json parsedHead(const std::string& file, const std::string& text) {
-    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepestHeader; };
-    Json head;
+HeaderJson parsedHead(const std::string& file, const std::string& text) {
+    const auto shallow = [](int depth, HeaderJson::parse_event_t, HeaderJson&) {
+        return depth <= kDeepestHeader;
+    };
+    HeaderJson head;
     try {
-        head = Json::parse(text, shallow);
-    } catch (const Json::exception&) {
-        head = Json();
+        head = HeaderJson::parse(text, shallow);
+    } catch (const HeaderJson::exception&) {
+        head = HeaderJson();
     }
     if (!head.is_object())
         fail("{} is no model: its head is not JSON.", file);
@@ -169,8 +171,8 @@ Json parsedHead(const std::string& file, const std::string& text) {
 }
 
 /// The head without its arrays.
-Model describedBy(const std::string& file, const Json& head) {
-    const Json metadata = head.value(kMetadata, Json::object());
+Model describedBy(const std::string& file, const HeaderJson& head) {
+    const HeaderJson metadata = head.value(kMetadata, HeaderJson::object());
     Model model;
     if (metadata.is_object())
         model.kind = textAt(metadata, "texloom.kind");
@@ -194,10 +196,10 @@ Model describedBy(const std::string& file, const Json& head) {
     return model;
 }
 
-bool readNumbers(const Json& list, std::size_t most, std::vector<std::int64_t>& numbers) {
+bool readNumbers(const HeaderJson& list, std::size_t most, std::vector<std::int64_t>& numbers) {
     if (!list.is_array() || list.size() > most)
         return false;
-    for (const Json& number : list) {
+    for (const HeaderJson& number : list) {
         if (!number.is_number_unsigned() || number.get<std::uint64_t>() > INT64_MAX)
             return false;
         numbers.push_back(number.get<std::int64_t>());
@@ -205,14 +207,15 @@ bool readNumbers(const Json& list, std::size_t most, std::vector<std::int64_t>& 
     return true;
 }
 
-Entry entryFrom(const std::string& file, const std::string& name, const Json& json) {
+Entry entryFrom(const std::string& file, const std::string& name, const HeaderJson& json) {
     Entry entry;
     entry.name = name;
     std::vector<std::int64_t> offsets;
     const auto type =
         json.is_object() ? std::find(kTypes.begin(), kTypes.end(), textAt(json, "dtype")) : kTypes.end();
-    if (type == kTypes.end() || !readNumbers(json.value("shape", Json()), Model::kMostAxes, entry.shape) ||
-        !readNumbers(json.value("data_offsets", Json()), 2, offsets) || offsets.size() != 2)
+    if (type == kTypes.end() ||
+        !readNumbers(json.value("shape", HeaderJson()), Model::kMostAxes, entry.shape) ||
+        !readNumbers(json.value("data_offsets", HeaderJson()), 2, offsets) || offsets.size() != 2)
         fail("{} is damaged or no model: its array {} does not say a type (F32, F64 or I64), a shape of up "
              "to {} axes and a place.",
              file, name, Model::kMostAxes);
@@ -228,7 +231,7 @@ Entry entryFrom(const std::string& file, const std::string& name, const Json& js
 }
 
 /// All arrays in the order of their places, which follow each other without a gap up to the file's end.
-std::vector<Entry> entriesOf(const std::string& file, const Json& head, std::uint64_t dataBytes) {
+std::vector<Entry> entriesOf(const std::string& file, const HeaderJson& head, std::uint64_t dataBytes) {
     if (head.size() > Model::kMostArrays)
         fail("{} holds {} arrays; a model has up to {}.", file, head.size(), Model::kMostArrays);
     std::vector<Entry> entries;
@@ -281,7 +284,7 @@ Model deserialise(const std::string& file, std::uint64_t size, const ReadAt& rea
              grouped(length), grouped(std::min(Model::kLargestHead, size - kLengthBytes)));
     std::string text(length, '\0');
     read(text.data(), text.size(), kLengthBytes);
-    const Json head = parsedHead(file, text);
+    const HeaderJson head = parsedHead(file, text);
     Model model = describedBy(file, head);
     const std::uint64_t start = kLengthBytes + length;
     for (const Entry& entry : entriesOf(file, head, size - start)) {

@@ -56,12 +56,12 @@ void takeRights(int handle, const fs::path& target) {
 /// Whether nobody holds a temporary file that has not changed for a while: its program was killed.
 bool isAbandoned(const fs::path& file) {
     struct stat status {};
-    constexpr time_t kSeconds = 60;
+    constexpr time_t kOldest = 60;
     const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (handle < 0)
         return false;
     const bool abandoned = ::fstat(handle, &status) == 0 && S_ISREG(status.st_mode) &&
-                           ::time(nullptr) - status.st_mtime > kSeconds &&
+                           ::time(nullptr) - status.st_mtime > kOldest &&
                            ::flock(handle, LOCK_EX | LOCK_NB) == 0;
     ::close(handle);
     return abandoned;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/job/curve.h"
+
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace texloom {
 
@@ -11,6 +14,7 @@ struct Checkpoint {
         0;               ///< of several runs in one job (see JobContext::step()), the one that was under way
     double progress = 0; ///< of the whole job
     std::string state;   ///< what the work wrote of itself, in a form of its own
+    std::vector<Curve> curves = {}; ///< those of that run so far
 };
 
 } // namespace texloom

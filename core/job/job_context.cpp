@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
+#include <utility>
 
 namespace texloom {
 
@@ -144,12 +145,18 @@ void JobContext::curve(const Message& name, double value) {
 void JobContext::checkpoint(std::chrono::milliseconds every, const std::function<std::string()>& state) {
     if (!m_keep || Clock::now() - m_lastCheckpoint < every)
         return;
-    m_keep({m_step, m_monitor.progress(), state()});
+    m_keep({m_step, m_monitor.progress(), state(), m_monitor.curves()});
     m_lastCheckpoint = Clock::now();
 }
 
-const std::string* JobContext::resumed() const {
-    return m_resumed && m_resumed->step == m_step ? &m_resumed->state : nullptr;
+const std::string* JobContext::resumed() {
+    if (!m_resumed || m_resumed->step != m_step)
+        return nullptr;
+    if (!std::exchange(m_curvesTakenUp, true)) {
+        const std::lock_guard lock(m_monitor.m_mutex);
+        m_monitor.m_curves = m_resumed->curves;
+    }
+    return &m_resumed->state;
 }
 
 void JobContext::stopWith(Image image, PositionMap map) {

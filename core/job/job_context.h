@@ -114,7 +114,8 @@ public:
     void checkpoint(std::chrono::milliseconds every, const std::function<std::string()>& state);
     /// What `state` said at the checkpoint that this run goes on from; null: it begins at the beginning. Of a
     /// method that repeats to the bit (Repeats::Bits), the result is that of a run which was not broken off.
-    const std::string* resumed() const;
+    /// The first call takes up the curves, too, as they were then, in place of those of this run.
+    const std::string* resumed();
     /// Offers the work as it stands to be looked at. Cheap when nobody looks or the last one was just now:
     /// then nothing is copied. Pixels to which `map` gives no source count as not made yet. Where the job is
     /// to stop and keep what it has, this is what it keeps. @throws StoppedEarly
@@ -160,6 +161,7 @@ private:
     std::shared_ptr<const Checkpoint> m_resumed;
     std::optional<PartialWork> m_partial;
     std::uint32_t m_step = 0;
+    bool m_curvesTakenUp = false;
     JobMonitor& m_monitor;
     std::unique_ptr<Arena> m_arena;
     double m_stepBegin = 0;

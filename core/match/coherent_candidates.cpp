@@ -1,5 +1,7 @@
 #include "core/match/coherent_candidates.h"
 
+#include "core/image/mirror.h"
+
 #include <algorithm>
 
 namespace texloom {
@@ -12,11 +14,6 @@ void addOnce(const Continuation& one, std::vector<Continuation>& found) {
         found.push_back(one);
 }
 
-int turned(int at, int length) {
-    const int rest = at % length;
-    return rest < 0 ? rest + length : rest;
-}
-
 } // namespace
 
 void coherentCandidates(const PositionMap& map, const PixelRuns& runs, int x, int y, Wrap wrap,
@@ -26,10 +23,10 @@ void coherentCandidates(const PositionMap& map, const PixelRuns& runs, int x, in
     for (const PixelRun& run : runs) {
         if (!wrap.y && (y + run.dy < 0 || y + run.dy >= height))
             continue;
-        const int row = turned(y + run.dy, height);
+        const int row = repeated(y + run.dy, height);
         const int begin = wrap.x ? run.dx : std::max(run.dx, -x);
         const int end = wrap.x ? run.dx + run.count : std::min(run.dx + run.count, width - x);
-        int column = turned(x + begin, width);
+        int column = repeated(x + begin, width);
         for (int dx = begin; dx < end; ++dx) {
             const Source& source = map.at(column, row);
             if (source.valid())

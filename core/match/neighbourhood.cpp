@@ -1,6 +1,7 @@
 #include "core/match/neighbourhood.h"
 
 #include "core/base/wide_vectors.h"
+#include "core/image/mirror.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +9,6 @@
 #include <numeric>
 
 namespace texloom {
-
-namespace {
-
-int wrapped(int at, int length) {
-    const int rest = at % length;
-    return rest < 0 ? rest + length : rest;
-}
-
-} // namespace
 
 Neighbourhood::Neighbourhood(const std::vector<NeighbourhoodPart>& parts, const std::vector<int>& pixels) {
     const bool weighs = std::any_of(parts.begin(), parts.end(),
@@ -68,8 +60,8 @@ void Neighbourhood::gather(const Pictures& pictures, int x, int y, float* to) co
     for (const Stretch& stretch : m_stretches) {
         const Interleaved& picture = *pictures[stretch.part];
         const int width = picture.size.width, count = stretch.floats / stretch.pixel;
-        const int row = wrapped((y >> stretch.halvings) + stretch.dy, picture.size.height);
-        int column = wrapped((x >> stretch.halvings) + stretch.dx, width);
+        const int row = repeated((y >> stretch.halvings) + stretch.dy, picture.size.height);
+        int column = repeated((x >> stretch.halvings) + stretch.dx, width);
         for (int done = 0; done < count; column = 0) {
             const int straight = std::min(count - done, width - column);
             to = std::copy_n(picture.at(column, row), straight * stretch.pixel, to);
@@ -88,7 +80,7 @@ std::vector<int> Neighbourhood::nearestFloats(int count) const {
         for (int i = 0; i < stretch.floats; ++i) {
             const int dx = (stretch.dx + i / stretch.pixel) << stretch.halvings,
                       dy = stretch.dy << stretch.halvings;
-            apart[static_cast<std::size_t>(stretch.begin + i)] = dx * dx + dy * dy;
+            apart[static_cast<std::size_t>(stretch.begin) + static_cast<std::size_t>(i)] = dx * dx + dy * dy;
         }
     std::stable_sort(chosen.begin(), chosen.end(), [&](int a, int b) {
         return apart[static_cast<std::size_t>(a)] < apart[static_cast<std::size_t>(b)];

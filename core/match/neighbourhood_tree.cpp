@@ -13,35 +13,35 @@ namespace {
 
 /// The axes are learnt from about this many vectors, and look at no more floats of each, those nearest to the
 /// centre.
-constexpr std::size_t kSamples = 1200;
+constexpr std::size_t kMostSamples = 1200;
 constexpr int kMostFloats = 160;
 /// Centroids are found by so many rounds on about so many vectors.
 constexpr int kRounds = 4;
 constexpr int kRoundSample = 4096;
 /// A division that leaves less than this share on one side is made in the middle instead.
 constexpr int kLeastShare = 16;
-constexpr int kLanes = 8;
+constexpr int kTreeLanes = 8;
 
 TEXLOOM_WIDE_VECTORS float squares(const float* a, const float* b, int count) {
-    float lanes[kLanes] = {};
-    for (int i = 0; i < count; i += kLanes)
-        for (int lane = 0; lane < kLanes; ++lane)
+    float lanes[kTreeLanes] = {};
+    for (int i = 0; i < count; i += kTreeLanes)
+        for (int lane = 0; lane < kTreeLanes; ++lane)
             lanes[lane] += (a[i + lane] - b[i + lane]) * (a[i + lane] - b[i + lane]);
     return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
 }
 
 TEXLOOM_WIDE_VECTORS void project(const float* vector, const std::vector<int>& chosen, const float* weights,
                                   int axes, float* to) {
-    for (int first = 0; first < axes; first += kLanes) {
-        float lanes[kLanes] = {};
+    for (int first = 0; first < axes; first += kTreeLanes) {
+        float lanes[kTreeLanes] = {};
         const float* weight = weights + first;
         for (const int at : chosen) {
             const float value = vector[at];
-            for (int lane = 0; lane < kLanes; ++lane)
+            for (int lane = 0; lane < kTreeLanes; ++lane)
                 lanes[lane] += weight[lane] * value;
             weight += axes;
         }
-        std::copy_n(lanes, kLanes, to + first);
+        std::copy_n(lanes, kTreeLanes, to + first);
     }
 }
 
@@ -89,7 +89,7 @@ void NeighbourhoodTree::learnAxes(const Options& options, const Check& check) {
     const Neighbourhood& neighbourhood = m_set.neighbourhood();
     m_chosen = neighbourhood.nearestFloats(kMostFloats);
     const std::vector<Source>& sources = m_set.sources();
-    const std::size_t step = std::max<std::size_t>(1, sources.size() / kSamples);
+    const std::size_t step = std::max<std::size_t>(1, sources.size() / kMostSamples);
     std::vector<float> vector(static_cast<std::size_t>(neighbourhood.length()));
     // What weighs more is made longer, so that distances of descriptors are weighed too.
     const auto length = [&](int at) {
@@ -113,7 +113,7 @@ void NeighbourhoodTree::learnAxes(const Options& options, const Check& check) {
     int used = 0;
     while (used < std::min(options.axes, dimension) && (used == 0 || held < options.variance * whole))
         held += std::max(0.0, principal.variances[static_cast<std::size_t>(used++)]);
-    m_axes = (used + kLanes - 1) / kLanes * kLanes;
+    m_axes = (used + kTreeLanes - 1) / kTreeLanes * kTreeLanes;
     m_weights.assign(m_chosen.size() * static_cast<std::size_t>(m_axes), 0.0F);
     for (int a = 0; a < used; ++a)
         for (std::size_t i = 0; i < m_chosen.size(); ++i)
@@ -142,7 +142,7 @@ void NeighbourhoodTree::spread(const std::vector<int>& order, int begin, int end
             squared[a] += value * value;
         }
     }
-    const double count = (end - begin + step - 1) / step;
+    const int count = (end - begin + step - 1) / step;
     double most = -1;
     for (std::size_t a = 0; a < axes; ++a) {
         const double variance = squared[a] - sums[a] * sums[a] / count;
@@ -275,7 +275,7 @@ Source NeighbourhoodTree::nearest(const float* wanted, int leaves) const {
 }
 
 std::uint64_t NeighbourhoodTree::bytesFor(std::span<const Size> exemplars, const Options& options) {
-    const auto floats = static_cast<std::uint64_t>((options.axes + kLanes - 1) / kLanes * kLanes);
+    const auto floats = (static_cast<std::uint64_t>(options.axes) + kTreeLanes - 1) / kTreeLanes * kTreeLanes;
     std::uint64_t bytes = 0;
     for (const Size& size : exemplars) {
         const auto count = static_cast<std::uint64_t>(size.area());

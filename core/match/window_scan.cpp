@@ -1,6 +1,7 @@
 #include "core/match/window_scan.h"
 
 #include "core/base/wide_vectors.h"
+#include "core/image/mirror.h"
 #include "core/math/pca.h"
 
 #include <algorithm>
@@ -12,12 +13,12 @@ namespace texloom {
 
 namespace {
 
-constexpr int kLanes = 8;
+constexpr int kScanLanes = 8;
 /// Candidates that are compared at a time, and terms after which they may be given up.
-constexpr int kBlock = 2 * kLanes;
+constexpr int kBlock = 2 * kScanLanes;
 constexpr int kTerms = 4;
 /// Colours are learnt from about this many pixels.
-constexpr double kSamples = 20000;
+constexpr double kScanSamples = 20000;
 
 float valueSpan(std::span<const PatchSource> exemplars) {
     float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
@@ -36,11 +37,6 @@ std::vector<float> gaussian(int window, double sigma) {
         for (int dx = -reach; dx <= reach; ++dx)
             weights.push_back(static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma))));
     return weights;
-}
-
-int wrapped(int at, int length) {
-    const int rest = at % length;
-    return rest < 0 ? rest + length : rest;
 }
 
 NeighbourhoodSet wholeWindows(std::span<const PatchSource> exemplars, const std::vector<Interleaved>& pixels,
@@ -80,7 +76,7 @@ void WindowScan::learnColours(std::span<const PatchSource> exemplars) {
     double pixels = 0;
     for (const PatchSource& exemplar : exemplars)
         pixels += static_cast<double>(exemplar.image.size().area());
-    const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kSamples)));
+    const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kScanSamples)));
     std::vector<double> samples;
     for (const PatchSource& exemplar : exemplars)
         for (int y = 0; y < exemplar.image.height; y += step)
@@ -174,12 +170,12 @@ void WindowScan::look(const PixelCanvas& canvas, const KnownPixels& known, int x
         if (column < 0 || column >= size.width) {
             if (!wrap.x)
                 continue;
-            column = wrapped(column, size.width);
+            column = repeated(column, size.width);
         }
         if (row < 0 || row >= size.height) {
             if (!wrap.y)
                 continue;
-            row = wrapped(row, size.height);
+            row = repeated(row, size.height);
         }
         // The centre is what is asked for, even where it is met round the border.
         if (!known.at(column, row) || (offset.dx == 0 && offset.dy == 0))
@@ -200,8 +196,8 @@ void WindowScan::complete(const PixelCanvas& canvas, const KnownPixels& known, i
     float whole = 0;
     for (int dy = -reach; dy <= reach; ++dy)
         for (int dx = -reach; dx <= reach; ++dx) {
-            const int column = wrap.x ? wrapped(x + dx, size.width) : x + dx;
-            const int row = wrap.y ? wrapped(y + dy, size.height) : y + dy;
+            const int column = wrap.x ? repeated(x + dx, size.width) : x + dx;
+            const int row = wrap.y ? repeated(y + dy, size.height) : y + dy;
             const bool lies = column >= 0 && row >= 0 && column < size.width && row < size.height;
             const float weight = m_weights[seen.size()];
             seen.push_back(lies && known.at(column, row) ? canvas.pixels.at(column, row) : nullptr);
@@ -254,7 +250,7 @@ TEXLOOM_WIDE_VECTORS void scanRow(std::span<const WindowScan::Factor> factors, c
                                   std::ptrdiff_t at, WindowScan::Bound& bound,
                                   std::vector<WindowScan::Found>& found) {
     using Vector =
-        float __attribute__((vector_size(kLanes * sizeof(float)), aligned(alignof(float)), may_alias));
+        float __attribute__((vector_size(kScanLanes * sizeof(float)), aligned(alignof(float)), may_alias));
     const std::size_t count = factors.size();
     for (int x = 0; x < row.count; x += kBlock) {
         Vector first{}, second{};
@@ -265,13 +261,13 @@ TEXLOOM_WIDE_VECTORS void scanRow(std::span<const WindowScan::Factor> factors, c
                 const float* from = factors[term].from + at + x;
                 const float weight = factors[term].weight, value = factors[term].value;
                 const Vector a = *reinterpret_cast<const Vector*>(from) - value;
-                const Vector b = *reinterpret_cast<const Vector*>(from + kLanes) - value;
+                const Vector b = *reinterpret_cast<const Vector*>(from + kScanLanes) - value;
                 first += weight * (a * a);
                 second += weight * (b * b);
             }
             const auto open = (first <= bound.limit) | (second <= bound.limit);
             int any = 0;
-            for (int lane = 0; lane < kLanes; ++lane)
+            for (int lane = 0; lane < kScanLanes; ++lane)
                 any |= open[lane];
             if (any == 0)
                 break;
@@ -279,7 +275,7 @@ TEXLOOM_WIDE_VECTORS void scanRow(std::span<const WindowScan::Factor> factors, c
         if (term < count)
             continue;
         for (int lane = 0; lane < std::min(kBlock, row.count - x); ++lane) {
-            const float sum = lane < kLanes ? first[lane] : second[lane - kLanes];
+            const float sum = lane < kScanLanes ? first[lane] : second[lane - kScanLanes];
             if (sum > bound.limit)
                 continue;
             bound.lower(sum);

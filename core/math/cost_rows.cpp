@@ -6,7 +6,7 @@ namespace texloom {
 
 namespace {
 
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
+constexpr float kNoCost = std::numeric_limits<float>::infinity();
 /// The maximum number of costs requested at a time.
 constexpr int kMost = 16;
 
@@ -35,7 +35,7 @@ Lane::Pack magnitudes(const float* costs) {
 /// of a span.
 void lowestOfCells(const float* costs, const float* prices, int count, float* to) {
     for (int begin = 0; begin < count; begin += Cell::kSpan, to += Cell::kApart) {
-        Lane::Pack lowest = Lane::Pack{} + kInfinite;
+        Lane::Pack lowest = Lane::Pack{} + kNoCost;
         for (int i = begin; i < begin + Cell::kSpan; i += Cell::kApart) {
             const Lane::Pack here = magnitudes(costs + i) + load<Lane::Pack>(prices + i);
             lowest = here < lowest ? here : lowest;
@@ -59,7 +59,7 @@ public:
     /// The places of the two lowest sums; −1 for none.
     std::pair<int, int> lowestTwo() const {
         std::pair<int, int> two{-1, -1};
-        float best = kInfinite, second = kInfinite;
+        float best = kNoCost, second = kNoCost;
         for (int cell = 0; cell < cells(); ++cell)
             if (lowest(cell) < second)
                 forEach(cell, [&](int place) {
@@ -73,9 +73,7 @@ public:
                 });
         return two;
     }
-    float value(int place) const {
-        return place < 0 ? kInfinite : std::abs(m_values[place]) + m_prices[place];
-    }
+    float value(int place) const { return place < 0 ? kNoCost : std::abs(m_values[place]) + m_prices[place]; }
     /// Requests the lowest cost of each of several parts of the row, if its sum is below `limit`: this soon
     /// finds the best.
     void askHere(float limit) {
@@ -140,12 +138,12 @@ private:
             visit(place);
     }
     void refresh(int cell) {
-        float lowest = kInfinite;
+        float lowest = kNoCost;
         forEach(cell, [&](int place) { lowest = std::min(lowest, value(place)); });
         m_lowest[static_cast<std::size_t>(cell)] = lowest;
     }
     void add(int place) { // of equal ones the first is the best, whatever their order
-        m_best.add(place, value(place), kInfinite);
+        m_best.add(place, value(place), kNoCost);
     }
 
     AssignmentCosts& m_costs;
@@ -183,7 +181,7 @@ BestTwo<float> bestTwo(AssignmentCosts& costs, int row, const float* prices, flo
 bool anyBelow(AssignmentCosts& costs, int row, const float* prices, float limit) {
     Row sums(costs, row, prices);
     const auto found = [&] { return sums.best().best < limit; };
-    sums.askBelow([&] { return found() ? -kInfinite : limit; });
+    sums.askBelow([&] { return found() ? -kNoCost : limit; });
     return found();
 }
 

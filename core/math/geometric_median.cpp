@@ -12,7 +12,7 @@ constexpr int kMostDimensions = 16;
 constexpr int kMostPoints = 64;
 /// An iteration that moves by less than this share of the spread ends the search.
 constexpr double kNear = 1e-6;
-constexpr int kMostSteps = 200;
+constexpr int kMostRounds = 200;
 
 using Point = std::array<double, kMostDimensions>;
 
@@ -77,7 +77,7 @@ void geometricMedian(const float* points, const float* weights, int count, int d
     Point x{};
     std::copy_n(result, dimension, x.begin());
     const double size = spread(x, points, count, dimension);
-    for (int i = 0; i < kMostSteps; ++i)
+    for (int i = 0; i < kMostRounds; ++i)
         if (step(x, points, weights, count, dimension, 1e-9 * size) <= tolerance * size)
             break;
     for (int d = 0; d < dimension; ++d)
@@ -96,7 +96,7 @@ void geometricMedianByDouglasRachford(const float* points, const float* weights,
     double whole = 0;
     for (int i = 0; i < count; ++i)
         whole += static_cast<double>(weights[i]);
-    for (int round = 0; round < 10 * kMostSteps; ++round) {
+    for (int round = 0; round < 10 * kMostRounds; ++round) {
         last = mean;
         mean = {};
         for (int i = 0; i < count; ++i) {

@@ -13,7 +13,7 @@ namespace {
 constexpr int kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 /// Samples between two checks.
-constexpr std::size_t kPiece = std::size_t{1} << 18;
+constexpr std::size_t kEntriesBetweenChecks = std::size_t{1} << 18;
 
 /// An integer that orders as the float does.
 std::uint32_t orderedBits(float value) {
@@ -39,7 +39,7 @@ void SampleRanks::sort(const PlaneView& plane, const std::function<void()>& chec
     const std::size_t step = scatteringStep(count);
     std::size_t index = 0;
     for (std::size_t i = 0; i < count; ++i, index += step, index -= index >= count ? count : 0) {
-        if (i % kPiece == 0)
+        if (i % kEntriesBetweenChecks == 0)
             check();
         m_order[i] = static_cast<std::uint32_t>(index);
         m_keys[i] = orderedBits(plane(static_cast<int>(index % width), static_cast<int>(index / width)));
@@ -51,7 +51,7 @@ void SampleRanks::sort(const PlaneView& plane, const std::function<void()>& chec
             ++starts[digit(m_keys[i])];
         std::exclusive_scan(starts.begin(), starts.end(), starts.begin(), std::size_t{0});
         for (std::size_t i = 0; i < count; ++i) {
-            if (i % kPiece == 0)
+            if (i % kEntriesBetweenChecks == 0)
                 check();
             const std::size_t to = starts[digit(m_keys[i])]++;
             m_otherKeys[to] = m_keys[i];
@@ -79,7 +79,7 @@ double Histogram::match(const PlaneSpan& plane, SampleRanks& ranks,
     const double last = static_cast<double>(m_sorted.size() - 1);
     double changes = 0;
     for (std::size_t rank = 0; rank < ranks.size(); ++rank) {
-        if (rank % kPiece == 0)
+        if (rank % kEntriesBetweenChecks == 0)
             check();
         const double at = std::clamp((static_cast<double>(rank) + 0.5) * ratio - 0.5, 0.0, last);
         const auto below = static_cast<std::size_t>(at);

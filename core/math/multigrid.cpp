@@ -7,7 +7,7 @@ namespace texloom {
 
 namespace {
 
-constexpr int kBetweenChecks = 1 << 15;
+constexpr int kCellsBetweenChecks = 1 << 15;
 /// Levels with no more cells than this are not coarsened.
 constexpr std::size_t kFewest = 32;
 /// At the coarsest level, which must be solved accurately.
@@ -34,17 +34,17 @@ float linksOf(const std::vector<Multigrid::Cell>& cells, const Multigrid::Cell& 
 
 template <class Visit> void Multigrid::each(const Level& level, Visit visit) const {
     const int count = static_cast<int>(level.cells.size()) - 1;
-    for (int begin = 0; begin < count; begin += kBetweenChecks) {
+    for (int begin = 0; begin < count; begin += kCellsBetweenChecks) {
         m_check();
-        for (int i = begin, end = std::min(count, begin + kBetweenChecks); i < end; ++i)
+        for (int i = begin, end = std::min(count, begin + kCellsBetweenChecks); i < end; ++i)
             visit(static_cast<std::size_t>(i), level.cells[static_cast<std::size_t>(i)]);
     }
 }
 
 template <class Visit> void Multigrid::eachBackwards(const Level& level, Visit visit) const {
-    for (int end = static_cast<int>(level.cells.size()) - 1; end > 0; end -= kBetweenChecks) {
+    for (int end = static_cast<int>(level.cells.size()) - 1; end > 0; end -= kCellsBetweenChecks) {
         m_check();
-        for (int i = end - 1, begin = std::max(0, end - kBetweenChecks); i >= begin; --i)
+        for (int i = end - 1, begin = std::max(0, end - kCellsBetweenChecks); i >= begin; --i)
             visit(static_cast<std::size_t>(i), level.cells[static_cast<std::size_t>(i)]);
     }
 }

@@ -12,15 +12,15 @@ namespace texloom {
 
 namespace {
 
-using Complex = std::complex<double>;
+using WaveComplex = std::complex<double>;
 
 constexpr double kTurn = 2 * std::numbers::pi;
 /// Times the image's side is the spectrum's.
 constexpr int kPadding = 4;
 
 /// e^(2πi b x) for x = 0 … length − 1.
-std::vector<Complex> powers(double b, int length, double first = 0) {
-    std::vector<Complex> values;
+std::vector<WaveComplex> powers(double b, int length, double first = 0) {
+    std::vector<WaveComplex> values;
     for (int x = 0; x < length; ++x)
         values.push_back(std::polar(1.0, kTurn * b * (x + first)));
     return values;
@@ -71,7 +71,7 @@ public:
         m_model.share = m_variance > 0 ? 1 - leftOver() / m_variance : 0;
         const auto strength = [](const Wave& wave) {
             double sum = 0;
-            for (const Complex& one : wave.strengths)
+            for (const WaveComplex& one : wave.strengths)
                 sum += std::norm(one);
             return sum;
         };
@@ -177,7 +177,7 @@ private:
             if (known)
                 continue;
             m_model.waves.push_back(
-                {peak.x, peak.y, std::vector<Complex>(m_model.means.size(), Complex(0, 0)), 0});
+                {peak.x, peak.y, std::vector<WaveComplex>(m_model.means.size(), WaveComplex(0, 0)), 0});
             added = true;
         }
         m_spreads.resize(m_model.waves.size(), 0.0);
@@ -206,15 +206,15 @@ private:
 
     /// Adds a wave to what is left, or takes it off.
     void add(const Wave& wave, double sign) {
-        const std::vector<Complex> alongX = powers(wave.x, m_size.width),
-                                   alongY = powers(wave.y, m_size.height);
+        const std::vector<WaveComplex> alongX = powers(wave.x, m_size.width),
+                                       alongY = powers(wave.y, m_size.height);
         for (int y = 0; y < m_size.height; ++y)
             for (int c = 0; c < m_left.channels(); ++c) {
-                const Complex row =
+                const WaveComplex row =
                     wave.strengths[static_cast<std::size_t>(c)] * alongY[static_cast<std::size_t>(y)];
                 float* to = m_left.plane(c).row(y);
                 for (int x = 0; x < m_size.width; ++x) {
-                    const Complex& e = alongX[static_cast<std::size_t>(x)];
+                    const WaveComplex& e = alongX[static_cast<std::size_t>(x)];
                     to[x] += static_cast<float>(sign * (row.real() * e.real() - row.imag() * e.imag()));
                 }
             }
@@ -240,15 +240,16 @@ private:
         std::vector<Normal> normals(static_cast<std::size_t>(channels));
         const double middleX = 0.5 * (m_size.width - 1), middleY = 0.5 * (m_size.height - 1);
         // Counted from the middle, frequency and phase do not disturb each other.
-        const std::vector<Complex> alongX = powers(wave.x, m_size.width, -middleX),
-                                   alongY = powers(wave.y, m_size.height, -middleY);
-        const Complex shift = std::polar(1.0, kTurn * (wave.x * middleX + wave.y * middleY));
+        const std::vector<WaveComplex> alongX = powers(wave.x, m_size.width, -middleX),
+                                       alongY = powers(wave.y, m_size.height, -middleY);
+        const WaveComplex shift = std::polar(1.0, kTurn * (wave.x * middleX + wave.y * middleY));
         each([&](int x, int y) {
-            const Complex &a = alongX[static_cast<std::size_t>(x)], &b = alongY[static_cast<std::size_t>(y)];
+            const WaveComplex &a = alongX[static_cast<std::size_t>(x)],
+                              &b = alongY[static_cast<std::size_t>(y)];
             const double real = a.real() * b.real() - a.imag() * b.imag();
             const double imaginary = a.real() * b.imag() + a.imag() * b.real();
             for (int c = 0; c < channels; ++c) {
-                const Complex own = wave.strengths[static_cast<std::size_t>(c)] * shift;
+                const WaveComplex own = wave.strengths[static_cast<std::size_t>(c)] * shift;
                 const double slope = -kTurn * (own.real() * imaginary + own.imag() * real);
                 normals[static_cast<std::size_t>(c)].add(
                     {slope * (x - middleX), slope * (y - middleY), real, -imaginary},
@@ -256,9 +257,9 @@ private:
             }
         });
         const double moved = solve(normals, wave);
-        const Complex back = std::polar(1.0, -kTurn * (wave.x * middleX + wave.y * middleY));
+        const WaveComplex back = std::polar(1.0, -kTurn * (wave.x * middleX + wave.y * middleY));
         if (moved >= 0)
-            for (Complex& strength : wave.strengths)
+            for (WaveComplex& strength : wave.strengths)
                 strength *= back;
         add(wave, -1);
         return std::max(0.0, moved);
@@ -306,7 +307,7 @@ private:
         const auto count = static_cast<Eigen::Index>(2 * m_model.waves.size());
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, m_left.channels());
-        std::vector<std::vector<Complex>> alongX, alongY;
+        std::vector<std::vector<WaveComplex>> alongX, alongY;
         for (const Wave& wave : m_model.waves) {
             alongX.push_back(powers(wave.x, m_size.width));
             alongY.push_back(powers(wave.y, m_size.height));
@@ -319,7 +320,7 @@ private:
                 if (m_mask.data && m_mask(x, y) == 0)
                     continue;
                 for (std::size_t i = 0; i < m_model.waves.size(); ++i) {
-                    const Complex e =
+                    const WaveComplex e =
                         alongX[i][static_cast<std::size_t>(x)] * alongY[i][static_cast<std::size_t>(y)];
                     terms(x, static_cast<Eigen::Index>(2 * i)) = e.real();
                     terms(x, static_cast<Eigen::Index>(2 * i + 1)) = -e.imag();
@@ -379,7 +380,7 @@ WaveModel closed(const WaveModel& model, Size size, Wrap wrap, double& largestMo
 Image drawn(const WaveModel& model, const Region& region, JobContext& context) {
     const auto channels = static_cast<int>(model.means.size());
     Image image(region.size, channels);
-    std::vector<std::vector<Complex>> alongX;
+    std::vector<std::vector<WaveComplex>> alongX;
     for (const Wave& wave : model.waves)
         alongX.push_back(powers(wave.x, region.size.width, region.x));
     context.parallel(0, region.size.height, [&](int y) {
@@ -388,8 +389,8 @@ Image drawn(const WaveModel& model, const Region& region, JobContext& context) {
                                     model.means[static_cast<std::size_t>(c)]);
             for (std::size_t i = 0; i < model.waves.size(); ++i) {
                 const Wave& wave = model.waves[i];
-                const Complex f = wave.strengths[static_cast<std::size_t>(c)] *
-                                  std::polar(1.0, kTurn * wave.y * (region.y + y));
+                const WaveComplex f = wave.strengths[static_cast<std::size_t>(c)] *
+                                      std::polar(1.0, kTurn * wave.y * (region.y + y));
                 for (std::size_t x = 0; x < row.size(); ++x)
                     row[x] += f.real() * alongX[i][x].real() - f.imag() * alongX[i][x].imag();
             }

@@ -3737,6 +3737,10 @@
         <source>{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of at most {} px, or a larger exemplar.</source>
         <translation>{} ist {} × {} px groß, kleiner als die Umgebung von {} px; wählen Sie eine Umgebung von höchstens {} px oder eine größere Vorlage.</translation>
     </message>
+    <message>
+        <source>{} is not the file any more that the result was made from.</source>
+        <translation>{} ist nicht mehr die Datei, aus der das Ergebnis gemacht wurde.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -4293,6 +4297,14 @@
         <source>Open e&amp;xemplars</source>
         <translation>Geöffnete Vor&amp;lagen</translation>
     </message>
+    <message>
+        <source>With its &amp;input</source>
+        <translation>Mit seiner E&amp;ingabe</translation>
+    </message>
+    <message>
+        <source>Compare the result that is shown with the image that it was made from</source>
+        <translation>Das gezeigte Ergebnis mit dem Bild vergleichen, aus dem es gemacht wurde</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::CompareBar</name>
@@ -4436,6 +4448,14 @@
     <message>
         <source>Wrote %1.</source>
         <translation>%1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is no result yet that could be compared; press Run first.</source>
+        <translation>Es gibt noch kein Ergebnis, das verglichen werden könnte; starten Sie zuerst einen Lauf.</translation>
+    </message>
+    <message>
+        <source>This result was not made from an image beside the exemplar; show one that completes or changes an image.</source>
+        <translation>Dieses Ergebnis wurde nicht aus einem Bild neben der Vorlage gemacht; zeigen Sie eines, das ein Bild ergänzt oder verändert.</translation>
     </message>
 </context>
 <context>
@@ -5733,6 +5753,148 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::MaskPainter</name>
+    <message>
+        <source>&amp;Take away</source>
+        <translation>&amp;Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Picture that is painted on</source>
+        <translation>Bild, auf das gemalt wird</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves the picture. A double click or Enter closes a polygon. Alt takes away; [ and ] make the brush smaller and larger. Without a mouse: Shift and the arrow keys move the cursor, the space bar paints or sets a corner.</source>
+        <translation>Das Rad zoomt, die mittlere Taste verschiebt das Bild. Ein Doppelklick oder die Eingabetaste schließt ein Polygon. Alt nimmt weg; [ und ] machen den Pinsel kleiner und größer. Ohne Maus: Umschalt und die Pfeiltasten bewegen den Cursor, die Leertaste malt oder setzt eine Ecke.</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Paints where the mouse drags</source>
+        <translation>Malt, wo die Maus zieht</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Takes what the mouse drags around</source>
+        <translation>Nimmt, was die Maus umfährt</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>Pol&amp;ygon</translation>
+    </message>
+    <message>
+        <source>Gets a corner at each click</source>
+        <translation>Bekommt mit jedem Klick eine Ecke</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Goes from corner to corner</source>
+        <translation>Geht von Ecke zu Ecke</translation>
+    </message>
+    <message>
+        <source>Shapes are taken away from what is painted. Alt does the same for one shape.</source>
+        <translation>Formen werden von dem weggenommen, was gemalt ist. Alt tut dasselbe für eine Form.</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>Painted: black in the mask, lighter where it is softened.</source>
+        <translation>Gemalt: schwarz in der Maske, heller, wo es weichgezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Pixels by which edges are moved</source>
+        <translation>Pixel, um die Kanten verschoben werden</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>By how many pixels the buttons below grow, shrink or soften what is painted.</source>
+        <translation>Um wie viele Pixel die Knöpfe darunter wachsen lassen, schrumpfen oder weichzeichnen, was gemalt ist.</translation>
+    </message>
+    <message>
+        <source>Edges by</source>
+        <translation>Kanten um</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>W&amp;achsen</translation>
+    </message>
+    <message>
+        <source>Paints further, by so many pixels</source>
+        <translation>Malt um so viele Pixel weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Shrink</source>
+        <translation>&amp;Schrumpfen</translation>
+    </message>
+    <message>
+        <source>Paints less far, by so many pixels</source>
+        <translation>Malt um so viele Pixel weniger weit</translation>
+    </message>
+    <message>
+        <source>&amp;Feather</source>
+        <translation>Weich&amp;zeichnen</translation>
+    </message>
+    <message>
+        <source>Softens the edge outwards, over so many pixels: what was painted stays whole</source>
+        <translation>Macht den Rand nach außen weich, über so viele Pixel: was gemalt war, bleibt ganz</translation>
+    </message>
+    <message>
+        <source>&amp;Invert</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Paints what is not painted, and nothing else</source>
+        <translation>Malt, was nicht gemalt ist, und sonst nichts</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>L&amp;eeren</translation>
+    </message>
+    <message>
+        <source>Takes all away that is painted</source>
+        <translation>Nimmt alles weg, was gemalt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Goes back by a step (Ctrl+Z)</source>
+        <translation>Geht einen Schritt zurück (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+    <message>
+        <source>Makes an undone step again (Ctrl+Shift+Z)</source>
+        <translation>Macht einen zurückgenommenen Schritt wieder (Strg+Umschalt+Z)</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MaskPainting</name>
+    <message>
+        <source>There is no picture to paint on yet; open an exemplar, or choose the image first.</source>
+        <translation>Es gibt noch kein Bild, auf das gemalt werden kann; öffnen Sie eine Vorlage, oder wählen Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::MessageBar</name>
     <message>
         <source>Close message</source>
@@ -6109,6 +6271,38 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Use result</source>
         <translation>Ergebnis verwenden</translation>
     </message>
+    <message>
+        <source>This result has no position map; choose one whose method copies pixels.</source>
+        <translation>Dieses Ergebnis hat keine Positionskarte; wählen Sie eines, dessen Verfahren Pixel kopiert.</translation>
+    </message>
+    <message>
+        <source>This result has no mask; choose one of a method that gives masks.</source>
+        <translation>Dieses Ergebnis hat keine Maske; wählen Sie eines von einem Verfahren, das Masken liefert.</translation>
+    </message>
+    <message>
+        <source>This result has no model of the kind %1; choose one of a method that learns such models.</source>
+        <translation>Dieses Ergebnis hat kein Modell der Art %1; wählen Sie eines von einem Verfahren, das solche Modelle lernt.</translation>
+    </message>
+    <message>
+        <source>This result has no volume; choose one of a method that gives volumes.</source>
+        <translation>Dieses Ergebnis hat kein Volumen; wählen Sie eines von einem Verfahren, das Volumen liefert.</translation>
+    </message>
+    <message>
+        <source>This result has no mesh; choose one of a method that gives meshes.</source>
+        <translation>Dieses Ergebnis hat kein Netz; wählen Sie eines von einem Verfahren, das Netze liefert.</translation>
+    </message>
+    <message>
+        <source>This result has no picture; choose another.</source>
+        <translation>Dieses Ergebnis hat kein Bild; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Paint the mask: %1…</source>
+        <translation>Maske malen: %1 …</translation>
+    </message>
+    <message>
+        <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
+        <translation>Noch gibt es kein Ergebnis, das hier hinein könnte; starten Sie zuerst einen Lauf oder wählen Sie eine Datei.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::PresetMenu</name>
@@ -6330,17 +6524,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>shown</source>
         <translation>angezeigt</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::ResultInputs</name>
-    <message>
-        <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
-        <translation>Noch gibt es kein Ergebnis, das hier hinein könnte; starten Sie zuerst einen Lauf oder wählen Sie eine Datei.</translation>
-    </message>
-    <message>
-        <source>This result has no picture; choose another.</source>
-        <translation>Dieses Ergebnis hat kein Bild; wählen Sie ein anderes.</translation>
     </message>
 </context>
 <context>

@@ -3467,7 +3467,7 @@
     </message>
     <message>
         <source>How far from its own place in an exemplar of the output&apos;s size a pixel&apos;s source may lie, as in a photo that is mended: smaller takes what is near, and is faster; 0 looks everywhere.</source>
-        <translation>À quelle distance de sa propre place, dans un échantillon de la taille de la sortie, la source d'un pixel peut se trouver, comme dans une photo que l'on répare : plus petit prend ce qui est proche et va plus vite ; 0 cherche partout.</translation>
+        <translation>À quelle distance de sa propre place, dans un échantillon de la taille de la sortie, la source d&apos;un pixel peut se trouver, comme dans une photo que l&apos;on répare : plus petit prend ce qui est proche et va plus vite ; 0 cherche partout.</translation>
     </message>
     <message>
         <source>How far from the middle pixels of the window count, as a share of the window: larger looks further, smaller trusts the nearest.</source>
@@ -3736,6 +3736,10 @@
     <message>
         <source>{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of at most {} px, or a larger exemplar.</source>
         <translation>{} fait {} × {} px, moins que le voisinage de {} px ; choisissez un voisinage d’au plus {} px ou un échantillon plus grand.</translation>
+    </message>
+    <message>
+        <source>{} is not the file any more that the result was made from.</source>
+        <translation>{} n’est plus le fichier dont le résultat a été fait.</translation>
     </message>
 </context>
 <context>
@@ -4293,6 +4297,14 @@
         <source>Open e&amp;xemplars</source>
         <translation>Modèles o&amp;uverts</translation>
     </message>
+    <message>
+        <source>With its &amp;input</source>
+        <translation>Avec son en&amp;trée</translation>
+    </message>
+    <message>
+        <source>Compare the result that is shown with the image that it was made from</source>
+        <translation>Comparer le résultat affiché à l’image dont il est fait</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::CompareBar</name>
@@ -4436,6 +4448,14 @@
     <message>
         <source>Wrote %1.</source>
         <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>There is no result yet that could be compared; press Run first.</source>
+        <translation>Il n’y a pas encore de résultat à comparer ; lancez d’abord un calcul.</translation>
+    </message>
+    <message>
+        <source>This result was not made from an image beside the exemplar; show one that completes or changes an image.</source>
+        <translation>Ce résultat n’a pas été fait d’une image autre que l’échantillon ; affichez-en un qui complète ou modifie une image.</translation>
     </message>
 </context>
 <context>
@@ -5733,6 +5753,148 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::MaskPainter</name>
+    <message>
+        <source>&amp;Take away</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Picture that is painted on</source>
+        <translation>Image sur laquelle on peint</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves the picture. A double click or Enter closes a polygon. Alt takes away; [ and ] make the brush smaller and larger. Without a mouse: Shift and the arrow keys move the cursor, the space bar paints or sets a corner.</source>
+        <translation>La molette zoome, le bouton du milieu déplace l’image. Un double clic ou Entrée ferme un polygone. Alt retire ; [ et ] rendent le pinceau plus petit ou plus grand. Sans souris : Maj et les flèches déplacent le curseur, la barre d’espace peint ou pose un coin.</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinceau</translation>
+    </message>
+    <message>
+        <source>Paints where the mouse drags</source>
+        <translation>Peint là où la souris glisse</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Takes what the mouse drags around</source>
+        <translation>Prend ce que la souris entoure</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>Pol&amp;ygone</translation>
+    </message>
+    <message>
+        <source>Gets a corner at each click</source>
+        <translation>Reçoit un coin à chaque clic</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>Re&amp;ctangle</translation>
+    </message>
+    <message>
+        <source>Goes from corner to corner</source>
+        <translation>Va d’un coin à l’autre</translation>
+    </message>
+    <message>
+        <source>Shapes are taken away from what is painted. Alt does the same for one shape.</source>
+        <translation>Les formes sont retirées de ce qui est peint. Alt fait de même pour une forme.</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Lar&amp;geur</translation>
+    </message>
+    <message>
+        <source>Painted: black in the mask, lighter where it is softened.</source>
+        <translation>Peint : noir dans le masque, plus clair là où c’est adouci.</translation>
+    </message>
+    <message>
+        <source>Pixels by which edges are moved</source>
+        <translation>Pixels dont les bords sont déplacés</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>By how many pixels the buttons below grow, shrink or soften what is painted.</source>
+        <translation>De combien de pixels les boutons ci-dessous étendent, réduisent ou adoucissent ce qui est peint.</translation>
+    </message>
+    <message>
+        <source>Edges by</source>
+        <translation>Bords de</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>É&amp;tendre</translation>
+    </message>
+    <message>
+        <source>Paints further, by so many pixels</source>
+        <translation>Peint plus loin, d’autant de pixels</translation>
+    </message>
+    <message>
+        <source>&amp;Shrink</source>
+        <translation>Ré&amp;duire</translation>
+    </message>
+    <message>
+        <source>Paints less far, by so many pixels</source>
+        <translation>Peint moins loin, d’autant de pixels</translation>
+    </message>
+    <message>
+        <source>&amp;Feather</source>
+        <translation>Adouc&amp;ir</translation>
+    </message>
+    <message>
+        <source>Softens the edge outwards, over so many pixels: what was painted stays whole</source>
+        <translation>Adoucit le bord vers l’extérieur, sur autant de pixels : ce qui était peint reste entier</translation>
+    </message>
+    <message>
+        <source>&amp;Invert</source>
+        <translation>In&amp;verser</translation>
+    </message>
+    <message>
+        <source>Paints what is not painted, and nothing else</source>
+        <translation>Peint ce qui n’est pas peint, et rien d’autre</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>&amp;Effacer</translation>
+    </message>
+    <message>
+        <source>Takes all away that is painted</source>
+        <translation>Retire tout ce qui est peint</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Goes back by a step (Ctrl+Z)</source>
+        <translation>Revient d’un pas en arrière (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation>Réta&amp;blir</translation>
+    </message>
+    <message>
+        <source>Makes an undone step again (Ctrl+Shift+Z)</source>
+        <translation>Refait un pas annulé (Ctrl+Maj+Z)</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MaskPainting</name>
+    <message>
+        <source>There is no picture to paint on yet; open an exemplar, or choose the image first.</source>
+        <translation>Il n’y a pas encore d’image sur laquelle peindre ; ouvrez un échantillon ou choisissez d’abord l’image.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::MessageBar</name>
     <message>
         <source>Close message</source>
@@ -6109,6 +6271,38 @@ Déposez une image ici.</translation>
         <source>Use result</source>
         <translation>Utiliser le résultat</translation>
     </message>
+    <message>
+        <source>This result has no position map; choose one whose method copies pixels.</source>
+        <translation>Ce résultat n’a pas de carte de positions ; choisissez-en un dont la méthode copie des pixels.</translation>
+    </message>
+    <message>
+        <source>This result has no mask; choose one of a method that gives masks.</source>
+        <translation>Ce résultat n’a pas de masque ; choisissez-en un d’une méthode qui fournit des masques.</translation>
+    </message>
+    <message>
+        <source>This result has no model of the kind %1; choose one of a method that learns such models.</source>
+        <translation>Ce résultat n’a pas de modèle du type %1 ; choisissez-en un d’une méthode qui apprend de tels modèles.</translation>
+    </message>
+    <message>
+        <source>This result has no volume; choose one of a method that gives volumes.</source>
+        <translation>Ce résultat n’a pas de volume ; choisissez-en un d’une méthode qui fournit des volumes.</translation>
+    </message>
+    <message>
+        <source>This result has no mesh; choose one of a method that gives meshes.</source>
+        <translation>Ce résultat n’a pas de maillage ; choisissez-en un d’une méthode qui fournit des maillages.</translation>
+    </message>
+    <message>
+        <source>This result has no picture; choose another.</source>
+        <translation>Ce résultat n’a pas d’image ; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Paint the mask: %1…</source>
+        <translation>Peindre le masque : %1…</translation>
+    </message>
+    <message>
+        <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
+        <translation>Il n’y a pas encore de résultat à mettre ici ; lancez d’abord un calcul, ou choisissez un fichier.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::PresetMenu</name>
@@ -6330,17 +6524,6 @@ Déposez une image ici.</translation>
     <message>
         <source>shown</source>
         <translation>affiché</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::ResultInputs</name>
-    <message>
-        <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
-        <translation>Il n’y a pas encore de résultat à mettre ici ; lancez d’abord un calcul, ou choisissez un fichier.</translation>
-    </message>
-    <message>
-        <source>This result has no picture; choose another.</source>
-        <translation>Ce résultat n’a pas d’image ; choisissez-en un autre.</translation>
     </message>
 </context>
 <context>

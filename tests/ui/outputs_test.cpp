@@ -1,11 +1,14 @@
 // What methods take and give beside pictures, in the window.
 
 #include "core/io/model_file.h"
+#include "core/session/export/output_files.h"
 #include "core/volume/slice.h"
 #include "core/volume/volume_file.h"
 #include "tests/support/volumes.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/text.h"
+#include "ui/exemplar/files.h"
 #include "ui/export/export_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
@@ -14,16 +17,22 @@
 #include "ui/runs/result_text.h"
 #include "ui/viewers/image_viewer.h"
 #include "ui/volume/slice_panel.h"
+#include "ui/window/drop_targets.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDir>
+#include <QDropEvent>
+#include <QFile>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QToolButton>
 
 using namespace texloom;
 using namespace texloom::test;
@@ -125,6 +134,118 @@ private Q_SLOTS:
         const auto& result = m_window->desk()->result();
         QCOMPARE(result->plan.steps.front().method->id(), std::string("draw-moments"));
         QCOMPARE(result->plan.recipe.inputs.at("moments").front().path, m_model.toStdString());
+    }
+
+    void theModelOfTheShownResultGoesIntoItsRow() {
+        run("quilting");
+        choose("draw-moments");
+        auto* button = child<QToolButton>(*m_window, "useResult_moments");
+        QVERIFY(!button->isEnabled());
+        QVERIFY2(button->toolTip().contains(QStringLiteral("no model of the kind moments")),
+                 qPrintable(button->toolTip()));
+        run("learn-moments");
+        const auto learned = m_window->desk()->result()->synthesis.outputs.first<Model>("moments");
+        choose("draw-moments");
+        button = child<QToolButton>(*m_window, "useResult_moments");
+        QVERIFY2(button->isEnabled(), qPrintable(button->toolTip()));
+        button->click();
+        QTRY_COMPARE(m_window->input(false).inputs.count("moments"), 1U);
+        const InputFile used = m_window->input(false).inputs.at("moments").front();
+        QVERIFY(toQString(used.file.path).startsWith(ownFolder()));
+        QVERIFY(std::get<std::shared_ptr<const Model>>(used.asset)->arrays == learned->arrays);
+        run("draw-moments");
+        QCOMPARE(m_window->desk()->result()->plan.recipe.inputs.at("moments").front().hash, used.file.hash);
+        QVERIFY2(!child<QToolButton>(*m_window, "useResult_moments")->isEnabled(),
+                 "what is shown now gives no model");
+    }
+
+    void theVolumeOfTheShownResultGoesIntoItsRow() {
+        run("solid-noise");
+        const auto source = m_window->desk()->result()->synthesis.outputs.first<VolumeSource>("volume");
+        choose("bend-by-volume");
+        child<QToolButton>(*m_window, "useResult_volume")->click();
+        QTRY_COMPARE(m_window->input(false).inputs.count("volume"), 1U);
+        const InputFile used = m_window->input(false).inputs.at("volume").front();
+        const auto read = std::get<std::shared_ptr<const VolumeSource>>(used.asset);
+        QVERIFY(read->bounds());
+        TestContext context;
+        QVERIFY2(sameVoxels(read->sample(*read->bounds(), context), source->sample(*read->bounds(), context)),
+                 "bit for bit");
+        run("bend-by-volume");
+        const Recipe recipe = m_window->desk()->result()->plan.recipe;
+        QCOMPARE(recipe.inputs.at("volume").front().hash, used.file.hash);
+
+        // The file of numbers stays as long as the head that a recipe names.
+        const std::vector<std::filesystem::path> files = filesOf(AssetKind::Volume, used.file.path);
+        QCOMPARE(files.size(), 2U);
+        for (const std::filesystem::path& path : files) {
+            QFile file(toQString(path));
+            QVERIFY(file.open(QIODevice::ReadWrite));
+            QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(-30),
+                                     QFileDevice::FileModificationTime));
+        }
+        const QTemporaryDir nothing;
+        removeOldFiles({recipe}, nothing.path());
+        for (const std::filesystem::path& path : files)
+            QVERIFY(std::filesystem::exists(path));
+        removeOldFiles({}, nothing.path());
+        for (const std::filesystem::path& path : files)
+            QVERIFY(!std::filesystem::exists(path));
+    }
+
+    void aResultIsDraggedOntoARowOfAnyKind() {
+        run("learn-moments");
+        const auto learned = m_window->desk()->result()->synthesis.outputs.first<Model>("moments");
+        run("quilting");
+        choose("draw-moments");
+        auto* row = child<PortRow>(*m_window, "port_moments");
+        row->setFiles({});
+        ResultHistory* const history = m_window->desk()->history();
+        const auto drop = [&](int place) {
+            const std::unique_ptr<QMimeData> data(history->mimeData({history->index(place)}));
+            QDragEnterEvent enter({2, 2}, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(row, &enter);
+            QDropEvent event({2, 2}, Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(row, &event);
+        };
+        drop(0); // of quilting
+        QTRY_VERIFY(m_window->messages()->text().contains(QStringLiteral("no model of the kind moments")));
+        QVERIFY(row->files().empty());
+        drop(1);
+        QTRY_COMPARE(row->files().size(), 1U);
+        QVERIFY(std::get<std::shared_ptr<const Model>>(row->files().front().asset)->arrays ==
+                learned->arrays);
+
+        auto* targets = child<DropTargets>(*m_window, "dropTargets");
+        targets->open(DropTargets::Dragged::Result, true, {row->port()});
+        QCOMPARE(targets->portAt(targets->placeOf("moments").center()), std::string("moments"));
+        targets->open(DropTargets::Dragged::Picture, true, {row->port()});
+        QCOMPARE(targets->portAt(targets->placeOf("moments").center()), std::string());
+        targets->hide();
+    }
+
+    void mapsAndMasksComeBackAsTheyWere() {
+        run("quilting");
+        const auto copied = m_window->desk()->result();
+        const Port layout{.id = "layout", .title = "Layout", .help = "", .kind = AssetKind::Map};
+        PortRow row(layout);
+        auto* button = child<QToolButton>(row, "useResult_layout");
+        row.setResult(copied);
+        QVERIFY(button->isEnabled());
+        const QString map = saveInput(*copied, layout, assetFor(copied, layout).value());
+        row.read(map);
+        QTRY_COMPARE(row.files().size(), 1U);
+        QVERIFY(*std::get<std::shared_ptr<const PositionMap>>(row.files().front().asset) ==
+                copied->synthesis.map);
+        run("solid-noise");
+        row.setResult(m_window->desk()->result());
+        QVERIFY2(!button->isEnabled(), "new pixels come from nowhere");
+        QVERIFY(button->toolTip().contains(QStringLiteral("no position map")));
+
+        const Port holes{.id = "holes", .title = "Holes", .help = "", .kind = AssetKind::Mask};
+        const auto mask = std::make_shared<const Image>(testTexture({9, 7}, 1));
+        const InputFile read = loadInput(holes, {toPath(saveInput(*copied, holes, mask)), "", ""}, {});
+        QVERIFY(samePixels(*read.image(), *mask));
     }
 
 private:

@@ -50,6 +50,8 @@ CompareActions::CompareActions(QWidget* window)
                   tr("Compare two pictures in one place, one after the other"), "toggle")),
       difference(make(window, "compareDifference", tr("&Difference"), Qt::Key_D,
                       tr("Show what two pictures differ in"), "difference")),
+      input(make(window, "compareInput", tr("With its &input"), {},
+                 tr("Compare the result that is shown with the image that it was made from"), nullptr)),
       exemplar(make(window, "compareExemplar", tr("E&xemplar"), {},
                     tr("Show the exemplars of the results beside them"), nullptr)),
       link(make(window, "compareLink", tr("&Link views"), {},
@@ -64,7 +66,8 @@ CompareActions::CompareActions(QWidget* window)
     grid->setChecked(true);
     exemplar->setChecked(true);
     link->setChecked(true);
-    sheet->setCheckable(false);
+    for (QAction* action : {input, sheet})
+        action->setCheckable(false);
 }
 
 QAction* CompareActions::mode(CompareMode mode) const {

@@ -27,6 +27,7 @@ struct CompareActions {
     QAction* wipe;
     QAction* toggle;
     QAction* difference;
+    QAction* input;    ///< the result that is shown beside the image that it was made from
     QAction* exemplar; ///< whether the exemplar is among the pictures
     QAction* link;
     QMenu* exemplars; ///< every open exemplar, to be shown or not; filled by whoever knows them

@@ -1,5 +1,8 @@
 #include "ui/compare/comparisons.h"
 
+#include "core/base/error.h"
+#include "core/methods/method.h"
+#include "core/session/run/input_file.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
@@ -16,6 +19,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace texloom::ui {
@@ -31,6 +35,40 @@ CompareItem itemOf(const ResultEntry& entry, const std::shared_ptr<const Result>
     return {label, std::make_shared<const DisplayPicture>(image), {}, entry.key};
 }
 
+/// An image that a result was made from, other than its exemplars.
+struct GivenImage {
+    Port port;
+    RecipeFile file;
+};
+
+/// The first such image that a recipe's methods were given, those of the output's size before others.
+std::optional<GivenImage> imageGivenTo(const Recipe& recipe) {
+    for (const bool output : {true, false})
+        for (const RecipeStep& step : recipe.steps)
+            for (const Port& port : findMethod(step.method).info().takes) {
+                const auto found = recipe.inputs.find(port.id);
+                if (port.kind == AssetKind::Image && (port.extent == Extent::Output) == output &&
+                    found != recipe.inputs.end() && !found->second.empty())
+                    return GivenImage{port, found->second.front()};
+            }
+    return {};
+}
+
+/// The picture of such an image, or of that part of it which was made. Called on a worker.
+CompareItem itemOf(const GivenImage& given, const Recipe& recipe) {
+    InputFile input = loadInput(given.port, given.file, {});
+    if (!given.file.hash.empty() && input.file.hash != given.file.hash)
+        fail("{} is not the file any more that the result was made from.", given.file.path.string());
+    std::shared_ptr<const Image> image = input.file.image;
+    if (recipe.region && recipe.region->within(image->size()))
+        image = std::make_shared<const Image>(
+            image->view().crop(recipe.region->x, recipe.region->y, recipe.region->size));
+    const QString name = QString::fromStdString(input.file.name());
+    const QString label =
+        QStringLiteral("%1 · %2 · %3").arg(name, translated(given.port.title), sizeText(image->size()));
+    return {label, std::make_shared<const DisplayPicture>(image), {}, {}};
+}
+
 } // namespace
 
 struct Comparisons::Gathering {
@@ -44,6 +82,7 @@ Comparisons::Comparisons(RunDesk* desk, const ExemplarStore* store, QWidget* win
     for (const auto mode :
          {CompareMode::Grid, CompareMode::Wipe, CompareMode::Toggle, CompareMode::Difference})
         connect(m_actions.mode(mode), &QAction::triggered, this, [this, mode] { chooseMode(mode); });
+    connect(m_actions.input, &QAction::triggered, this, &Comparisons::compareWithInput);
     connect(m_actions.exemplar, &QAction::triggered, this,
             [this](bool shown) { showExemplars(shown ? exemplarsOf(m_compared) : std::set<int>()); });
     connect(m_actions.exemplars, &QMenu::aboutToShow, this, &Comparisons::listExemplars);
@@ -55,7 +94,7 @@ QMenu* Comparisons::makeMenu() {
     auto* menu = new QMenu(tr("&Compare"), m_window);
     menu->addActions({m_actions.grid, m_actions.wipe, m_actions.toggle, m_actions.difference});
     menu->addSeparator();
-    menu->addAction(m_actions.exemplar);
+    menu->addActions({m_actions.input, m_actions.exemplar});
     menu->addMenu(m_actions.exemplars);
     menu->addActions({m_actions.link, m_actions.sheet});
     return menu;
@@ -84,6 +123,28 @@ void Comparisons::chooseMode(CompareMode mode) {
 
 void Comparisons::compareChosen(const std::vector<std::string>& keys) {
     compare(keys, m_actions.exemplar->isChecked());
+}
+
+void Comparisons::compareWithInput() {
+    const ResultEntry* const entry = m_desk->history()->find(m_desk->last().key);
+    if (entry == nullptr || !m_desk->result() || m_desk->result()->synthesis.image.empty())
+        return Q_EMIT told(tr("There is no result yet that could be compared; press Run first."));
+    const std::optional<GivenImage> given = imageGivenTo(entry->recipe);
+    if (!given)
+        return Q_EMIT told(tr("This result was not made from an image beside the exemplar; show one that "
+                              "completes or changes an image."));
+    inBackground(
+        this,
+        [given = *given, entry = *entry, result = m_desk->result()] {
+            return std::vector<CompareItem>{itemOf(given, entry.recipe), itemOf(entry, result)};
+        },
+        [this, key = entry->key](std::vector<CompareItem> items) {
+            m_compared = {key};
+            m_view->setItems(std::move(items));
+            m_view->setMode(CompareMode::Wipe);
+            Q_EMIT ready();
+        },
+        [this](const QString& why) { Q_EMIT failed(why); });
 }
 
 void Comparisons::leaveFor() {

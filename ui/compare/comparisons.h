@@ -33,6 +33,8 @@ public:
     void compareChosen(const std::vector<std::string>& keys);
     /// The pictures of exemplars that are open, for the view.
     std::vector<CompareItem> exemplarItems(const std::set<int>& ids) const;
+    /// Shows the result that is shown and the image that it was made from in one place, parted by a line.
+    void compareWithInput();
     /// Leaves the results that were compared for something else, and shows the view.
     void leaveFor();
 

@@ -31,8 +31,8 @@ EditCanvas::EditCanvas(QWidget* parent) : ImageViewer(parent) {
 void EditCanvas::setMode(Mode mode) {
     m_mode = mode;
     m_moving = false;
-    m_stroke = {};
-    m_brushAt.reset();
+    m_brush.finish();
+    m_brush.leave();
     setCursor(brushing() ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
 }
@@ -92,7 +92,7 @@ void EditCanvas::setArea(const Wholes& area) {
 }
 
 void EditCanvas::setBrushSize(int pixels) {
-    m_brush = std::max(1, pixels);
+    m_brush.setWidth(pixels);
     update();
 }
 
@@ -138,7 +138,7 @@ bool EditCanvas::event(QEvent* event) {
             event->accept();
     }
     if (event->type() == QEvent::Leave) {
-        m_brushAt.reset();
+        m_brush.leave();
         update();
     }
     return ImageViewer::event(event);
@@ -157,8 +157,8 @@ void EditCanvas::mousePressEvent(QMouseEvent* event) {
     }
     if (left && brushing()) {
         setFocus(Qt::MouseFocusReason);
-        m_last = view().toImage(event->position());
-        dab(m_last, m_last);
+        m_brush.begin(picture()->size(), view().toImage(event->position()));
+        update();
         return;
     }
     ImageViewer::mousePressEvent(event);
@@ -167,23 +167,19 @@ void EditCanvas::mousePressEvent(QMouseEvent* event) {
 void EditCanvas::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = view().toImage(event->position());
     if (brushing() && picture()) {
-        m_brushAt = at;
-        if (!m_stroke.isNull()) {
-            dab(m_last, at);
-            m_last = at;
-        }
+        m_brush.moveTo(at);
         update();
     } else if (m_moving) {
         moveCorner(m_active, {at.x(), at.y()});
     } else if (framing()) {
         setCursor(cornerAt(event->position()) >= 0 ? Qt::SizeAllCursor : Qt::ArrowCursor);
     }
-    if (!m_moving && m_stroke.isNull())
+    if (!m_moving && !m_brush.stroking())
         ImageViewer::mouseMoveEvent(event);
 }
 
 void EditCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (!m_stroke.isNull())
+    if (m_brush.stroking())
         return finishStroke();
     if (m_moving) {
         m_moving = false;
@@ -211,31 +207,14 @@ void EditCanvas::keyPressEvent(QKeyEvent* event) {
             }
     }
     if (picture() && brushing() && event->key() == Qt::Key_Space && cursorPixel()) {
-        const QPointF at = QPointF(*cursorPixel()) + QPointF(0.5, 0.5);
-        dab(at, at);
+        m_brush.begin(picture()->size(), *cursorMiddle());
         return finishStroke();
     }
     ImageViewer::keyPressEvent(event);
 }
 
-void EditCanvas::dab(QPointF from, QPointF to) {
-    const Size size = picture()->size();
-    if (m_stroke.isNull()) {
-        m_stroke = QImage(size.width, size.height, QImage::Format_Alpha8);
-        m_stroke.fill(0);
-    }
-    QPainter painter(&m_stroke);
-    painter.setPen(QPen(Qt::white, m_brush, Qt::SolidLine, Qt::RoundCap));
-    if (from == to)
-        painter.drawPoint(from);
-    else
-        painter.drawLine(from, to);
-    update();
-}
-
 void EditCanvas::finishStroke() {
-    const QImage stroke = m_stroke;
-    m_stroke = {};
+    const QImage stroke = m_brush.finish();
     update();
     Q_EMIT painted(stroke);
 }
@@ -255,7 +234,9 @@ void EditCanvas::paintOver(QPainter& painter) const {
     if (framing() && m_moving)
         paintLoupe(painter);
     if (brushing())
-        paintStroke(painter);
+        m_brush.paint(painter, view(),
+                      m_mode == Mode::Hide ? QColor(0, 0, 0, 150) : QColor(255, 255, 255, 120),
+                      cursorMiddle());
     painter.restore();
 }
 
@@ -314,31 +295,6 @@ void EditCanvas::paintLoupe(QPainter& painter) const {
         painter.drawEllipse(centre, radius, radius);
         for (const QPointF way : {QPointF(1, 0), QPointF(0, 1)})
             painter.drawLine(centre - way * radius * 0.5, centre + way * radius * 0.5);
-    }
-}
-
-void EditCanvas::paintStroke(QPainter& painter) const {
-    const QRectF image(view().origin(),
-                       QSizeF(picture()->size().width, picture()->size().height) * view().scale());
-    if (!m_stroke.isNull()) {
-        QImage tinted = m_stroke.convertToFormat(QImage::Format_ARGB32_Premultiplied);
-        QPainter tint(&tinted);
-        tint.setCompositionMode(QPainter::CompositionMode_SourceIn);
-        tint.fillRect(tinted.rect(),
-                      m_mode == Mode::Hide ? QColor(0, 0, 0, 150) : QColor(255, 255, 255, 120));
-        tint.end();
-        painter.drawImage(image, tinted);
-    }
-    std::optional<QPointF> brush = m_brushAt;
-    if (!brush && cursorPixel())
-        brush = QPointF(*cursorPixel()) + QPointF(0.5, 0.5);
-    if (!brush)
-        return;
-    const double radius = 0.5 * m_brush * view().scale();
-    for (const auto& [color, share] : {std::pair(Qt::black, 3.0), std::pair(Qt::white, 1.0)}) {
-        painter.setPen(QPen(color, std::max(1.0, fontMetrics().lineWidth() * share)));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(view().toWidget(*brush), radius, radius);
     }
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/base/param.h"
+#include "ui/paint/brush.h"
 #include "ui/viewers/image_viewer.h"
 
 #include <QImage>
 #include <QPointF>
-
-#include <optional>
 
 namespace texloom::ui {
 
@@ -57,21 +56,16 @@ private:
     void setArea(const Wholes& area);
     int cornerAt(QPointF point) const;
     void moveCorner(int corner, PlanePoint to);
-    void dab(QPointF from, QPointF to);
     void finishStroke();
     QPolygonF framePolygon() const;
     void paintFrame(QPainter& painter) const;
     void paintLoupe(QPainter& painter) const;
-    void paintStroke(QPainter& painter) const;
 
     Mode m_mode = Mode::Look;
     PlanePoints m_corners = PlanePoints(4);
     int m_active = 0;      ///< the corner that keys move
     bool m_moving = false; ///< whether the mouse or keys move it now
-    int m_brush = 32;
-    QImage m_stroke;
-    QPointF m_last;
-    std::optional<QPointF> m_brushAt;
+    Brush m_brush;
 };
 
 } // namespace texloom::ui

@@ -9,6 +9,7 @@
 #include "ui/exemplar/edit_list.h"
 #include "ui/exemplar/frame_page.h"
 #include "ui/exemplar/tool_form.h"
+#include "ui/paint/brush.h"
 
 #include <QButtonGroup>
 #include <QFormLayout>
@@ -28,15 +29,6 @@
 namespace texloom::ui {
 
 namespace {
-
-struct Brush {
-    int width = 32;
-};
-
-const Param& brushWidth() {
-    static const Param width = field(&Brush::width, "brush", TR("Brush")).range(1, 512).unit("px");
-    return width;
-}
 
 QLabel* noteLabel(const QString& text) {
     auto* note = new QLabel(text);
@@ -95,11 +87,7 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
 }
 
 void ExemplarEditor::hidePainted(const QImage& stroke) {
-    Image painted({stroke.width(), stroke.height()}, 1);
-    for (int y = 0; y < stroke.height(); ++y)
-        for (int x = 0; x < stroke.width(); ++x)
-            painted(x, y, 0) = stroke.constScanLine(y)[x] != 0 ? 1.0F : 0.0F;
-    m_store->paintMask(m_shownId, std::move(painted), m_canvas->mode() == EditCanvas::Mode::Hide);
+    m_store->paintMask(m_shownId, shapeOf(stroke), m_canvas->mode() == EditCanvas::Mode::Hide);
 }
 
 void ExemplarEditor::addMode(QWidget* row, const QString& title, const QString& help, Mode mode) {

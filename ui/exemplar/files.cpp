@@ -1,6 +1,7 @@
 #include "ui/exemplar/files.h"
 
 #include "core/base/error.h"
+#include "core/session/export/output_files.h"
 #include "core/session/run/checkpoint_file.h"
 #include "core/session/session.h"
 #include "ui/common/own_folders.h"
@@ -132,6 +133,10 @@ std::filesystem::path ownPath(const QString& name, const QString& ending) {
     return toPath(folder.filePath(QStringLiteral("%1-%2%3").arg(name, stamp, ending)));
 }
 
+std::filesystem::path withoutExtension(std::filesystem::path path) {
+    return path.replace_extension();
+}
+
 /// The recipes of runs that can still go on.
 std::vector<Recipe> recipesOfCheckpoints(const QString& recovery) {
     std::vector<Recipe> recipes;
@@ -154,6 +159,15 @@ ExemplarFile saveMask(const Image& mask, const std::string& exemplar) {
     return loadMask(path);
 }
 
+QString savePicture(const Image& image, const std::string& name, const std::string& space) {
+    const auto path = ownPath(QString::fromStdString(name), QStringLiteral(".exr"));
+    WriteOptions options;
+    options.depth = Depth::Float;
+    options.space = space;
+    writeImage(path, image, options);
+    return toQString(path);
+}
+
 QString saveResult(const Image& image, const std::string& name, const std::string& space,
                    const Recipe& recipe) {
     const auto path = ownPath(QString::fromStdString(name), QStringLiteral(".exr"));
@@ -165,19 +179,35 @@ QString saveResult(const Image& image, const std::string& name, const std::strin
     return toQString(path);
 }
 
+QString saveInput(const Result& result, const Port& port, const Asset& asset) {
+    const std::string name = result.fileName();
+    const Recipe& recipe = result.plan.recipe;
+    if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&asset)) {
+        const bool data = port.kind == AssetKind::Mask ||
+                          (!recipe.exemplars.empty() && recipe.exemplars.front().image.space == "raw");
+        return saveResult(**image, name, data ? "raw" : "srgb", recipe);
+    }
+    const auto path =
+        ownPath(QString::fromStdString(name), QString::fromStdString(usualExtension(port.kind)));
+    AssetWriteOptions options = outputOptions(result, {&port, &asset, path});
+    options.mostVoxels = AssetWriteOptions().mostVoxels;
+    writeAsset(port.kind, asset, path, options);
+    return toQString(path);
+}
+
 void removeOldFiles(std::vector<Recipe> recipes, const QString& recovery) {
     for (const QFileInfo& copy : QDir(recovery).entryInfoList(QDir::Files))
         if (copy.suffix() == QLatin1String("texloom"))
             recipes.push_back(readSession(toPath(copy.filePath())).settings);
     for (Recipe& recipe : recipesOfCheckpoints(recovery))
         recipes.push_back(std::move(recipe));
-    std::set<std::filesystem::path> named;
+    std::set<std::filesystem::path> named; // without extensions: the data of a volume lie beside its head
     for (const Recipe& recipe : recipes)
         for (const RecipeFile* file : recipe.files())
-            named.insert(file->path);
+            named.insert(withoutExtension(file->path));
     const QDateTime limit = QDateTime::currentDateTime().addDays(-kOwnDays);
     for (const QFileInfo& own : QDir(ownFolder()).entryInfoList(QDir::Files))
-        if (own.lastModified() < limit && !named.contains(toPath(own.filePath())))
+        if (own.lastModified() < limit && !named.contains(withoutExtension(toPath(own.filePath()))))
             QFile::remove(own.filePath());
 }
 

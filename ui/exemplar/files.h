@@ -2,6 +2,7 @@
 
 #include "core/io/recipe.h"
 #include "core/session/run/exemplar_file.h"
+#include "core/session/run/run.h"
 
 #include <QImage>
 #include <QString>
@@ -42,11 +43,22 @@ QString ownFolder();
 /// Writes a painted mask to a file of its own in ownFolder(). Called on a worker. @throws Error
 ExemplarFile saveMask(const Image& mask, const std::string& exemplar);
 
+/// Writes a picture, bit for bit, to a file of its own in ownFolder(). Called on a worker.
+/// @param name the file's begins with it. @param space "srgb", or "raw" for data. @return its path.
+/// @throws Error
+QString savePicture(const Image& image, const std::string& name, const std::string& space);
+
 /// Writes a result, bit for bit, to a file of its own in ownFolder(), so that it can be an input or an
 /// exemplar. Called on a worker. @param name the file's begins with it. @param space "srgb", or "raw" for
 /// data. @param recipe that made it. @return its path. @throws Error, UsageError
 QString saveResult(const Image& image, const std::string& name, const std::string& space,
                    const Recipe& recipe);
+
+/// Writes what a result has for a port, of any kind, to files of its own in ownFolder(): pictures and masks
+/// as saveResult(), of volumes without end as much as the store of results keeps. Called on a worker.
+/// @param asset as assetFor() gives it. @return the path by which the port reads it. @throws Error,
+/// UsageError
+QString saveInput(const Result& result, const Port& port, const Asset& asset);
 
 /// Removes the files in ownFolder() that are older than a week and named neither by these recipes nor by a
 /// session or a checkpoint in the folder of those to be recovered; saved sessions have copies of their own.

@@ -280,11 +280,29 @@ void OutputGroup::readInput(const std::string& port, const QString& path) {
             return row->read(path);
 }
 
+void OutputGroup::replaceInputs(const InputFiles& inputs, Size size) {
+    for (PortRow* row : m_ports)
+        if (const auto found = inputs.find(row->port().id); found != inputs.end())
+            row->setFiles(found->second);
+    if (!size.empty()) {
+        const QSignalBlocker width(m_width), height(m_height);
+        setOutputSize(size);
+        m_part->setWhole(outputSize());
+    }
+    Q_EMIT edited();
+}
+
 std::vector<Port> OutputGroup::ports() const {
     std::vector<Port> ports;
     for (const PortRow* row : m_ports)
         ports.push_back(row->port());
     return ports;
+}
+
+void OutputGroup::setResult(const std::shared_ptr<const Result>& result) {
+    m_result = result;
+    for (PortRow* row : m_ports)
+        row->setResult(m_result);
 }
 
 void OutputGroup::setPorts(const std::vector<Port>& ports) {
@@ -295,11 +313,13 @@ void OutputGroup::setPorts(const std::vector<Port>& ports) {
     int at = kFirstPortRow;
     for (const Port& port : ports) {
         auto* row = new PortRow(port, this);
+        row->setResult(m_result);
         explain(row, row->toolTip());
         connect(row, &PortRow::edited, this, &OutputGroup::edited);
         connect(row, &PortRow::failed, this, &OutputGroup::failed);
         connect(row, &PortRow::resultWanted, this,
                 [this, row](const std::string& key) { Q_EMIT resultWanted(row->port().id, key); });
+        connect(row, &PortRow::paintWanted, this, [this, row] { Q_EMIT paintWanted(row->port().id); });
         m_form->insertRow(at++, translated(port.title), row);
         m_ports.push_back(row);
     }

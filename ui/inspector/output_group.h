@@ -6,6 +6,7 @@
 #include <QGroupBox>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ class QFormLayout;
 class QLabel;
 class QSpinBox;
 class QToolButton;
+
+namespace texloom {
+struct Result;
+}
 
 namespace texloom::ui {
 
@@ -53,8 +58,13 @@ public:
     void addInput(const std::string& port, InputFile file);
     /// Reads a file, and puts it into a port.
     void readInput(const std::string& port, const QString& path);
+    /// Puts these files in the place of what their ports had, and takes this size, unless it is empty, as one
+    /// change of the user's.
+    void replaceInputs(const InputFiles& inputs, Size size);
     /// The ports that have a row here.
     std::vector<Port> ports() const;
+    /// The result that is shown, which can go into ports; null if there is none.
+    void setResult(const std::shared_ptr<const Result>& result);
 
     /// Greys out what the method cannot do, and says so.
     void setMethod(const MethodInfo& info);
@@ -72,6 +82,8 @@ Q_SIGNALS:
     void failed(const QString& sentence);
     /// A result is to go into this port; see PortRow::resultWanted().
     void resultWanted(const std::string& port, const std::string& key);
+    /// The mask that goes into this port is to be painted.
+    void paintWanted(const std::string& port);
     /// What the control that the mouse or the focus came to is for.
     void helpWanted(const QString& html);
 
@@ -98,6 +110,7 @@ private:
     QSpinBox* m_threads;
     QFormLayout* m_form = nullptr;
     std::vector<PortRow*> m_ports;
+    std::shared_ptr<const Result> m_result; ///< that is shown
     Size m_exemplar;
     bool m_sizeChosen = false;
 };

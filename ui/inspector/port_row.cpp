@@ -1,6 +1,7 @@
 #include "ui/inspector/port_row.h"
 
 #include "core/base/text.h"
+#include "core/session/export/output_files.h"
 #include "ui/common/background.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/icons.h"
@@ -58,12 +59,34 @@ QImage thumbnail(const Image& image, int side) {
     return DisplayPicture(std::move(small)).image();
 }
 
+/// That a result has nothing of this kind.
+QString nothingOf(const Port& port) {
+    switch (port.kind) {
+    case AssetKind::Map:
+        return PortRow::tr("This result has no position map; choose one whose method copies pixels.");
+    case AssetKind::Mask:
+        return PortRow::tr("This result has no mask; choose one of a method that gives masks.");
+    case AssetKind::Model:
+        return PortRow::tr("This result has no model of the kind %1; choose one of a method that learns such "
+                           "models.")
+            .arg(QString::fromStdString(port.id));
+    case AssetKind::Volume:
+        return PortRow::tr("This result has no volume; choose one of a method that gives volumes.");
+    case AssetKind::Mesh:
+        return PortRow::tr("This result has no mesh; choose one of a method that gives meshes.");
+    case AssetKind::Image:
+        break;
+    }
+    return PortRow::tr("This result has no picture; choose another.");
+}
+
 } // namespace
 
 PortRow::PortRow(const Port& port, QWidget* parent)
     : QWidget(parent), m_port(port), m_thumbnail(new QLabel(this)), m_name(new ElidedLabel(this)),
       m_choose(makeButton(QStringLiteral("choose_"), &PortRow::choose)),
       m_useResult(makeButton(QStringLiteral("useResult_"), &PortRow::useShown)),
+      m_paint(makeButton(QStringLiteral("paint_"), &PortRow::paint)),
       m_clear(makeButton(QStringLiteral("clear_"), &PortRow::clear)) {
     const QString title = translated(m_port.title);
     setObjectName(QStringLiteral("port_") + QString::fromStdString(m_port.id));
@@ -74,13 +97,15 @@ PortRow::PortRow(const Port& port, QWidget* parent)
     m_choose->setAccessibleName(tr("Choose a file: %1").arg(title));
     m_useResult->setText(tr("Use result"));
     m_useResult->setAccessibleName(tr("Take the result that is shown: %1").arg(title));
-    m_useResult->setVisible(m_port.kind == AssetKind::Image);
+    setResult(nullptr);
+    setIconButton(m_paint, QStringLiteral("brush"), tr("Paint the mask: %1…").arg(title));
+    m_paint->setVisible(m_port.kind == AssetKind::Mask);
     setIconButton(m_clear, QStringLiteral("close"), tr("Go without: %1").arg(title));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_thumbnail);
     layout->addWidget(m_name, 1);
-    for (QToolButton* button : {m_choose, m_useResult, m_clear})
+    for (QToolButton* button : {m_choose, m_useResult, m_paint, m_clear})
         layout->addWidget(button);
     setFocusProxy(m_choose);
     show();
@@ -107,6 +132,18 @@ void PortRow::add(InputFile file) {
     Q_EMIT edited();
 }
 
+QString PortRow::whyNot(const Port& port, const std::shared_ptr<const Result>& result) {
+    if (!result)
+        return tr("There is no result yet that could go in here; press Run first, or choose a file.");
+    return assetFor(result, port) ? QString() : nothingOf(port);
+}
+
+void PortRow::setResult(const std::shared_ptr<const Result>& result) {
+    const QString why = whyNot(m_port, result);
+    m_useResult->setEnabled(why.isEmpty());
+    m_useResult->setToolTip(why.isEmpty() ? m_useResult->accessibleName() : why);
+}
+
 void PortRow::choose() {
     const QString path =
         QFileDialog::getOpenFileName(window(), translated(m_port.title), {}, filterFor(m_port.kind));
@@ -129,8 +166,7 @@ void PortRow::read(const QString& path) {
 }
 
 void PortRow::dragEnterEvent(QDragEnterEvent* event) {
-    const bool result = m_port.kind == AssetKind::Image && !draggedResult(*event->mimeData()).empty();
-    if (result || !localFiles(*event->mimeData()).isEmpty())
+    if (!draggedResult(*event->mimeData()).empty() || !localFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 

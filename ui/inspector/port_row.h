@@ -4,18 +4,24 @@
 
 #include <QWidget>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 class QLabel;
 class QToolButton;
 
+namespace texloom {
+struct Result;
+}
+
 namespace texloom::ui {
 
 class ElidedLabel;
 
 /// What goes into one of a method's ports: a thumbnail and the file's name, with buttons to choose another,
-/// to take the result that is shown, and to go without. Files and results can be dropped on it.
+/// to take the result that is shown, to paint a mask, and to go without. Files and results can be dropped on
+/// it.
 class PortRow : public QWidget {
     Q_OBJECT
 
@@ -27,6 +33,12 @@ public:
     void setFiles(std::vector<InputFile> files);
     /// Takes one more file, or another in place of the one that is there if the port takes no more.
     void add(InputFile file);
+    /// The result that is shown, which can be taken if it has something of the port's kind; null if there is
+    /// none.
+    void setResult(const std::shared_ptr<const Result>& result);
+    /// Why nothing of a result can go into a port, in a sentence; empty if something can. @param result null
+    /// if there is none.
+    static QString whyNot(const Port& port, const std::shared_ptr<const Result>& result);
     /// Reads a file in the background, and takes it.
     void read(const QString& path);
 
@@ -37,6 +49,8 @@ Q_SIGNALS:
     void failed(const QString& sentence);
     /// A result is to go into this port: that of this key, or if it is empty the one that is shown.
     void resultWanted(const std::string& key);
+    /// What goes into this port, a mask, is to be painted.
+    void paintWanted();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -47,6 +61,7 @@ private:
     void choose();
     void clear();
     void useShown() { Q_EMIT resultWanted({}); }
+    void paint() { Q_EMIT paintWanted(); }
     void show();
 
     Port m_port;
@@ -55,6 +70,7 @@ private:
     ElidedLabel* m_name;
     QToolButton* m_choose;
     QToolButton* m_useResult;
+    QToolButton* m_paint;
     QToolButton* m_clear;
 };
 

@@ -302,6 +302,10 @@ void ImageViewer::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+std::optional<QPointF> ImageViewer::cursorMiddle() const {
+    return m_cursor ? std::optional(QPointF(*m_cursor) + QPointF(0.5, 0.5)) : std::nullopt;
+}
+
 void ImageViewer::moveCursor(QPoint step) {
     const Size size = m_picture->size();
     const QPoint from = m_cursor.value_or(pixelAt(QRectF(rect()).center()).value_or(QPoint()));

@@ -96,6 +96,8 @@ protected:
     void paintBackground(QPainter& painter, const QRect& part) const;
     /// The pixel under the keyboard's cursor, if it was ever moved.
     const std::optional<QPoint>& cursorPixel() const { return m_cursor; }
+    /// Its middle, in pixels of the picture.
+    std::optional<QPointF> cursorMiddle() const;
 
 private:
     QSizeF imageSize() const;

@@ -25,9 +25,10 @@ void DropTargets::open(Dragged dragged, bool masks, const std::vector<Port>& por
                {tr("Companion map"), tr("Gets the result's layout"), files},
                {tr("Mask"), masks ? tr("Black is never copied") : tr("The method does not use a mask"),
                 files && masks}};
-    for (const Port& port : ports)
-        m_cards.push_back(
-            {translated(port.title), translated(port.help), files || port.kind == AssetKind::Image, port.id});
+    for (const Port& port : ports) {
+        const bool takes = dragged != Dragged::Picture || port.kind == AssetKind::Image;
+        m_cards.push_back({translated(port.title), translated(port.help), takes, port.id});
+    }
     m_over = -1;
     m_entered = false;
     setGeometry(parentWidget()->rect());

@@ -24,8 +24,9 @@ public:
 
     explicit DropTargets(QWidget* parent);
 
-    /// Covers the parent. @param dragged a picture or a result can be no map. @param masks whether the method
-    /// in use heeds a mask. @param ports that the method has beside exemplars and what belongs to them.
+    /// Covers the parent. @param dragged a picture or a result can be no companion map; a result may hold
+    /// what any port takes. @param masks whether the method in use heeds a mask. @param ports that the method
+    /// has beside exemplars and what belongs to them.
     void open(Dragged dragged, bool masks, const std::vector<Port>& ports = {});
     /// Goes away unless the drag has come to it.
     void closeUnlessEntered();

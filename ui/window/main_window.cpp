@@ -24,6 +24,7 @@
 #include "ui/session/undo_history.h"
 #include "ui/window/drop_targets.h"
 #include "ui/window/hovers.h"
+#include "ui/window/mask_painting.h"
 #include "ui/window/readout.h"
 #include "ui/window/result_export.h"
 #include "ui/window/result_inputs.h"
@@ -144,6 +145,8 @@ void MainWindow::makeDocks() {
     auto* parameters = new QWidget;
     m_inspector = new Inspector(parameters);
     m_resultInputs = new ResultInputs(m_desk, m_store, m_inspector->output(), this);
+    auto* painting = new MaskPainting(m_desk, m_store, m_inspector, this);
+    connect(painting, &MaskPainting::failed, this, &MainWindow::fail);
     m_runPanel = new RunPanel(
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.cancelRun},
         parameters);

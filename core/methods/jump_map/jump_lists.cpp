@@ -30,7 +30,7 @@ JumpLists::JumpLists(const NeighbourhoodSet& set, int count, int apart, JobConte
         m_numbers.emplace_back(static_cast<std::size_t>(exemplar.pictures.front()->size.area()), -1);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const int width = set.exemplars()[sources[i].exemplar].pictures.front()->size.width;
-        m_numbers[sources[i].exemplar][static_cast<std::size_t>(sources[i].y * width + sources[i].x)] =
+        m_numbers[sources[i].exemplar][static_cast<std::size_t>(sources[i].y) * width + sources[i].x] =
             static_cast<int>(i);
     }
     m_jumps.resize(sources.size() * static_cast<std::size_t>(count));
@@ -95,7 +95,7 @@ void JumpLists::find(std::size_t number, const NeighbourhoodTree& tree, double u
 
 std::span<const Jump> JumpLists::of(const Source& source) const {
     const int width = m_set.exemplars()[source.exemplar].pictures.front()->size.width;
-    const int number = m_numbers[source.exemplar][static_cast<std::size_t>(source.y * width + source.x)];
+    const int number = m_numbers[source.exemplar][static_cast<std::size_t>(source.y) * width + source.x];
     const Jump* const begin =
         m_jumps.data() + static_cast<std::size_t>(number) * static_cast<std::size_t>(m_count);
     const Jump* const end =

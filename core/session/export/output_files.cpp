@@ -27,6 +27,19 @@ fs::path numbered(const fs::path& path, std::size_t index) {
            fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string());
 }
 
+/// The first of a result's outputs of one id that can go into a port.
+std::optional<Asset> outputFor(const Result& result, const std::string& id, const Port& port) {
+    const Port* const output = outputPort(result.plan, id);
+    if (output == nullptr || output->kind != port.kind)
+        return std::nullopt;
+    for (const Asset& asset : result.synthesis.outputs.at(id)) {
+        const auto* model = std::get_if<std::shared_ptr<const Model>>(&asset);
+        if (!model || (*model)->kind == port.id)
+            return asset;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 Message OutputFile::content() const {
@@ -67,6 +80,20 @@ std::vector<OutputFile> outputFiles(const Result& result, const std::map<std::st
             outputs.push_back({port, &assets[i], numbered(path, i)});
     }
     return outputs;
+}
+
+std::optional<Asset> assetFor(const std::shared_ptr<const Result>& result, const Port& port) {
+    const Synthesis& made = result->synthesis;
+    if (port.kind == AssetKind::Image && !made.image.empty())
+        return std::shared_ptr<const Image>(result, &made.image);
+    if (port.kind == AssetKind::Map && made.mapKind != MapKind::None && !made.map.size().empty())
+        return std::shared_ptr<const PositionMap>(result, &made.map);
+    if (std::optional<Asset> own = outputFor(*result, port.id, port))
+        return own;
+    for (const auto& [id, assets] : made.outputs.byPort())
+        if (std::optional<Asset> other = outputFor(*result, id, port))
+            return other;
+    return std::nullopt;
 }
 
 AssetWriteOptions outputOptions(const Result& result, const OutputFile& output) {

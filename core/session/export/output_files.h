@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +33,11 @@ void checkOutput(const RunPlan& plan, const std::string& id, const std::filesyst
 /// result has no such output.
 std::vector<OutputFile> outputFiles(const Result& result,
                                     const std::map<std::string, std::filesystem::path>& wanted);
+
+/// What a result has that can go into a port: its picture, its position map, or the first of its outputs of
+/// the port's kind, of which one with the port's own id comes first. Of a model, the port's id must be the
+/// kind. None if it has no such thing. What is found keeps the result in memory.
+std::optional<Asset> assetFor(const std::shared_ptr<const Result>& result, const Port& port);
 
 /// How an output is exported: in the result's colours, with its recipe.
 AssetWriteOptions outputOptions(const Result& result, const OutputFile& output);

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/curve_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
@@ -76,13 +77,6 @@ Json figuresJson(const std::vector<Figure>& figures) {
     return json;
 }
 
-Json curvesJson(const std::vector<Curve>& curves) {
-    Json json = Json::array();
-    for (const Curve& curve : curves)
-        json.push_back({{"name", toJson(curve.name)}, {"values", curve.values}});
-    return json;
-}
-
 Json stagesJson(const std::vector<StageTime>& stages) {
     Json json = Json::array();
     for (const StageTime& stage : stages)
@@ -110,7 +104,7 @@ std::string entryText(const ResultEntry& entry, const fs::path& folder) {
                  {"bytes", entry.bytes},
                  {"mapKind", kMapKinds.at(static_cast<std::size_t>(entry.mapKind))},
                  {"figures", figuresJson(entry.figures)},
-                 {"curves", curvesJson(entry.curves)},
+                 {"curves", toJson(entry.curves)},
                  {"notes", toJson(entry.notes)},
                  {"stages", stagesJson(entry.stages)},
                  {"pictures", toJson(entry.pictures)},
@@ -121,27 +115,11 @@ std::string entryText(const ResultEntry& entry, const fs::path& folder) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// A figure that is not finite is null in JSON.
-double numberIn(const Json& json) {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
 std::vector<Figure> figuresIn(const Json& json) {
     std::vector<Figure> figures;
     for (const Json& figure : json)
-        figures.push_back({messageFrom(figure.at("name")), numberIn(figure.at("value"))});
+        figures.push_back({messageFrom(figure.at("name")), numberFrom(figure.at("value"))});
     return figures;
-}
-
-std::vector<Curve> curvesIn(const Json& json) {
-    std::vector<Curve> curves;
-    for (const Json& curve : json) {
-        Curve& read = curves.emplace_back();
-        read.name = messageFrom(curve.at("name"));
-        for (const Json& value : curve.at("values"))
-            read.values.push_back(numberIn(value));
-    }
-    return curves;
 }
 
 std::vector<KeptOutput> outputsIn(const Json& json) {
@@ -177,7 +155,7 @@ ResultEntry entryIn(const Json& json, const fs::path& folder) {
     entry.bytes = json.at("bytes").get<std::uint64_t>();
     entry.mapKind = mapKindIn(json.at("mapKind"));
     entry.figures = figuresIn(json.at("figures"));
-    entry.curves = curvesIn(json.at("curves"));
+    entry.curves = curvesFrom(json.at("curves"));
     entry.notes = messagesFrom(json.at("notes"));
     for (const Json& stage : json.at("stages"))
         entry.stages.push_back({messageFrom(stage.at("name")), stage.at("seconds").get<double>()});

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/io/curve_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
 
@@ -33,6 +34,8 @@ CheckpointFile checkpointFrom(const Json& head, std::string state, const fs::pat
     file.recipe = Recipe::fromJson(head.at("recipe").dump(), folderOf(path));
     file.checkpoint.step = head.at("step").get<std::uint32_t>();
     file.checkpoint.progress = head.at("progress").get<double>();
+    if (head.contains("curves")) // earlier builds kept none
+        file.checkpoint.curves = curvesFrom(head.at("curves"));
     if (head.at("bytes").get<std::uint64_t>() != state.size() ||
         head.at("sha1").get<std::string>() != bytesHash(state))
         damaged(path);
@@ -48,6 +51,7 @@ void writeCheckpoint(const fs::path& path, const Recipe& recipe, const Checkpoin
                        {"recipe", Json::parse(recipe.toJson(folderOf(path)))},
                        {"step", checkpoint.step},
                        {"progress", checkpoint.progress},
+                       {"curves", toJson(checkpoint.curves)},
                        {"bytes", checkpoint.state.size()},
                        {"sha1", bytesHash(checkpoint.state)}};
     writeText(path, head.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" + checkpoint.state);

@@ -19,8 +19,8 @@ struct CheckpointFile {
     Checkpoint checkpoint;
 };
 
-/// Writes whole or not at all: a line of JSON (format, version, recipe, sizes, SHA-1 of the state), then the
-/// state. @throws Error
+/// Writes whole or not at all: a line of JSON (format, version, recipe, curves, sizes, SHA-1 of the state),
+/// then the state. @throws Error
 void writeCheckpoint(const std::filesystem::path& path, const Recipe& recipe, const Checkpoint& checkpoint);
 
 /// @throws Error if the file cannot be read; UsageError where it is damaged or not a checkpoint.

@@ -355,6 +355,35 @@ TEST(JobContext, OrderedWorkOverNothingDoesNothing) {
         0, [](int) { return std::vector<int>{}; }, [](int) { ADD_FAILURE(); }, [](int) {});
 }
 
+TEST(JobContext, TakesUpTheCurvesOfTheCheckpointOnce) {
+    const Message energy("Energy");
+    JobMonitor before;
+    std::shared_ptr<const Checkpoint> kept;
+    JobContext broken(
+        {.keep = [&](const Checkpoint& one) { kept = std::make_shared<const Checkpoint>(one); }},
+        [] { return false; }, before);
+    broken.step(1, 1);
+    broken.curve(energy, 8);
+    broken.curve(energy, 4);
+    broken.checkpoint(0ms, [] { return "half"; });
+    broken.curve(energy, 2); // after the last checkpoint: lost
+
+    JobMonitor after;
+    JobContext context(
+        {.resumed = kept}, [] { return false; }, after);
+    context.step(0, 0.5); // ended before the checkpoint; it is made again
+    EXPECT_EQ(context.resumed(), nullptr);
+    context.curve(energy, 99);
+    context.step(1, 0.5);
+    context.curve(energy, 8); // of what is done again before the work is taken up
+    ASSERT_NE(context.resumed(), nullptr);
+    EXPECT_EQ(*context.resumed(), "half");
+    context.curve(energy, 2);
+    EXPECT_EQ(*context.resumed(), "half");
+    ASSERT_EQ(context.curves().size(), 1U);
+    EXPECT_EQ(context.curves().front().values, (std::vector<double>{8, 4, 2}));
+}
+
 TEST(JobContext, ShowsNoPreviewWhenNobodyLooks) {
     Bench bench(1, false);
     bench.context.preview(noise({8, 8}, 1));

@@ -1,4 +1,5 @@
 #include "core/match/neighbourhood_tree.h"
+#include "tests/core/match/interleaved_image.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +11,6 @@ namespace texloom::test {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-
-Interleaved interleaved(const Image& image) {
-    Interleaved pixels(image.size(), image.channels());
-    pixels.load(image, 0, 0, image.size());
-    return pixels;
-}
 
 std::vector<NeighbourhoodSource> only(const Interleaved& pixels, const PlaneView& mask = {}) {
     NeighbourhoodSource source;

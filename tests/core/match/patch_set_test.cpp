@@ -1,5 +1,6 @@
 #include "core/job/random.h"
 #include "core/match/patch_set.h"
+#include "tests/core/match/interleaved_image.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +11,6 @@
 namespace texloom::test {
 
 namespace {
-
-Interleaved interleaved(const Image& image) {
-    Interleaved pixels(image.size(), image.channels());
-    pixels.load(image, 0, 0, image.size());
-    return pixels;
-}
 
 double distanceOf(const Interleaved& a, int x, int y, const Interleaved& b, int u, int v, int patch) {
     double sum = 0;

@@ -1,3 +1,4 @@
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/session/results/result_files.h"
 #include "core/session/run/checkpoint_file.h"
@@ -6,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace texloom::test {
@@ -21,6 +23,12 @@ struct DiffusionRun : SampleRun {
     }
 };
 
+bool sameCurves(const std::vector<Curve>& one, const std::vector<Curve>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const Curve& a, const Curve& b) {
+        return a.name == b.name && a.values == b.values;
+    });
+}
+
 } // namespace
 
 TEST(Checkpoint, ResumedFromAnyEqualsUninterrupted) {
@@ -31,14 +39,47 @@ TEST(Checkpoint, ResumedFromAnyEqualsUninterrupted) {
     for (const Checkpoint& checkpoint : kept) {
         const Result resumed = sample.runWith({{}, std::make_shared<const Checkpoint>(checkpoint)});
         EXPECT_TRUE(samePixels(resumed.synthesis.image, whole.synthesis.image));
-        EXPECT_EQ(resumed.synthesis.curves.empty(), checkpoint.progress == 1);
+        EXPECT_TRUE(sameCurves(resumed.synthesis.curves, whole.synthesis.curves)) << checkpoint.progress;
     }
+}
+
+TEST(Checkpoint, ResumedFromAFileHasTheCurvesOfTheWholeRun) {
+    const DiffusionRun sample;
+    const RunPlan plan = planRun(sample.input);
+    const auto path = sample.folder / "one.checkpoint";
+    int left = 4;
+    const Result whole = sample.runWith({[&](const Checkpoint& one) {
+                                             if (left-- > 0) // as a run that is killed then leaves it
+                                                 writeCheckpoint(path, plan.recipe, one);
+                                         },
+                                         nullptr});
+    ASSERT_EQ(whole.synthesis.curves.size(), 1U);
+    const std::shared_ptr<const Checkpoint> last = resumable(readCheckpoint(path), plan);
+    ASSERT_EQ(last->curves.size(), 1U);
+    EXPECT_EQ(last->curves.front().values, (std::vector<double>{1, 2, 3, 4}));
+    const Result resumed = sample.runWith({{}, last});
+    EXPECT_TRUE(sameCurves(resumed.synthesis.curves, whole.synthesis.curves));
+}
+
+TEST(Checkpoint, OfABuildThatKeptNoCurvesStillOpens) {
+    const DiffusionRun sample;
+    const auto path = sample.folder / "one.checkpoint";
+    writeCheckpoint(path, planRun(sample.input).recipe, {0, 0.5, "state"});
+    std::string text = readText(path);
+    const std::string none = R"("curves":[],)";
+    ASSERT_NE(text.find(none), std::string::npos);
+    writeText(path, text.erase(text.find(none), none.size()));
+    const CheckpointFile file = readCheckpoint(path);
+    EXPECT_TRUE(file.checkpoint.curves.empty());
+    EXPECT_EQ(file.checkpoint.state, "state");
 }
 
 TEST(Checkpoint, ComesBackFromItsFileWithItsRecipe) {
     const DiffusionRun sample;
     const RunPlan plan = planRun(sample.input);
-    const Checkpoint checkpoint{2, 0.25, std::string("\0\n{}\xff", 5)};
+    const std::vector<Curve> curves = {{message("Energy at scale {}", 2), {1.0 / 3, -0.0, 1e300}},
+                                       {TR("Round"), {}}};
+    const Checkpoint checkpoint{2, 0.25, std::string("\0\n{}\xff", 5), curves};
     const auto path = sample.folder / "one.checkpoint";
     writeCheckpoint(path, plan.recipe, checkpoint);
     const CheckpointFile file = readCheckpoint(path);
@@ -46,6 +87,7 @@ TEST(Checkpoint, ComesBackFromItsFileWithItsRecipe) {
     EXPECT_EQ(file.checkpoint.step, 2U);
     EXPECT_EQ(file.checkpoint.progress, 0.25);
     EXPECT_EQ(file.checkpoint.state, checkpoint.state);
+    EXPECT_TRUE(sameCurves(file.checkpoint.curves, curves));
     EXPECT_EQ(resumable(file, plan)->state, checkpoint.state);
 }
 

@@ -285,6 +285,82 @@ TEST(ResultFolder, GivesModelsVolumesAndMeshesBack) {
     EXPECT_THROW(folder.read(entry), Error);
 }
 
+namespace {
+
+/// A result of a made-up method that gives something of every kind.
+std::shared_ptr<Result> resultOfEverything() {
+    struct Settings {};
+    const auto given = [](const char* id, AssetKind kind) {
+        return Port{.id = id, .title = id, .help = "", .kind = kind, .least = 1};
+    };
+    static const Method everything =
+        named("everything",
+              method<Settings>(
+                  {.title = "Everything",
+                   .summary = "",
+                   .citation = "",
+                   .takes = {ports::exemplar()},
+                   .gives = {ports::image(), given("holes", AssetKind::Mask), given("layout", AssetKind::Map),
+                             given("moments", AssetKind::Model), given("block", AssetKind::Volume),
+                             given("surface", AssetKind::Mesh), given("other-surface", AssetKind::Mesh)}},
+                  {}, +[](const Request&, const Settings&, JobContext&) { return Synthesis(); },
+                  +[](const Request&, const Settings&) {},
+                  +[](const Request&, const Settings&, int) { return Estimate(); }));
+    auto result = std::make_shared<Result>();
+    result->plan.steps.push_back({&everything, {}, {}});
+    result->synthesis.image = constant({3, 2}, 3, 0.5F);
+    Assets& outputs = result->synthesis.outputs;
+    outputs.add("holes", std::make_shared<const Image>(constant({3, 2}, 1, 1)));
+    outputs.add("layout", std::make_shared<const PositionMap>(Size{3, 2}, std::vector<Size>{{4, 4}}));
+    auto model = std::make_shared<Model>();
+    model->kind = "moments";
+    outputs.add("moments", std::shared_ptr<const Model>(model));
+    outputs.add("block", std::shared_ptr<const VolumeSource>(std::make_shared<DenseSource>(
+                             sampleVolume({2, 2, 2}, 1), DenseSource::Edge::Ends)));
+    outputs.add("surface", triangle());
+    outputs.add("other-surface", triangle());
+    return result;
+}
+
+Port portFor(const char* id, AssetKind kind) {
+    return {.id = id, .title = id, .help = "", .kind = kind};
+}
+
+} // namespace
+
+TEST(AssetFor, FindsWhatAResultHasOfThePortsKind) {
+    const std::shared_ptr<Result> result = resultOfEverything();
+    const Assets& outputs = result->synthesis.outputs;
+    const auto isOutput = [&](const Port& port, const char* id) {
+        const std::optional<Asset> found = assetFor(result, port);
+        return found && *found == outputs.at(id).front();
+    };
+    EXPECT_EQ(
+        std::get<std::shared_ptr<const Image>>(*assetFor(result, portFor("target", AssetKind::Image))).get(),
+        &result->synthesis.image);
+    EXPECT_TRUE(isOutput(portFor("target-holes", AssetKind::Mask), "holes"));
+    EXPECT_TRUE(isOutput(portFor("places", AssetKind::Map), "layout"));
+    EXPECT_TRUE(isOutput(portFor("moments", AssetKind::Model), "moments"));
+    EXPECT_TRUE(isOutput(portFor("solid", AssetKind::Volume), "block"));
+    EXPECT_TRUE(isOutput(portFor("surface", AssetKind::Mesh), "surface")) << "its own name comes first";
+    EXPECT_TRUE(isOutput(portFor("body", AssetKind::Mesh), "other-surface")) << "else the first";
+    EXPECT_FALSE(assetFor(result, portFor("network", AssetKind::Model))) << "a model of another kind";
+}
+
+TEST(AssetFor, PrefersThePositionMapAndFindsNothingInAPicture) {
+    const std::shared_ptr<Result> result = resultOfEverything();
+    result->synthesis.map = PositionMap({3, 2}, {{4, 4}});
+    result->synthesis.mapKind = MapKind::Exact;
+    const Port places = portFor("places", AssetKind::Map);
+    EXPECT_EQ(std::get<std::shared_ptr<const PositionMap>>(*assetFor(result, places)).get(),
+              &result->synthesis.map);
+    result->synthesis.outputs = {};
+    result->synthesis.mapKind = MapKind::None;
+    for (const AssetKind kind :
+         {AssetKind::Mask, AssetKind::Map, AssetKind::Model, AssetKind::Volume, AssetKind::Mesh})
+        EXPECT_FALSE(assetFor(result, portFor("moments", kind))) << kindId(kind);
+}
+
 TEST(ExportResult, WritesModelsWithTheirRecipe) {
     const DoorRun sample("learn-moments");
     const Result result = sample.run();

@@ -16,16 +16,24 @@ namespace {
 
 using testing::HasSubstr;
 
+constexpr double kLong = 20; ///< seconds that a method says it takes
+
 TEST_P(Conformance, memoryStaysWithinTheEstimate) {
     if (kSanitized)
         GTEST_SKIP() << "skipped: a sanitizer's own memory is not the method's";
-    Request request = requestFor({200, 180}, 3, {1500, 1400});
-    fillPorts(method().info(), request);
-    Values settings = briefSettings(method(), request);
-    // An output of this size takes long in each pass.
-    if (const auto passes = settings.find("passes"); passes != settings.end())
-        passes->second = 1;
-    const std::uint64_t bytes = planFor(method(), request, settings, 2).estimate.bytes;
+    Request request;
+    Values settings;
+    Estimate need;
+    // A slow method is held to its word at a smaller output, which is still most of what it takes.
+    for (Size size{1500, 1400}; size.width > 300; size = {size.width / 2, size.height / 2}) {
+        request = requestFor({200, 180}, 3, size);
+        fillPorts(method().info(), request);
+        settings = briefSettings(method(), request);
+        need = planFor(method(), request, settings, 2).estimate;
+        if (need.seconds < kLong)
+            break;
+    }
+    const std::uint64_t bytes = need.bytes;
     const auto growth = peakGrowth([&] { runWith(method(), request, settings, 2); });
     if (!growth)
         GTEST_SKIP() << "skipped: the kernel does not let the peak be reset";
