@@ -12,7 +12,7 @@ struct Settings {
     int window = 21; ///< side n in pixels; an even one counts as the next odd. The source uses 11 to 25;
                      ///< 11 grows garbage from most photos
     double tolerance = 0.1; ///< ε: a window up to (1 + ε) times as far as the nearest may be drawn
-    double sigma = 1 / 6.4; ///< of the Gaussian weights, as a share of the window
+    double sigma = 0.156;   ///< of the Gaussian weights, as a share of the window: the source has 1 / 6.4
     int seedSize = 3;       ///< side of the square that growth begins with
     Order order = Order::Onion;
     Search search = Search::Exact;
