@@ -30,8 +30,19 @@ double unknownOf(const Request& request) {
     return mask ? pixels : static_cast<double>(request.size.area());
 }
 
+/// The exemplars without the hole: where one is the very picture that is completed, and no mask says what of
+/// it may be copied, what is to be made anew is hidden in it.
+Request withoutHole(const Request& request) {
+    Request hidden = request;
+    const auto mask = request.inputs.first<Image>(kKnownPort);
+    for (Exemplar& exemplar : hidden.exemplars)
+        if (mask && request.initial() && !exemplar.mask() && samePixels(*exemplar.image, *request.initial()))
+            exemplar.inputs.set(kMaskPort, mask);
+    return hidden;
+}
+
 void check(const Request& request, const Settings& settings) {
-    checkSquares(request, Grower::window(settings));
+    checkSquares(withoutHole(request), Grower::window(settings));
     const Image* const mask = request.inputs.image(kKnownPort);
     if (request.initial() && !mask)
         failUsage("What is to be kept of the image to start from is not said; give a mask of what is known.");
@@ -57,7 +68,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return Grower(request, settings, {request.initial(), request.inputs.image(kKnownPort)}, context).run();
+    const Request hidden = withoutHole(request);
+    return Grower(hidden, settings, {request.initial(), request.inputs.image(kKnownPort)}, context).run();
 }
 
 } // namespace

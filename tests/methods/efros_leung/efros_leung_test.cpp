@@ -302,6 +302,36 @@ TEST(EfrosLeung, likelyWindowsAreAmongThoseThatFit) {
     EXPECT_GE(met, asked * 95 / 100) << "of " << asked;
 }
 
+TEST(EfrosLeung, aPictureIsNotHealedFromItsOwnHole) {
+    Image photo = gravelOf({64, 64});
+    Image known = constant(photo.size(), 1, 1);
+    for (int y = 28; y < 36; ++y)
+        for (int x = 26; x < 38; ++x) {
+            photo(x, y, 0) = 5; // what is to go
+            known(x, y, 0) = 0;
+        }
+    Request request = requestFor(photo, photo.size());
+    request.inputs.set(kInitialPort, shared(photo));
+    request.inputs.set("known", shared(known));
+    const Method& method = findMethod("efros-leung");
+    Job<Synthesis> job({5, 2, false}, [&](JobContext& context) {
+        return method.run(request, method.resolved({{"window", 9}}, photo.size()), context);
+    });
+    const Synthesis healed = std::get<Synthesis>(job.take());
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            ASSERT_NE(healed.image(x, y, 0), 5);
+            if (known(x, y, 0) != 0) {
+                ASSERT_EQ(healed.image(x, y, 0), photo(x, y, 0));
+            }
+        }
+    // A mask of one's own says more: here, that all may be copied.
+    request.exemplars.front().inputs.set(kMaskPort, shared(constant(photo.size(), 1, 1)));
+    EXPECT_NO_THROW(method.check(request, method.resolved({{"window", 63}}, photo.size())));
+    request.exemplars.front().inputs.clear(kMaskPort);
+    EXPECT_THROW(method.check(request, method.resolved({{"window", 63}}, photo.size())), UsageError);
+}
+
 TEST(EfrosLeung, refusalsNameTheValueAndTheLimit) {
     const Method& method = findMethod("efros-leung");
     try {
