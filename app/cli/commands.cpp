@@ -14,6 +14,7 @@
 #include "core/session/preset.h"
 #include "core/session/run/checkpoint_file.h"
 #include "core/session/run/edited_exemplar.h"
+#include "core/session/run/exemplar_use.h"
 #include "core/session/run/run.h"
 #include "core/session/session.h"
 #include "core/tools/edits.h"
@@ -66,6 +67,8 @@ Json toJson(const Method& method) {
 void printMethod(const Method& method) {
     const MethodInfo& info = method.info();
     fmt::print("{}: {}\n  {}\n  {}\n", method.id(), info.title, info.summary, info.citation);
+    if (!info.takesExemplars())
+        fmt::print("  Takes no exemplar.\n");
     for (const Port& port : info.takes)
         if (port.id != kExemplarPort && port.id != kCompanionPort)
             fmt::print("  --input {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
@@ -115,9 +118,22 @@ std::vector<RecipeStep> stepsOf(const SynthOptions& options) {
     return steps;
 }
 
+/// Refuses what belongs to exemplars where there are none.
+void checkNothingOfExemplars(const SynthOptions& options) {
+    const std::pair<bool, const char*> all[] = {
+        {!options.companions.empty(), "--companion"}, {!options.masks.empty(), "--mask"},
+        {!options.weights.empty(), "--weight"},       {!options.edits.empty(), "--edit"},
+        {!options.exemplarSpace.empty(), "--space"},  {!options.layer.empty(), "--layer"}};
+    for (const auto& [given, option] : all)
+        if (given)
+            failUsage("{} belongs to an exemplar, and there is none.", option);
+}
+
 /// Shares files that belong to the exemplars out to them, in order.
 void attach(RunInput& input, const SynthOptions& options) {
     const std::size_t count = input.exemplars.size();
+    if (count == 0)
+        return checkNothingOfExemplars(options);
     if (!options.weights.empty() && options.weights.size() != count)
         failUsage("{} weights were given for {} exemplars; every one needs its own, or none has any.",
                   options.weights.size(), count);
@@ -142,6 +158,8 @@ void addInput(RunInput& input, const std::string& name, const fs::path& file, bo
     std::vector<Size> sizes;
     for (const RunExemplar& exemplar : input.exemplars)
         sizes.push_back(exemplar.image.image->size());
+    if (ofExemplars && input.exemplars.empty())
+        failUsage("--input {} belongs to an exemplar, and there is none.", name);
     InputFile loaded = loadInput(port, {file, "", ""}, sizes);
     if (port.extent != Extent::Exemplar) {
         input.inputs[port.id].push_back(std::move(loaded));
@@ -188,6 +206,15 @@ std::optional<Size> sizeOfInputs(const RunInput& input) {
     return std::nullopt;
 }
 
+/// Of the output, where nobody says: twice the exemplar.
+Size usualSize(const RunInput& input) {
+    constexpr int kWithoutExemplar = 512;
+    if (input.exemplars.empty())
+        return {kWithoutExemplar, kWithoutExemplar};
+    const Size exemplar = input.exemplars.front().image.image->size();
+    return {2 * exemplar.width, 2 * exemplar.height};
+}
+
 /// Edits the exemplars as --edit says. An edit is for every exemplar, or for the one whose number stands
 /// before it.
 void edit(RunInput& input, const std::vector<std::string>& edits) {
@@ -209,7 +236,7 @@ void edit(RunInput& input, const std::vector<std::string>& edits) {
         input.exemplars[i] = edited(input.exemplars[i], each[i], checkInterrupt);
 }
 
-Depth parseDepth(const std::string& text, const ExemplarFile& exemplar, const fs::path& path) {
+Depth parseDepth(const std::string& text, const ImageFileInfo& exemplar, const fs::path& path) {
     if (text.empty())
         return depthLike(exemplar, path);
     for (const Depth depth : {Depth::Bits8, Depth::Bits16, Depth::Half, Depth::Float})
@@ -232,7 +259,7 @@ std::map<std::string, fs::path> savesOf(const RunPlan& plan, const OutputOptions
 
 /// Refuses before the work what would fail after it, or write over what it was made from.
 void checkOutputs(const RunPlan& plan, const ExportOptions& options, const OutputOptions& out) {
-    checkWritable(options.image, plan.request.resultChannels(), options.depth);
+    checkWritable(options.image, plan.resultChannels(), options.depth);
     if (options.space == color::kFileSpace)
         failUsage("--out-space {}: an output is in one of the spaces that have a name, or raw.",
                   options.space);
@@ -268,10 +295,10 @@ Result runWithCheckpoints(RunPlan plan, const OutputOptions& out) {
 }
 
 /// Runs a planned synthesis to the end and writes what was asked for.
-void execute(RunPlan plan, const ExemplarFile& exemplar, const OutputOptions& out) {
+void execute(RunPlan plan, const OutputOptions& out) {
     ExportOptions options;
     options.image = out.output;
-    options.depth = parseDepth(out.depth, exemplar, out.output);
+    options.depth = parseDepth(out.depth, plan.exemplarInfo, out.output);
     options.space = out.space;
     options.maps = out.maps;
     options.outputs = savesOf(plan, out);
@@ -307,15 +334,14 @@ RunInput inputFor(const SynthOptions& options) {
     input.wrap = options.wrap;
     input.seed = options.seed;
     input.region = options.region;
+    checkExemplarCount(input.steps, options.exemplars.size());
     for (const fs::path& path : options.exemplars)
         input.exemplars.push_back({loadExemplar(path, options.exemplarSpace, options.layer), {}, {}});
     attach(input, options);
     addInputs(input, options, true);
     edit(input, options.edits);
     addInputs(input, options, false);
-    const Size exemplar = input.exemplars.front().image.image->size();
-    const std::optional<Size> given = options.size ? options.size : sizeOfInputs(input);
-    input.size = given.value_or(Size{2 * exemplar.width, 2 * exemplar.height});
+    input.size = options.size ? *options.size : sizeOfInputs(input).value_or(usualSize(input));
     return input;
 }
 
@@ -377,7 +403,7 @@ RunInput loadAndWarn(const Recipe& recipe) {
 void runInput(RunInput input, const OutputOptions& out) {
     input.threads = out.threads;
     input.judged = !out.report.empty();
-    execute(planRun(input, 0, true), input.exemplars.front().image, out);
+    execute(planRun(input, 0, true), out);
 }
 
 void synth(const SynthOptions& options) {
@@ -410,14 +436,14 @@ void applyMap(const ApplyOptions& options) {
         images.push_back(*files.back().image);
         sizes.push_back(files.back().image->size());
     }
-    checkWritable(options.output, images.front().channels, depthLike(files.front(), options.output));
+    checkWritable(options.output, images.front().channels, depthLike(files.front().info, options.output));
     std::vector<fs::path> sources = options.exemplars;
     sources.push_back(options.map);
     checkOnlyOutput(sources, options.output, options.overwrite);
     const PositionMap map = readPositionMap(options.map, sizes);
     checkInterrupt();
     WriteOptions write;
-    write.depth = depthLike(files.front(), options.output);
+    write.depth = depthLike(files.front().info, options.output);
     write.space = files.front().space;
     write.channelNames = files.front().info.channelNames;
     write.check = checkInterrupt;

@@ -41,7 +41,7 @@ void run(const JoinCommand& command) {
     const ExemplarFile second = loadExemplar(command.second);
     checkInterrupt();
     tool.checkJoin(*first.image, *second.image, settings);
-    checkWritable(command.output, first.image->channels(), depthLike(first, command.output));
+    checkWritable(command.output, first.image->channels(), depthLike(first.info, command.output));
     checkOnlyOutput({command.first, command.second}, command.output, command.overwrite);
     Job<Image> job(
         {}, [&](JobContext& context) { return tool.joined(*first.image, *second.image, settings, context); });

@@ -78,9 +78,10 @@ void addTools(CLI::App& app) {
 
 void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
-    command.add_option("exemplar", options.exemplars, "Images to learn from")->required();
+    command.add_option("exemplar", options.exemplars,
+                       "Images to learn from, where the method learns from any");
     cli::addSize(command, options.size,
-                 "Size of the output, as 512x256 or 512; twice the exemplar if not given");
+                 "Size of the output, as 512x256 or 512; twice the exemplar if not given, 512 without one");
     cli::addSeed(command, options.seed, "Whole number from 0; another seed gives another texture");
     command
         .add_option("--then", options.then,

@@ -44,6 +44,7 @@ bool isUsual(const Port& port) {
 /// What a method can do beside the least, one line each.
 std::vector<std::string> abilities(const MethodInfo& info) {
     const std::pair<bool, const char*> all[] = {
+        {!info.takesExemplars(), "It learns from no exemplar."},
         {info.copiesPixels(),
          "Every pixel is copied from the exemplar, and the position map says from where."},
         {info.canWrap(), "The output tiles on either axis (`--wrap x`, `y` or `xy`)."},
@@ -98,8 +99,9 @@ std::string methodPage(const Method& method) {
     std::string page = fmt::format(
         "<!-- Written by `texloom-cli methods --markdown docs/methods` from the declaration. -->\n"
         "# {}\n\n{}\n\nAfter {}.\n\n![Made by {}](picture/{}.jpg)\n\n"
-        "    texloom-cli synth {} EXEMPLAR -o OUTPUT\n\n",
-        info.title, info.summary, info.citation, info.title, method.id(), method.id());
+        "    texloom-cli synth {}{} -o OUTPUT\n\n",
+        info.title, info.summary, info.citation, info.title, method.id(), method.id(),
+        info.takesExemplars() ? " EXEMPLAR" : "");
     const std::vector<std::string> lines = abilities(info);
     for (const std::string& line : lines)
         page += fmt::format("- {}\n", line);

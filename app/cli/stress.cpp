@@ -55,6 +55,9 @@ void printRound(int round, const TextureDistance& distance) {
 void stress(const StressOptions& options) {
     RunInput input = inputFor(options.synth);
     input.threads = options.synth.out.threads;
+    if (input.exemplars.empty())
+        failUsage("stress: {} learns from no exemplar, so that no round could learn from the one before.",
+                  methodIds(input.steps, " + "));
     if (!input.exemplars.front().companions.empty() || !input.inputs.empty())
         failUsage("stress: --companion and --init belong to a single run; leave them out.");
     checkOutputs(input, options);

@@ -167,7 +167,7 @@ void checkFormat(const JsonField& root) {
                   format.whole(), kVersion, Recipe::kFormat);
 }
 
-Recipe recipeFrom(const JsonField& root, const fs::path& folder, bool needsExemplar) {
+Recipe recipeFrom(const JsonField& root, const fs::path& folder) {
     if (!root.json().is_object())
         failUsage("A recipe is a JSON object; this is not one.");
     checkFormat(root);
@@ -179,10 +179,12 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder, bool needsExemp
     if (root.has("then"))
         for (RecipeStep& step : stepsFrom(root.at("then")))
             recipe.steps.push_back(std::move(step));
-    const JsonField exemplars = root.at("exemplars");
-    exemplars.needArray(needsExemplar ? 1 : 0, kMostFiles);
-    for (std::size_t i = 0; i < exemplars.size(); ++i)
-        recipe.exemplars.push_back(exemplarFrom(exemplars.at(i), folder));
+    if (root.has("exemplars")) { // whether the methods need any is checked where the run is planned
+        const JsonField exemplars = root.at("exemplars");
+        exemplars.needArray(0, kMostFiles);
+        for (std::size_t i = 0; i < exemplars.size(); ++i)
+            recipe.exemplars.push_back(exemplarFrom(exemplars.at(i), folder));
+    }
     recipe.inputs = inputsFrom(root, folder);
     recipe.size = sizeFrom(root.at("size"));
     recipe.wrap = root.has("wrap") ? wrapFrom(root.at("wrap")) : Wrap{};
@@ -242,6 +244,18 @@ std::vector<const RecipeFile*> Recipe::files() const {
     return filesOf<const RecipeFile>(*this);
 }
 
+std::string Recipe::name() const {
+    const std::vector<const RecipeFile*> all = files(); // exemplars come first
+    return all.empty() ? "texture" : all.front()->path.stem().string();
+}
+
+std::string Recipe::space() const {
+    if (!exemplars.empty())
+        return exemplars.front().image.space;
+    const auto initial = inputs.find(kInitial);
+    return initial == inputs.end() || initial->second.empty() ? "srgb" : initial->second.front().space;
+}
+
 std::string Recipe::toJson(const fs::path& folder) const {
     Json json = {{"texloom", kFormat}, {"version", version}};
     addSteps(json, steps);
@@ -257,9 +271,9 @@ std::string Recipe::toJson(const fs::path& folder) const {
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-Recipe Recipe::fromJson(std::string_view text, const fs::path& folder, bool needsExemplar) {
+Recipe Recipe::fromJson(std::string_view text, const fs::path& folder) {
     const Json json = parseJson(TR("recipe"), text);
-    return recipeFrom({TR("recipe"), json}, folder, needsExemplar);
+    return recipeFrom({TR("recipe"), json}, folder);
 }
 
 Recipe readRecipe(const fs::path& path) {

@@ -60,7 +60,7 @@ struct Recipe {
     /// The methods in order, at least one; each takes up what the one before it made. Parameters are complete
     /// when written by Texloom; missing ones get the method's defaults.
     std::vector<RecipeStep> steps = {{}};
-    std::vector<RecipeExemplar> exemplars;
+    std::vector<RecipeExemplar> exemplars; ///< none where the methods learn from none
     RecipeInputs inputs; ///< what else goes into the methods' ports, such as an image to start from
     Size size;
     Wrap wrap;
@@ -70,14 +70,18 @@ struct Recipe {
     /// Every file that it names: all that belongs to the exemplars, and the inputs.
     std::vector<RecipeFile*> files();
     std::vector<const RecipeFile*> files() const;
+    /// What results are called after: the file of the first exemplar, or else of the first input; "texture"
+    /// if it names no file.
+    std::string name() const;
+    /// The colour space that results are written in unless another is asked for: that of the first exemplar's
+    /// file, or else of the image that the run starts from; "srgb" if there is neither.
+    std::string space() const;
 
     /// JSON text with paths relative to `folder`.
     std::string toJson(const std::filesystem::path& folder) const;
     /// @param folder against which relative paths are taken.
     /// @throws UsageError that names the wrong field, its value and what it may be.
-    /// @param needsExemplar whether one without exemplars is refused.
-    static Recipe fromJson(std::string_view text, const std::filesystem::path& folder,
-                           bool needsExemplar = true);
+    static Recipe fromJson(std::string_view text, const std::filesystem::path& folder);
 };
 
 /// The recipe in a .json file, or embedded in an image that Texloom wrote. @throws Error or UsageError

@@ -108,6 +108,9 @@ void checkInputs(const MethodInfo& info, const Request& request) {
         for (const Asset& asset : request.inputs.at(port.id))
             checkExtent(port, asset, request.size, TR("the output"));
     }
+}
+
+void checkInitial(const Request& request) {
     if (const Image* initial = request.initial(); initial && initial->channels() != request.channels())
         failUsage("The image to start from has {} channels, the output {}; they need the same number.",
                   initial->channels(), request.channels());
@@ -126,6 +129,37 @@ void checkOutput(const MethodInfo& info, const Request& request) {
         failUsage("The region of {} × {} px at ({}, {}) does not lie in the output of {} × {} px.",
                   request.region->size.width, request.region->size.height, request.region->x,
                   request.region->y, size.width, size.height);
+}
+
+/// What a method made for one of its outputs is of the kind that the port says.
+void checkMade(const MethodInfo& info, const Port& port, const Asset& asset) {
+    if (!isOf(port.kind, asset) || std::visit([](const auto& made) { return made == nullptr; }, asset))
+        fail("{} declares {} for its output {}, but made something else; this is a mistake in the method.",
+             Message(info.title), kindText(port.kind), port.id);
+    const auto* model = std::get_if<std::shared_ptr<const Model>>(&asset);
+    if (model && (*model)->kind != port.id)
+        fail("{} made a model of the kind {} for its output {}, which takes one of its own kind; this is a "
+             "mistake in the method.",
+             Message(info.title), (*model)->kind, port.id);
+}
+
+/// Everything that a method gives beside image and map, which have members of their own, comes out of a port
+/// that it declares: what follows relies on that.
+void checkGiven(const MethodInfo& info, const Assets& outputs) {
+    for (const auto& [id, made] : outputs.byPort())
+        if (info.output(id) == nullptr)
+            fail("{} made an output {} that it does not declare; this is a mistake in the method.",
+                 Message(info.title), id);
+    for (const Port& port : info.gives) {
+        const std::vector<Asset>& made = outputs.at(port.id);
+        const int count = static_cast<int>(made.size());
+        const bool apart = port.id == kImagePort || port.id == kMapPort;
+        if (!apart && (count < port.least || count > port.most))
+            fail("{} gives {} to {} for its output {}, but made {}; this is a mistake in the method.",
+                 Message(info.title), port.least, port.most, port.id, count);
+        for (const Asset& asset : made)
+            checkMade(info, port, asset);
+    }
 }
 
 } // namespace
@@ -153,15 +187,32 @@ void Method::check(const Request& request, const Values& settings) const {
     checkExemplars(m_info, request);
     checkOutput(m_info, request);
     checkInputs(m_info, request);
-    m_check(request, settings);
+    const Request whole = completed(request, settings);
+    checkInitial(whole);
+    m_check(whole, settings);
+}
+
+int Method::channels(const Request& request, const Values& settings) const {
+    if (!request.exemplars.empty())
+        return request.channels();
+    if (const int own = m_channels ? m_channels(request, settings) : 0; own > 0)
+        return own;
+    return request.initial() ? request.initial()->channels() : request.freeChannels;
+}
+
+Request Method::completed(const Request& request, const Values& settings) const {
+    Request whole = request;
+    whole.freeChannels = channels(request, settings);
+    return whole;
 }
 
 Estimate Method::estimate(const Request& request, const Values& settings, int threads) const {
-    return m_estimate(request, settings, threads);
+    return m_estimate(completed(request, settings), settings, threads);
 }
 
 Synthesis Method::run(const Request& request, const Values& settings, JobContext& context) const {
-    Synthesis made = m_run(request, settings, context);
+    Synthesis made = m_run(completed(request, settings), settings, context);
+    checkGiven(m_info, made.outputs);
     made.curves = context.curves();
     return made;
 }

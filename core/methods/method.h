@@ -43,7 +43,7 @@ struct MethodInfo {
     std::string summary;  ///< one or two sentences: what it does and what it suits
     std::string citation; ///< the papers it follows
     Category category = Category::Patches;
-    std::vector<Port> takes; ///< at least one; Method adds companion maps where there are exemplars
+    std::vector<Port> takes; ///< Method adds companion maps where there are exemplars
     std::vector<Port> gives; ///< at least an image
     Repeats repeats = Repeats::Bits;
     bool usesSeed = true;                         ///< whether another seed gives another result
@@ -53,6 +53,8 @@ struct MethodInfo {
     const Port* input(std::string_view id) const { return findPort(takes, id); }
     const Port* output(std::string_view id) const { return findPort(gives, id); }
 
+    bool takesExemplars() const { return input(kExemplarPort) != nullptr; }
+    bool needsExemplar() const { return takesExemplars() && input(kExemplarPort)->least > 0; }
     bool learnsFromSeveral() const { return input(kExemplarPort) && input(kExemplarPort)->most > 1; }
     bool heedsWeights() const { return input(kExemplarPort) && input(kExemplarPort)->weighed; }
     bool heedsMasks() const { return input(kMaskPort) != nullptr; }
@@ -97,11 +99,17 @@ public:
     /// `settings` checked and completed with defaults. @throws UsageError
     Values resolved(const Values& settings, Size exemplar) const;
 
+    /// Channels of the output: those of the exemplars. Where there are none, as many as the method makes of
+    /// its inputs and settings, if it says so; else those of the image to start from, or what the request
+    /// has.
+    /// @param request with inputs of the right kinds; one that is null is not there yet.
+    int channels(const Request& request, const Values& settings) const;
     /// Whether the request can be run at all. @throws Error or UsageError with the value and the limit.
     void check(const Request& request, const Values& settings) const;
     /// What a checked request will need on `threads` threads.
     Estimate estimate(const Request& request, const Values& settings, int threads) const;
-    /// Runs a checked request. @param settings as resolved() gave them. @throws Error, Cancelled
+    /// Runs a checked request. @param settings as resolved() gave them.
+    /// @throws Error, also where the method gives other outputs than it declares; Cancelled
     Synthesis run(const Request& request, const Values& settings, JobContext& context) const;
 
 private:
@@ -109,10 +117,13 @@ private:
     friend Method method(MethodInfo info, std::vector<Param> params,
                          Synthesis (*run)(const Request&, const Settings&, JobContext&),
                          void (*check)(const Request&, const Settings&),
-                         Estimate (*estimate)(const Request&, const Settings&, int threads));
+                         Estimate (*estimate)(const Request&, const Settings&, int threads),
+                         int (*channels)(const Request&, const Settings&));
     friend Method named(std::string id, Method method);
 
     Method() = default;
+    /// The request with the channels that its output has.
+    Request completed(const Request& request, const Values& settings) const;
 
     std::string m_id;
     MethodInfo m_info;
@@ -120,16 +131,20 @@ private:
     std::function<void(const Request&, const Values&)> m_check;
     std::function<Estimate(const Request&, const Values&, int)> m_estimate;
     std::function<Synthesis(const Request&, const Values&, JobContext&)> m_run;
+    std::function<int(const Request&, const Values&)> m_channels; ///< may be empty
 };
 
 /// Declares a method. @param info what it is; @param params one field() per member of Settings;
 /// @param run does the work; @param check throws where a request cannot be run with these settings;
-/// @param estimate says what the run will need.
+/// @param estimate says what the run will need; @param channels of a method without exemplars, how many
+/// channels its output has, or 0 where an input that says so is not there yet. All of them find that number
+/// in Request::channels().
 template <class Settings>
 Method method(MethodInfo info, std::vector<Param> params,
               Synthesis (*run)(const Request&, const Settings&, JobContext&),
               void (*check)(const Request&, const Settings&),
-              Estimate (*estimate)(const Request&, const Settings&, int threads)) {
+              Estimate (*estimate)(const Request&, const Settings&, int threads),
+              int (*channels)(const Request&, const Settings&)) {
     Method made;
     made.m_info = std::move(info);
     made.m_params = std::move(params);
@@ -143,7 +158,21 @@ Method method(MethodInfo info, std::vector<Param> params,
     made.m_estimate = [fields, estimate](const Request& request, const Values& values, int threads) {
         return estimate(request, settingsFrom<Settings>(fields, values), threads);
     };
+    if (channels != nullptr)
+        made.m_channels = [fields, channels](const Request& request, const Values& values) {
+            return channels(request, settingsFrom<Settings>(fields, values));
+        };
     return made;
+}
+
+/// The same for a method whose output has the channels of its exemplars, or of the image that it starts from.
+template <class Settings>
+Method method(MethodInfo info, std::vector<Param> params,
+              Synthesis (*run)(const Request&, const Settings&, JobContext&),
+              void (*check)(const Request&, const Settings&),
+              Estimate (*estimate)(const Request&, const Settings&, int threads)) {
+    int (*const channels)(const Request&, const Settings&) = nullptr;
+    return method<Settings>(std::move(info), std::move(params), run, check, estimate, channels);
 }
 
 /// The method under an id; for the generated registry.

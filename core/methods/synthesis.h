@@ -32,21 +32,26 @@ struct Exemplar {
 
 /// All that a method is given: an immutable copy of the input.
 struct Request {
-    std::vector<Exemplar> exemplars; ///< at least one; all with the same number of channels
-    int companionChannels = 0;       ///< how many of these, the last ones, are of companion maps
-    Assets inputs = {};              ///< what goes into the method's other ports
-    Size size;                       ///< of the output
+    /// All with the same number of channels; none for methods that learn from none.
+    std::vector<Exemplar> exemplars;
+    int companionChannels = 0; ///< how many of these, the last ones, are of companion maps
+    Assets inputs = {};        ///< what goes into the method's other ports
+    Size size;                 ///< of the output
     Wrap wrap;
     std::uint64_t seed = 0;
     /// The part of the output to make, which equals that part of the whole; all of it if not given.
     std::optional<Region> region;
+    /// Channels of the output where no exemplar says how many there are: see Method::channels().
+    int freeChannels = kFreeChannels;
+    static constexpr int kFreeChannels = 3; ///< colour, unless somebody knows better
 
     /// An image of the output's size to start from, or null.
     const Image* initial() const { return inputs.image(kInitialPort); }
     std::vector<Size> exemplarSizes() const;
     /// The part of the output that is made; image and map of the result have its size.
     Region part() const { return region.value_or(Region{0, 0, size}); }
-    int channels() const { return exemplars.front().image->channels(); }
+    /// Channels of the output: those of the exemplars, if there are any.
+    int channels() const { return exemplars.empty() ? freeChannels : exemplars.front().image->channels(); }
     /// Channels of the result without those of companion maps.
     int resultChannels() const { return channels() - companionChannels; }
 };

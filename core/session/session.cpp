@@ -150,7 +150,7 @@ Session Session::fromJson(std::string_view text, const fs::path& folder) {
     checkFormat(root);
     root.only({"session", "settings", "used", "current", "seedLocked", "file", "fileBytes"});
     Session session;
-    session.settings = Recipe::fromJson(root.at("settings").json().dump(), folder, false);
+    session.settings = Recipe::fromJson(root.at("settings").json().dump(), folder);
     const std::size_t count = session.settings.exemplars.size();
     session.used.assign(count, true);
     if (root.has("used")) {
@@ -180,7 +180,7 @@ Recipe runOf(const Session& session) {
     Recipe recipe = session.settings;
     recipe.exemplars = exemplarsFor(recipe.steps, session.settings.exemplars, session.used,
                                     static_cast<std::size_t>(session.current));
-    if (recipe.exemplars.empty())
+    if (recipe.exemplars.empty() && useOf(recipe.steps).needed)
         failUsage("The session has no exemplar in use.");
     return recipe;
 }

@@ -34,8 +34,8 @@ Session readSession(const std::filesystem::path& path);
 void writeSession(const std::filesystem::path& path, const Session& session);
 
 /// The run that a session's settings make: with all exemplars in use where its methods learn from several,
-/// else with the one that is looked at. @throws UsageError where there is no exemplar, or a method is not
-/// known.
+/// else with the one that is looked at. @throws UsageError where there is no exemplar and they need one, or a
+/// method is not known.
 Recipe runOf(const Session& session);
 
 /// The recipe of a run in a file: a recipe, an image that Texloom wrote, or a session (.texloom).

@@ -6,6 +6,7 @@
 
 To make a picture anew, delete it first.
 """
+import json
 import pathlib
 import subprocess
 import sys
@@ -39,8 +40,14 @@ def write_pages(cli, folder):
     subprocess.run([cli, "methods", "--markdown", folder], check=True)
 
 
+def takes_exemplar(cli, method):
+    listed = subprocess.run([cli, "methods", method, "--json"], check=True, stdout=subprocess.PIPE).stdout
+    return any(port["id"] == "exemplar" for port in json.loads(listed)[0]["takes"])
+
+
 def synthesise(cli, method, exemplar, output, *options):
-    subprocess.run([cli, "synth", method, EXEMPLARS / exemplar, "--size", str(SIDE), "--seed", "1", "--quiet",
+    exemplars = [EXEMPLARS / exemplar] if takes_exemplar(cli, method) else []
+    subprocess.run([cli, "synth", method, *exemplars, "--size", str(SIDE), "--seed", "1", "--quiet",
                     "--no-sidecar", "-o", output, *options], check=True)
 
 

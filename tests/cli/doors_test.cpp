@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 class Doors : public ::testing::Test {
@@ -113,8 +114,9 @@ TEST_F(Doors, AModelIsSavedTakenUpAndInTheRecipe) {
     EXPECT_THAT(told, HasSubstr("bark.safetensors: Colour moments, 12 numbers, 96 B"));
     EXPECT_EQ(json("report.json").at("outputs").at(0).at("output"), "moments");
     EXPECT_EQ(json("learned.json").at("outputs").at(1).at("file"), "bark.safetensors");
-    run({"synth", "draw-moments", "bark.png", "--input", "moments=bark.safetensors", "--size", "40x30", "-o",
+    run({"synth", "draw-moments", "--input", "moments=bark.safetensors", "--size", "40x30", "-o",
          "drawn.exr"});
+    EXPECT_EQ(json("drawn.json").at("exemplars"), Json::array());
     const Json input = json("drawn.json").at("inputs").at("moments").at(0);
     EXPECT_EQ(input.at("file"), "bark.safetensors");
     EXPECT_EQ(input.at("sha1"), fileHash(m_folder / "bark.safetensors"));
@@ -124,6 +126,43 @@ TEST_F(Doors, AModelIsSavedTakenUpAndInTheRecipe) {
          "moments=both.safetensors"});
     EXPECT_EQ(readModel(m_folder / "both.safetensors").arrays,
               readModel(m_folder / "bark.safetensors").arrays);
+}
+
+TEST_F(Doors, AMethodMayTakeNoExemplar) {
+    EXPECT_THAT(run({"methods", "draw-moments"}), HasSubstr("Takes no exemplar."));
+    EXPECT_THAT(run({"methods", "learn-moments"}), Not(HasSubstr("Takes no exemplar.")));
+    run({"synth", "learn-moments", "bark.png", "-o", "learned.png", "--save", "moments=m.safetensors"});
+    const auto draw = [](std::vector<std::string> more) {
+        more.insert(more.begin(), {"synth", "draw-moments", "--input", "moments=m.safetensors"});
+        return more;
+    };
+    run(draw({"-o", "drawn.png", "--report", "report.json"}));
+    EXPECT_EQ(image("drawn.png").size(), (Size{512, 512}));
+    EXPECT_EQ(image("drawn.png").channels(), 3);
+    EXPECT_TRUE(json("report.json").at("figures").contains("Seam, left to right"));
+    EXPECT_FALSE(json("report.json").at("figures").contains("Colour histograms apart"));
+    expectRefusal(draw({"bark.png", "-o", "out.png"}), {"Draw colour moments", "takes no exemplar"});
+    for (const std::vector<std::string>& belonging :
+         std::vector<std::vector<std::string>>{{"--mask", "bark.png"},
+                                               {"--companion", "bark.png"},
+                                               {"--weight", "2"},
+                                               {"--edit", "turn=3"},
+                                               {"--space", "linear"},
+                                               {"--layer", "diffuse"}}) {
+        std::vector<std::string> all = draw({"-o", "out.png"});
+        all.insert(all.end(), belonging.begin(), belonging.end());
+        expectRefusal(all, {belonging.front(), "exemplar"});
+    }
+    expectRefusal({"stress", "draw-moments", "--input", "moments=m.safetensors", "-o", "round"},
+                  {"stress", "draw-moments", "no exemplar"});
+    expectRefusal({"synth", "learn-moments", "-o", "out.png"}, {"no exemplar to learn from"});
+    EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+    writeText(m_folder / "batch.json",
+              R"({"batch": 1, "runs": [{"recipe": "drawn.json", "sweep": {"seed": [4, 5]},
+        "output": "$name-$seed.png"}]})");
+    run({"batch", "batch.json", "--quiet"});
+    EXPECT_TRUE(fs::exists(m_folder / "m-4.png"));
+    EXPECT_FALSE(samePixels(image("m-4.png"), image("m-5.png")));
 }
 
 TEST_F(Doors, AVolumeIsSavedAndTakenUp) {
@@ -165,7 +204,7 @@ TEST_F(Doors, WhatCannotBeSavedIsRefusedBeforeTheRun) {
 
 TEST_F(Doors, ModelsThatDoNotFitAreRefusedAndNothingIsWritten) {
     const auto draw = [](const std::vector<std::string>& inputs) {
-        std::vector<std::string> all = {"synth", "draw-moments", "bark.png", "-o", "out.png"};
+        std::vector<std::string> all = {"synth", "draw-moments", "-o", "out.png"};
         for (const std::string& input : inputs)
             all.insert(all.end(), {"--input", "moments=" + input});
         return all;

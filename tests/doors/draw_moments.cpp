@@ -1,4 +1,5 @@
-// A method that takes a model: pixels drawn independently with the means and covariance that were learned.
+// A method that takes a model and no exemplar: pixels drawn independently with the means and covariance that
+// were learned.
 
 #include "core/base/text.h"
 #include "core/io/model_file.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr const char* kModel = "moments";
 constexpr int kRows = 16; ///< between two previews
+constexpr std::int64_t kMostChannels = 64;
 
 struct Settings {
     double blend = 0; ///< share of the mean, which evens the result out
@@ -25,6 +27,14 @@ struct Moments {
     const std::vector<double>& mean;
     const std::vector<double>& root; ///< column by column
 };
+
+/// As many as the model has means; 0 where it is still to be made, or cannot say.
+int channels(const Request& request, const Settings&) {
+    const auto model = request.inputs.first<Model>(kModel);
+    if (!model || !model->arrays.contains("mean") || model->arrays.at("mean").shape.size() != 1)
+        return 0;
+    return static_cast<int>(std::min(model->arrays.at("mean").shape.front(), kMostChannels));
+}
 
 void check(const Request& request, const Settings&) {
     // Where another method makes the model, it is not there before the run.
@@ -76,8 +86,7 @@ const Method self = method<Settings>(
      .summary = TR("Draws each pixel for itself with the means and covariance of a model."),
      .citation = "None: an example that takes a model",
      .category = Category::Statistics,
-     .takes = {ports::exemplar(),
-               {.id = kModel,
+     .takes = {{.id = kModel,
                 .title = TR("Colour moments"),
                 .help = TR("Means and covariance of colours, as Learn colour moments gives them."),
                 .kind = AssetKind::Model,
@@ -86,7 +95,7 @@ const Method self = method<Settings>(
     {field(&Settings::blend, "blend", TR("Blend"))
          .range(0, 1)
          .help(TR("Share of the mean in every pixel: 0 draws as learned, 1 gives one even colour."))},
-    run, check, estimate);
+    run, check, estimate, channels);
 
 namespace {
 const Registration registered("draw-moments", self);

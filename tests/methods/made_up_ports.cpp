@@ -89,6 +89,8 @@ void fillPorts(const MethodInfo& info, Request& request) {
         if (port.extent != Extent::Exemplar && request.inputs.at(port.id).empty())
             request.inputs.set(port.id, madeUp(port, request.size, request));
     }
+    if (!info.takesExemplars())
+        request.exemplars.clear();
 }
 
 } // namespace texloom::test

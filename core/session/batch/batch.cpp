@@ -34,7 +34,7 @@ struct Axis {
 struct Read {
     Recipe recipe; ///< without its exemplars
     std::shared_ptr<const std::vector<RecipeExemplar>> exemplars;
-    std::string name; ///< of the first exemplar
+    std::string name; ///< see Recipe::name()
     Message problem;
 };
 
@@ -76,8 +76,7 @@ template <class Make> Read readRecipe(const Make& make) {
     } catch (const Error& error) {
         read.problem = error.message();
     }
-    if (!read.recipe.exemplars.empty())
-        read.name = read.recipe.exemplars.front().image.path.stem().string();
+    read.name = read.recipe.name();
     read.exemplars = std::make_shared<const std::vector<RecipeExemplar>>(std::move(read.recipe.exemplars));
     read.recipe.exemplars.clear();
     return read;

@@ -44,7 +44,7 @@ std::string spaceFor(const Result& result, const ExportOptions& options) {
     if (!options.space.empty())
         return options.space;
     const bool floating = options.depth == Depth::Half || options.depth == Depth::Float;
-    const std::string& source = result.plan.recipe.exemplars.front().image.space;
+    const std::string source = result.plan.recipe.space();
     if (floating)
         return source == "srgb" || source == color::kFileSpace ? "linear" : source;
     return source == "raw" ? source : "srgb";
@@ -66,7 +66,7 @@ WriteOptions writeOptions(const Result& result, const ExportOptions& options) {
 
 /// To a file's space; "raw" is the numbers as the exemplar's own file has them.
 void fromWorking(Image& image, const Result& result, const std::string& space) {
-    const std::string& own = result.plan.recipe.exemplars.front().image.space;
+    const std::string own = result.plan.recipe.space();
     if (space != "raw")
         color::fromWorking(image, space);
     else if (own != color::kFileSpace)
@@ -77,7 +77,7 @@ void fromWorking(Image& image, const Result& result, const std::string& space) {
 
 void writeResult(const Result& result, const ExportOptions& options) {
     const WriteOptions write = writeOptions(result, options);
-    const std::string& own = result.plan.recipe.exemplars.front().image.space;
+    const std::string own = result.plan.recipe.space();
     if (write.space == "srgb" || (write.space == "raw" && (own == "srgb" || own == "raw"))) {
         writeImage(options.image, result.synthesis.image, write);
         return;
@@ -254,14 +254,14 @@ bool anyOf(const Result& result, const PresetFile& file, std::set<std::size_t>& 
 
 std::vector<Step> companionSteps(const Result& result, const ExportOptions& options) {
     std::vector<Step> steps;
-    if (!options.companions || result.plan.companions.empty() || result.plan.companions.front().empty())
+    if (!options.companions || !result.plan.hasCompanions())
         return steps;
     const std::vector<ExemplarFile>& companions = result.plan.companions.front();
     Names names(result, options);
     std::set<std::size_t> used;
     const auto addWhole = [&](std::size_t i, const std::string& word, std::optional<Depth> preset) {
         const fs::path path = names.next(word, extensionFor(companions[i]));
-        const Depth depth = companionDepth(options, word, preset, depthLike(companions[i], path), path);
+        const Depth depth = companionDepth(options, word, preset, depthLike(companions[i].info, path), path);
         const MapRole role = companions[i].role;
         const ExportEntry entry{
             path, role == MapRole::Other ? Message(TR("companion map")) : Message(mapRoleTitle(role)), false,
@@ -283,10 +283,7 @@ std::vector<Step> companionSteps(const Result& result, const ExportOptions& opti
     }
     for (std::size_t i = 0; i < companions.size(); ++i)
         if (!used.contains(i))
-            addWhole(
-                i,
-                companionSuffix(result.plan.request.exemplars.front().name, companions[i].name()).substr(1),
-                {});
+            addWhole(i, companionSuffix(result.plan.name(), companions[i].name()).substr(1), {});
     return steps;
 }
 
@@ -360,7 +357,7 @@ NameWords nameWords(const Result& result, const std::string& map) {
     const Size size = result.plan.request.part().size;
     const std::optional<Region>& region = result.plan.request.region;
     const std::string width = std::to_string(size.width), height = std::to_string(size.height);
-    return {{"name", mapNameFrom(result.plan.request.exemplars.front().name).base},
+    return {{"name", mapNameFrom(result.plan.name()).base},
             {"method", result.plan.methodIds("_")},
             {"seed", std::to_string(result.plan.request.seed)},
             {"w", width},
@@ -379,17 +376,17 @@ std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions
     return entries;
 }
 
-Depth depthLike(const ExemplarFile& source, const fs::path& path) {
+Depth depthLike(const ImageFileInfo& source, const fs::path& path) {
     const std::vector<Depth> depths = depthsFor(path);
     const auto named = std::find_if(depths.begin(), depths.end(),
-                                    [&](Depth depth) { return depthName(depth) == source.info.depth; });
+                                    [&](Depth depth) { return depthName(depth) == source.depth; });
     return named != depths.end() ? *named : depths.front();
 }
 
 void exportPicture(const fs::path& path, const ImageView& picture, const ExemplarFile& source,
                    const std::function<void()>& check) {
     WriteOptions write;
-    write.depth = depthLike(source, path);
+    write.depth = depthLike(source.info, path);
     const bool floating = write.depth == Depth::Half || write.depth == Depth::Float;
     write.space = source.space == "raw" ? "raw" : floating ? "linear" : "srgb";
     write.check = check;
@@ -424,7 +421,7 @@ std::vector<ExportEntry> exportResult(const Result& result, const ExportOptions&
 
 Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                     const std::function<Result(RunPlan)>& make) {
-    const bool companions = options.companions && !plan.companions.front().empty();
+    const bool companions = options.companions && plan.hasCompanions();
     if (!options.maps.empty() || companions || !options.outputs.empty())
         failUsage("An output of {} × {} px is made in strips of {} rows, without position maps, companion "
                   "maps or anything else beside it; choose a region or a smaller size to get those.",
@@ -449,7 +446,7 @@ Result exportStrips(const RunPlan& plan, const ExportOptions& options,
             for (int c = 0; c < image.channels(); ++c)
                 row[x * image.channels() + c] = image(x, y % plan.stripRows, c);
     };
-    writeImage(options.image, part.size, plan.request.channels(), rows, writeOptions(whole, options));
+    writeImage(options.image, part.size, plan.resultChannels(), rows, writeOptions(whole, options));
     if (options.sidecar)
         writeSidecar(whole, options, beside(options.image, "", ".json"));
     return whole;

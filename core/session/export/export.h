@@ -62,8 +62,9 @@ NameWords nameWords(const Result& result, const std::string& map);
 /// result was made from.
 std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions& options);
 
-/// The depth nearest to a source file's own that the format of `path` holds.
-Depth depthLike(const ExemplarFile& source, const std::filesystem::path& path);
+/// The depth nearest to a source file's own that the format of `path` holds; the format's usual one where the
+/// source has none.
+Depth depthLike(const ImageFileInfo& source, const std::filesystem::path& path);
 
 /// Writes a picture that was made from images like `source`: in that one's depth where the format holds it,
 /// and as colours or data as that one is. @param check called for every row; what it throws leaves no file.

@@ -99,7 +99,7 @@ std::optional<Asset> assetFor(const std::shared_ptr<const Result>& result, const
 AssetWriteOptions outputOptions(const Result& result, const OutputFile& output) {
     AssetWriteOptions write;
     const std::vector<RecipeExemplar>& exemplars = result.plan.recipe.exemplars;
-    const bool data = output.port->kind == AssetKind::Mask || exemplars.front().image.space == "raw";
+    const bool data = output.port->kind == AssetKind::Mask || result.plan.recipe.space() == "raw";
     write.space = data ? "raw" : "srgb";
     write.size = result.synthesis.image.size();
     write.mostVoxels = kMostVoxels;

@@ -201,7 +201,7 @@ RunPlan planWithoutExemplars(const ResultEntry& entry, int channels) {
     RunPlan plan;
     for (const RecipeStep& step : entry.recipe.steps) {
         const Method& method = findMethod(step.method);
-        plan.steps.push_back({&method, step.parameters, {}});
+        plan.steps.push_back({&method, step.parameters, {}, channels});
     }
     const auto pixel = std::make_shared<const Image>(Size{1, 1}, channels);
     for (const RecipeExemplar& exemplar : entry.recipe.exemplars)

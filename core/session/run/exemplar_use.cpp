@@ -1,5 +1,7 @@
 #include "core/session/run/exemplar_use.h"
 
+#include "core/base/error.h"
+
 #include <algorithm>
 
 namespace texloom {
@@ -18,13 +20,31 @@ bool taken(const std::vector<RecipeStep>& steps, std::string_view port) {
 } // namespace
 
 ExemplarUse useOf(const std::vector<RecipeStep>& steps) {
-    const auto all = [&steps](bool (MethodInfo::*ability)() const) {
-        return std::all_of(steps.begin(), steps.end(), [ability](const RecipeStep& step) {
-            return (findMethod(step.method).info().*ability)();
-        });
+    std::vector<const MethodInfo*> learning;
+    for (const RecipeStep& step : steps)
+        if (const MethodInfo& info = findMethod(step.method).info(); info.takesExemplars())
+            learning.push_back(&info);
+    const auto all = [&learning](bool (MethodInfo::*ability)() const) {
+        return !learning.empty() && std::all_of(learning.begin(), learning.end(),
+                                                [ability](const auto* info) { return (info->*ability)(); });
     };
-    return {all(&MethodInfo::learnsFromSeveral), all(&MethodInfo::heedsWeights),
-            all(&MethodInfo::heedsMasks)};
+    ExemplarUse use;
+    use.any = !learning.empty();
+    use.needed = std::any_of(learning.begin(), learning.end(),
+                             [](const MethodInfo* info) { return info->needsExemplar(); });
+    use.several = all(&MethodInfo::learnsFromSeveral);
+    use.weights = all(&MethodInfo::heedsWeights);
+    use.masks = all(&MethodInfo::heedsMasks);
+    use.companions = findMethod(steps.back().method).info().input(kCompanionPort) != nullptr;
+    return use;
+}
+
+void checkExemplarCount(const std::vector<RecipeStep>& steps, std::size_t count) {
+    const ExemplarUse use = useOf(steps);
+    if (count == 0 && use.needed)
+        failUsage("There is no exemplar to learn from.");
+    if (count > 0 && !use.any)
+        failUsage("{} takes no exemplar.", Message(findMethod(steps.front().method).info().title));
 }
 
 void keepUsed(RunInput& input) {

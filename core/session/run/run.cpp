@@ -75,7 +75,7 @@ void forgetWeights(Request& request) {
 /// Gives a method what it takes up of what the one before it made, and checks what was not there to be
 /// checked before the run.
 void handOver(const MethodInfo& first, Synthesis made, const RunStep& second, Request& request) {
-    bool further = false;
+    bool further = made.image.channels() != request.channels();
     for (const PortLink& link : linksBetween(first, second.method->info())) {
         if (link.from == kImagePort)
             request.inputs.set(link.to, std::make_shared<const Image>(std::move(made.image)));
@@ -136,7 +136,7 @@ std::vector<Figure> distanceFigures(const TextureDistance& distance) {
 
 bool leaveOutCompanions(Result& result) {
     const bool laidOut = !result.companions.empty() || result.synthesis.mapKind != MapKind::None;
-    if (!result.stoppedAt || laidOut || result.plan.companions.front().empty())
+    if (!result.stoppedAt || laidOut || !result.plan.hasCompanions())
         return false;
     for (std::vector<ExemplarFile>& files : result.plan.companions)
         files.clear();
@@ -164,8 +164,7 @@ std::string Result::fileName() const {
                                                          : fmt::format("{}x{}", size.width, size.height);
     const std::optional<Region>& region = plan.request.region;
     const std::string place = region ? fmt::format("_at_{}_{}", region->x, region->y) : "";
-    return fmt::format("{}_{}_s{}_{}{}", plan.request.exemplars.front().name, plan.methodIds("_"),
-                       plan.request.seed, extent, place);
+    return fmt::format("{}_{}_s{}_{}{}", plan.name(), plan.methodIds("_"), plan.request.seed, extent, place);
 }
 
 namespace {

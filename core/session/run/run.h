@@ -36,7 +36,7 @@ struct RunInput {
     /// The methods in order, at least one, with what was set; the rest gets defaults. Each takes up what the
     /// one before it made.
     std::vector<RecipeStep> steps = {{}};
-    std::vector<RunExemplar> exemplars;
+    std::vector<RunExemplar> exemplars; ///< none where the methods learn from none
     InputFiles inputs; ///< what else goes into the methods' ports, such as an image to start from
     Size size;
     Wrap wrap;
@@ -51,6 +51,7 @@ struct RunStep {
     const Method* method = nullptr;
     Values settings;
     Estimate estimate;
+    int channels = 0; ///< of the image that it makes; a guess where a model that is still to be made says so
 };
 
 /// A run that was checked and can start: the methods in order, an immutable copy of the input, the recipe
@@ -68,12 +69,17 @@ struct RunPlan {
     /// 0.
     int stripRows = 0;
     bool judged = true;         ///< as RunInput::judged
-    ImageFileInfo exemplarInfo; ///< of the first exemplar's file
+    ImageFileInfo exemplarInfo; ///< of the first exemplar's file, if there is one
     std::vector<Message> notes; ///< how the files were taken, where someone should know
 
     const Method& lastMethod() const { return *steps.back().method; }
     /// The methods' ids with `separator` between them.
     std::string methodIds(const std::string& separator) const;
+    /// What results are called after: the first exemplar, or else the recipe's name.
+    std::string name() const;
+    /// Channels of the result, without those of companion maps.
+    int resultChannels() const { return steps.back().channels - request.companionChannels; }
+    bool hasCompanions() const { return !companions.empty() && !companions.front().empty(); }
     /// What the method of one step is given: of the plan's request what it has ports for. @param info of that
     /// method, which may not be among `steps` yet.
     Request requestFor(std::size_t step, const MethodInfo& info) const;

@@ -3,6 +3,7 @@
 #include "core/base/version.h"
 #include "core/job/memory.h"
 #include "core/session/run/edited_exemplar.h"
+#include "core/session/run/exemplar_use.h"
 #include "core/session/run/run.h"
 
 #include <algorithm>
@@ -87,7 +88,13 @@ Request requestFor(const RunInput& input, bool stacks) {
     return request;
 }
 
+bool hasCompanions(const RunInput& input) {
+    return !input.exemplars.empty() && !input.exemplars.front().companions.empty();
+}
+
 void checkCompanions(const RunInput& input) {
+    if (input.exemplars.empty())
+        return;
     const std::size_t count = input.exemplars.front().companions.size();
     for (const RunExemplar& exemplar : input.exemplars) {
         if (exemplar.companions.size() != count)
@@ -98,6 +105,10 @@ void checkCompanions(const RunInput& input) {
         for (const ExemplarFile& companion : exemplar.companions)
             checkSizeLike(exemplar.image, companion, TR("companion"));
     }
+    if (const Method& last = findMethod(input.steps.back().method);
+        count > 0 && !useOf(input.steps).companions)
+        failUsage("{} learns from no exemplar, so that it makes no companion maps; leave them out.",
+                  Message(last.info().title));
 }
 
 /// @param room what `limit` is, in words: see availableMemoryText().
@@ -151,13 +162,22 @@ Asset nothingYet(AssetKind kind) {
     return std::shared_ptr<const Image>();
 }
 
+/// A method that goes on from the image of the one before it makes one of as many channels.
+void checkTakenUp(int made, int wanted) {
+    if (made != wanted)
+        failUsage("The image to start from has {} channels, the output {}; they need the same number.", made,
+                  wanted);
+}
+
 /// Puts in a request what the method before will have made: null, since it is not there yet. What it makes
 /// must not be given as a file, too, but for a method that comes earlier still.
 void expectWhatIsMade(const RunPlan& plan, const MethodInfo& info, Request& request) {
     const MethodInfo& before = plan.lastMethod().info();
     for (const PortLink& link : linksBetween(before, info)) {
-        if (link.to == kInitialPort)
+        if (link.to == kInitialPort) {
+            checkTakenUp(plan.steps.back().channels, request.channels());
             continue;
+        }
         const bool forEarlier =
             std::any_of(plan.steps.begin(), plan.steps.end(), [&link](const RunStep& step) {
                 return step.method->info().input(link.to) != nullptr;
@@ -172,10 +192,11 @@ void expectWhatIsMade(const RunPlan& plan, const MethodInfo& info, Request& requ
 /// Checks each step and adds it with its estimate. A later step finds the image of the one before it in
 /// memory, too.
 void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
-    const Size exemplar = plan.request.exemplars.front().image->size();
-    const std::uint64_t between = Image::bytesFor(plan.request.size, plan.request.channels());
+    const Size exemplar =
+        plan.request.exemplars.empty() ? Size{} : plan.request.exemplars.front().image->size();
     for (const RecipeStep& step : steps) {
-        RunStep planned{&findMethod(step.method), {}, {}};
+        RunStep planned;
+        planned.method = &findMethod(step.method);
         const MethodInfo& info = planned.method->info();
         if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
             failUsage("{} takes up nothing that {} makes, so that it cannot follow it.", Message(info.title),
@@ -186,8 +207,10 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
         planned.settings = planned.method->resolved(step.parameters, exemplar);
         planned.method->check(request, planned.settings);
         planned.estimate = planned.method->estimate(request, planned.settings, plan.threads);
-        plan.estimate.bytes =
-            std::max(plan.estimate.bytes, planned.estimate.bytes + (plan.steps.empty() ? 0 : between));
+        planned.channels = planned.method->channels(request, planned.settings);
+        const std::uint64_t between =
+            plan.steps.empty() ? 0 : Image::bytesFor(plan.request.size, plan.steps.back().channels);
+        plan.estimate.bytes = std::max(plan.estimate.bytes, planned.estimate.bytes + between);
         plan.estimate.seconds += planned.estimate.seconds;
         plan.steps.push_back(std::move(planned));
     }
@@ -224,16 +247,14 @@ ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
 
 RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     RunPlan plan;
-    if (input.exemplars.empty())
-        failUsage("There is no exemplar to learn from.");
+    checkExemplarCount(input.steps, input.exemplars.size());
     checkCompanions(input);
     plan.threads = threadCount(input.threads);
     plan.judged = input.judged;
     plan.memoryBefore = residentMemory();
     for (const auto& [port, files] : input.inputs)
         portOf(input.steps, port);
-    const bool stacks = !input.exemplars.front().companions.empty() &&
-                        !findMethod(input.steps.back().method).info().copiesPixels();
+    const bool stacks = hasCompanions(input) && !findMethod(input.steps.back().method).info().copiesPixels();
     plan.request = requestFor(input, stacks);
     planSteps(plan, input.steps);
     const std::uint64_t limit = memoryLimit > 0 ? memoryLimit : availableMemory();
@@ -243,7 +264,8 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
                 memoryLimit > 0 ? message("the {} that it may take", byteText(limit))
                                 : availableMemoryText());
     plan.recipe = recipeFor(input, plan.steps);
-    plan.exemplarInfo = input.exemplars.front().image.info;
+    if (!input.exemplars.empty())
+        plan.exemplarInfo = input.exemplars.front().image.info;
     plan.notes = notesOf(input);
     for (const RunExemplar& exemplar : input.exemplars)
         plan.companions.push_back(exemplar.companions);
@@ -276,6 +298,12 @@ Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
     for (const auto& [port, given] : request.inputs.byPort())
         if (!info.input(port))
             own.inputs.clear(port);
+    if (!info.takesExemplars()) {
+        own.exemplars.clear();
+        own.companionChannels = 0;
+    }
+    if (step > 0)
+        own.freeChannels = steps[step - 1].channels;
     return own;
 }
 
@@ -369,6 +397,10 @@ std::string RunPlan::methodIds(const std::string& separator) const {
     for (std::size_t i = 1; i < steps.size(); ++i)
         ids += separator + steps[i].method->id();
     return ids;
+}
+
+std::string RunPlan::name() const {
+    return request.exemplars.empty() ? recipe.name() : request.exemplars.front().name;
 }
 
 } // namespace texloom

@@ -16,6 +16,7 @@ struct StressRound {
 StressRound stressRound(const RunPlan& plan, const std::vector<RunExemplar>& first, JobContext& context);
 
 /// What the round after this one learns from: the result alone, and with the next seed.
+/// @param input with at least one exemplar
 void learnFrom(const Image& result, RunInput& input);
 
 } // namespace texloom

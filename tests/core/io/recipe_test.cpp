@@ -145,7 +145,7 @@ TEST(Recipe, NeedsNoMoreThanMethodExemplarAndSize) {
 }
 
 TEST(Recipe, NamesAFieldThatIsMissing) {
-    for (const char* field : {"texloom", "method", "exemplars", "size"})
+    for (const char* field : {"texloom", "method", "size"})
         EXPECT_THAT([&] { parsed(without(field)); }, usageRefusal("has no " + std::string(field))) << field;
 }
 
@@ -221,8 +221,23 @@ TEST(Recipe, RefusesDeepNesting) {
         }
 }
 
-TEST(Recipe, RefusesAnEmptyListOfExemplars) {
-    EXPECT_THAT([] { parsed(changed("/exemplars", OrderedJson::array())); }, usageRefusal("exemplars", "[]"));
+TEST(Recipe, NeedsNoExemplars) {
+    EXPECT_TRUE(parsed(changed("/exemplars", OrderedJson::array())).exemplars.empty());
+    EXPECT_TRUE(parsed(without("exemplars")).exemplars.empty());
+}
+
+TEST(Recipe, NamesAndSpacesAreOfTheFirstExemplarOrInput) {
+    Recipe recipe;
+    EXPECT_EQ(recipe.name(), "texture");
+    EXPECT_EQ(recipe.space(), "srgb");
+    recipe.inputs["moments"] = {{"/data/bark.safetensors", "", ""}};
+    EXPECT_EQ(recipe.name(), "bark");
+    EXPECT_EQ(recipe.space(), "srgb");
+    recipe.inputs["initial"] = {{"/data/first.png", "raw", ""}};
+    EXPECT_EQ(recipe.space(), "raw");
+    recipe.exemplars = {{{"/data/moss.exr", "acescg", ""}, {}, {}}};
+    EXPECT_EQ(recipe.name(), "moss");
+    EXPECT_EQ(recipe.space(), "acescg");
 }
 
 TEST(Recipe, SurvivesTextThatIsNotUtf8) {

@@ -287,11 +287,11 @@ TEST(ExportResult, ReplacesOnlyWhatItWasToldItMay) {
 TEST(DepthLike, KeepsTheSourcesDepthWhereItCan) {
     ExemplarFile source;
     source.info.depth = "16-bit";
-    EXPECT_EQ(depthLike(source, "a.png"), Depth::Bits16);
-    EXPECT_EQ(depthLike(source, "a.jpg"), Depth::Bits8);
+    EXPECT_EQ(depthLike(source.info, "a.png"), Depth::Bits16);
+    EXPECT_EQ(depthLike(source.info, "a.jpg"), Depth::Bits8);
     source.info.depth = "float";
-    EXPECT_EQ(depthLike(source, "a.exr"), Depth::Float);
-    EXPECT_EQ(depthLike(source, "a.tif"), Depth::Float);
+    EXPECT_EQ(depthLike(source.info, "a.exr"), Depth::Float);
+    EXPECT_EQ(depthLike(source.info, "a.tif"), Depth::Float);
 }
 
 TEST(ReportJson, HoldsRecipeTimesMemoryFiguresAndCurves) {

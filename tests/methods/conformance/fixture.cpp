@@ -70,11 +70,18 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed)
 }
 
 Values briefSettings(const Method& method, const Request& request) {
-    Values settings = method.resolved({}, request.exemplars.front().image->size());
+    const Size exemplar = request.exemplars.empty() ? Size{} : request.exemplars.front().image->size();
+    Values settings = method.resolved({}, exemplar);
     for (auto& [name, value] : settings)
         if (name.ends_with("iterations"))
             value = std::min(std::get<int>(value), 3);
     return settings;
+}
+
+bool learns(const MethodInfo& info) {
+    return std::any_of(info.takes.begin(), info.takes.end(), [](const Port& port) {
+        return port.id == kExemplarPort || (port.kind == AssetKind::Model && port.least > 0);
+    });
 }
 
 RunPlan planFor(const Method& method, const Request& request, const Values& settings, int threads) {
@@ -91,6 +98,8 @@ Synthesis runWith(const Method& method, Request request, int threads) {
 Synthesis runWith(const Method& method, Request request, const Values& settings, int threads) {
     if (!request.size.empty() && request.size.longerSide() <= kLargestSide)
         fillPorts(method.info(), request);
+    else if (!method.info().takesExemplars())
+        request.exemplars.clear();
     const auto job = startRun(planFor(method, request, settings, threads), false);
     Outcome<Result> outcome = job->take();
     if (const auto* failure = std::get_if<Failure>(&outcome))

@@ -22,6 +22,9 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed 
 /// The defaults, but with no more than three iterations: they are alike in all that is asked here.
 Values briefSettings(const Method& method, const Request& request);
 
+/// Whether a method's result follows from an exemplar, if only by way of a model that another one learned.
+bool learns(const MethodInfo& info);
+
 /// The plan of a run as the window and the command line have it, however much memory this machine has.
 /// @param threads 0: one per core
 RunPlan planFor(const Method& method, const Request& request, const Values& settings, int threads = 0);

@@ -68,7 +68,9 @@ TEST_P(Conformance, exactMapGivesTheResult) {
     const Request request = requestFor({50, 61}, 4, {133, 97});
     const Synthesis result = runWith(method(), request, 2);
     EXPECT_EQ(result.image.size(), request.size);
-    EXPECT_EQ(result.image.channels(), request.channels());
+    if (learns(method().info())) {
+        EXPECT_EQ(result.image.channels(), request.channels());
+    }
     if (result.mapKind == MapKind::None)
         return;
     ASSERT_EQ(result.map.size(), request.size);

@@ -93,7 +93,7 @@ TEST_P(Conformance, stopsEarlyWithWhatItHas) {
     const Outcome<Result> outcome = job->take();
     ASSERT_TRUE(std::holds_alternative<Result>(outcome)) << "stopping early is not a failure";
     const auto& result = std::get<Result>(outcome);
-    EXPECT_EQ(result.synthesis.image.channels(), plan.request.resultChannels());
+    EXPECT_EQ(result.synthesis.image.channels(), plan.resultChannels());
     EXPECT_EQ(result.synthesis.image.size(), plan.request.size);
     EXPECT_LT(result.stoppedAt.value_or(0), 1);
 }
