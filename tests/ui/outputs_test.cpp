@@ -14,6 +14,7 @@
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/port_row.h"
 #include "ui/maps/result_view.h"
+#include "ui/plots/figures_panel.h"
 #include "ui/runs/result_text.h"
 #include "ui/viewers/image_viewer.h"
 #include "ui/volume/slice_panel.h"
@@ -246,6 +247,45 @@ private Q_SLOTS:
         const auto mask = std::make_shared<const Image>(testTexture({9, 7}, 1));
         const InputFile read = loadInput(holes, {toPath(saveInput(*copied, holes, mask)), "", ""}, {});
         QVERIFY(samePixels(*read.image(), *mask));
+    }
+
+    void aMethodWithoutExemplarsRunsWhereNoneIsOpen() {
+        choose("quilting");
+        m_window->desk()->clear();
+        while (m_window->store()->current() != nullptr)
+            m_window->store()->remove(m_window->store()->current()->id);
+        QVERIFY2(!m_window->results()->isVisible(), "the start page shows");
+        QTRY_VERIFY(!m_window->desk()->canRun());
+        choose("draw-moments");
+        auto* row = child<PortRow>(*m_window, "port_moments");
+        row->setFiles({loadInput(row->port(), {m_model.toStdString(), "", ""}, {})});
+        QTRY_VERIFY2(m_window->desk()->canRun(), "it needs its model alone");
+        run("draw-moments");
+        QVERIFY(m_window->results()->isVisible());
+        const Result& result = *m_window->desk()->result();
+        QVERIFY(result.plan.request.exemplars.empty());
+        QCOMPARE(result.synthesis.image.channels(), 3);
+        QVERIFY(!child<QAction>(*m_window, "stress")->isEnabled());
+        auto* figures = child<FiguresPanel>(*m_window, "figuresPanel");
+        figures->setSeen(true);
+        QTRY_VERIFY(figures->titles().contains(QStringLiteral("Numbers")));
+        QVERIFY(!figures->titles().contains(QStringLiteral("Autocorrelation: exemplar")));
+        const std::string key = m_window->desk()->last().key;
+        QVERIFY(!detailsText(*m_window->desk()->history()->find(key)).contains(QStringLiteral("Exemplars")));
+        const QTemporaryDir target;
+        write(*openDialog(target.path()), target);
+
+        // Its settings come back, and leave what is open as it is.
+        m_window->store()->open(m_folder.filePath(QStringLiteral("felt.png")));
+        QTRY_COMPARE(m_window->store()->entries().size(), std::size_t{1});
+        choose("quilting");
+        m_window->restoreResult(key);
+        QTRY_COMPARE(m_window->inspector()->method()->id(), std::string("draw-moments"));
+        QTRY_COMPARE(m_window->input(false).inputs.count("moments"), std::size_t{1});
+        QCOMPARE(m_window->store()->entries().size(), std::size_t{1});
+        QVERIFY(m_window->input(false).exemplars.empty());
+        if (const QString folder = qEnvironmentVariable("TEXLOOM_LOOK"); !folder.isEmpty())
+            m_window->grab().save(folder + QStringLiteral("/no_exemplar.png"));
     }
 
 private:

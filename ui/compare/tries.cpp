@@ -39,8 +39,11 @@ QString headingOf(const RunInput& input) {
     QStringList names;
     for (const RunExemplar& exemplar : input.exemplars)
         names += QString::fromStdString(exemplar.image.name());
-    return QStringLiteral("%1 · %2 · %3")
-        .arg(methods.join(QStringLiteral(" + ")), names.join(QStringLiteral(", ")), sizeText(input.size));
+    QStringList parts = {methods.join(QStringLiteral(" + "))};
+    if (!names.isEmpty())
+        parts += names.join(QStringLiteral(", "));
+    parts += sizeText(input.size);
+    return parts.join(QStringLiteral(" · "));
 }
 
 } // namespace

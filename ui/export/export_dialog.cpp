@@ -46,10 +46,6 @@ QString depthText(Depth depth) {
     return ExportDialog::tr("float");
 }
 
-bool hasCompanions(const RunPlan& plan) {
-    return !plan.companions.empty() && !plan.companions.front().empty();
-}
-
 } // namespace
 
 ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& folder, QWidget* parent)
@@ -169,8 +165,8 @@ void ExportDialog::makeChecks() {
     }
     m_sidecar->setChecked(true);
     m_sidecar->setToolTip(tr("All settings, to make the same result again."));
-    m_companions->setChecked(hasCompanions(m_result->plan));
-    m_companions->setVisible(hasCompanions(m_result->plan));
+    m_companions->setChecked(m_result->plan.hasCompanions());
+    m_companions->setVisible(m_result->plan.hasCompanions());
 }
 
 QFormLayout* ExportDialog::makeForm() {
@@ -186,7 +182,7 @@ QFormLayout* ExportDialog::makeForm() {
     form->addRow(tr("&Depth"), m_depth);
     form->addRow(tr("&Colour space"), m_space);
     const std::vector<std::vector<ExemplarFile>>& maps = m_result->plan.companions;
-    const bool normals = hasCompanions(m_result->plan) &&
+    const bool normals = m_result->plan.hasCompanions() &&
                          std::any_of(maps.front().begin(), maps.front().end(),
                                      [](const ExemplarFile& file) { return isNormal(file.role); });
     if (normals)

@@ -180,8 +180,10 @@ void ResultView::explainMaps() {
     const QString none =
         !pictures().result ? tr("No result yet. The map shows where each of its pixels came from.")
         : !run             ? tr("This method tells where pixels came from only at its end, or not at all.")
-               : tr("This method makes new pixels and copies none, so there is no map of where they came "
-                    "from. An estimated one shows what in the exemplar each is most like.");
+        : pictures().run->plan.request.exemplars.empty()
+            ? tr("This method learned from no exemplar, so there is no map of where its pixels came from.")
+            : tr("This method makes new pixels and copies none, so there is no map of where they came "
+                 "from. An estimated one shows what in the exemplar each is most like.");
     viewer(SynthesisTab)->setPlaceholder(none);
     viewer(CopiesTab)->setPlaceholder(run && pictures().map ? tr("Looking at what was copied…") : none);
     for (MapPage* page : {m_synthesis, m_copies}) {

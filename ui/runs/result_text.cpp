@@ -82,7 +82,8 @@ QString detailsText(const ResultEntry& entry) {
     QString html = QStringLiteral("<b>%1</b><table>").arg(titleText(entry).toHtmlEscaped());
     if (!entry.title.empty())
         html += row(tr("Method"), methodsText(entry));
-    html += row(tr("Exemplars"), exemplarsText(entry));
+    if (!entry.recipe.exemplars.empty())
+        html += row(tr("Exemplars"), exemplarsText(entry));
     html += row(tr("Size"), sizeText(entry.recipe.size));
     html += row(tr("Seed"), QString::number(entry.recipe.seed));
     html += row(tr("Made"), finishedText(entry));

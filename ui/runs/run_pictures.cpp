@@ -51,10 +51,11 @@ RunPictures picturesOf(Preview preview, Size output) {
 
 bool knowsExemplars(const Result& result) {
     const std::vector<Exemplar>& exemplars = result.plan.request.exemplars;
-    return std::all_of(exemplars.begin(), exemplars.end(), [&](const Exemplar& exemplar) {
-        return exemplar.image->size().area() > 1 &&
-               exemplar.image->channels() >= result.synthesis.image.channels();
-    });
+    return !exemplars.empty() &&
+           std::all_of(exemplars.begin(), exemplars.end(), [&](const Exemplar& exemplar) {
+               return exemplar.image->size().area() > 1 &&
+                      exemplar.image->channels() >= result.synthesis.image.channels();
+           });
 }
 
 RunPictures picturesOf(const std::shared_ptr<const Result>& result) {

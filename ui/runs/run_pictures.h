@@ -24,7 +24,8 @@ struct RunPictures {
 /// @param output size of the result; a method may work on a larger canvas, of which this is the top left.
 RunPictures picturesOf(Preview preview, Size output);
 
-/// Whether the exemplars of a result are at hand: they are not if it was read back and their files are gone.
+/// Whether the exemplars of a result are at hand: they are not if it learned from none, or was read back and
+/// their files are gone.
 bool knowsExemplars(const Result& result);
 
 /// The pictures of a finished run; they share its memory. Made on a worker.

@@ -241,7 +241,7 @@ void MainWindow::connectDesk() {
     });
     connect(m_desk, &RunDesk::watching, this, [this] {
         m_results->setTab(ResultView::ResultTab);
-        m_actions.editExemplar->setChecked(false);
+        showResults(); // also from the start page, where no exemplar is open
     });
     connect(m_desk, &RunDesk::shown, this, [this](const ShownResult& shown) {
         if (m_centre->currentWidget() != m_editor) // who edits is not taken away from it

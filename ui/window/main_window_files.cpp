@@ -200,7 +200,7 @@ void MainWindow::exemplarOpened(int id) {
     else if (m_messages->kind() == MessageBar::Kind::Error)
         m_messages->dismiss();
     const bool first = m_store->entries().size() == 1 && !m_desk->result() && !m_desk->running();
-    if (first)
+    if (first && useOf(m_inspector->steps()).any)
         startRun(true);
 }
 
@@ -233,6 +233,8 @@ void MainWindow::sayOtherBuild(const std::string& version) {
 }
 
 void MainWindow::restore(const RunInput& input) {
+    if (input.exemplars.empty()) // what is open stays
+        return applySettings(input);
     connect(
         m_store, &ExemplarStore::replaced, this, [this, input] { applySettings(input); },
         Qt::SingleShotConnection);
@@ -263,7 +265,8 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
         ids.push_back(entry->id);
         weights.push_back(wanted.weight);
     }
-    m_store->setCurrent(ids.front());
+    if (!ids.empty())
+        m_store->setCurrent(ids.front());
     if (ids.size() > 1)
         for (const ExemplarEntry& entry : std::vector(m_store->entries()))
             m_store->setChecked(entry.id, std::find(ids.begin(), ids.end(), entry.id) != ids.end());

@@ -80,10 +80,13 @@ void MainWindow::exemplarsChanged() {
     const UndoHistory::Pause pause(m_undo);
     m_document->touch();
     const std::vector<RunExemplar> used = usedExemplars();
-    m_inspector->setExemplarSize(used.empty() ? Size{} : used.front().image.image->size());
+    const ExemplarEntry* const current = m_store->current();
+    // The size of what is open helps methods without exemplars, too.
+    m_inspector->setExemplarSize(!used.empty()        ? used.front().image.image->size()
+                                 : current != nullptr ? current->file().image->size()
+                                                      : Size{});
     m_lattice->followExemplar();
 
-    const ExemplarEntry* const current = m_store->current();
     int index = 0;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (current != nullptr && used[i].image.image == current->file().image)
@@ -98,7 +101,7 @@ void MainWindow::planSoon() {
 }
 
 void MainWindow::plan() {
-    if (!m_store->entries().empty())
+    if (!m_store->entries().empty() || !useOf(m_inspector->steps()).needed)
         return m_desk->lookAhead(input(false));
     m_desk->lookAway();
     m_runPanel->setHint(m_store->loading() > 0 ? tr("Reading the picture…") : tr("Open an exemplar first."));
@@ -108,17 +111,17 @@ void MainWindow::updateActions() {
     for (QAction* action : {m_actions.run, m_actions.newSeedRun, m_actions.addToQueue})
         action->setEnabled(m_desk->canRun());
     m_actions.quick->setEnabled(m_desk->canQuick());
-    m_actions.stress->setEnabled(m_desk->canRun());
     m_tries->updateActions();
     for (QAction* action : {m_actions.stop, m_actions.cancelRun})
         action->setEnabled(m_desk->running());
     m_actions.exportResult->setEnabled(m_desk->resultShown());
     m_actions.copyResult->setEnabled(m_desk->resultShown());
     const ExemplarEntry* const current = m_store->current();
-    const bool masks = useOf(m_inspector->steps()).masks;
+    const ExemplarUse use = useOf(m_inspector->steps());
+    m_actions.stress->setEnabled(m_desk->canRun() && use.any && current != nullptr);
     m_actions.editExemplar->setEnabled(current != nullptr);
     m_actions.addCompanions->setEnabled(current != nullptr);
-    m_actions.setMask->setEnabled(current != nullptr && masks);
+    m_actions.setMask->setEnabled(current != nullptr && use.masks);
     m_actions.clearMask->setEnabled(current != nullptr && current->exemplar.mask);
     m_actions.removeExemplar->setEnabled(current != nullptr);
     m_actions.lattice->setEnabled(current != nullptr);
