@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 #include "core/methods/analogy/settings.h"
 #include "core/methods/method.h"
+#include "core/methods/pixel_fields.h"
 #include "core/methods/pixel_request.h"
 
 #include <fmt/format.h>
@@ -132,14 +133,7 @@ const Method self = method<Settings>(
      .category = Category::Pixels,
      .takes = {ports::exemplars(), ports::mask(), guide(), outputGuide()},
      .gives = {ports::wrappingImage(), ports::map()}},
-    {field(&Settings::neighbourhood, "neighbourhood", TR("Neighbourhood"))
-         .range(3, 15)
-         .unit("px")
-         .help(TR("Side of the square that is compared (an even one counts as the next odd): larger keeps "
-                  "larger structures, but takes longer.")),
-     field(&Settings::levels, "levels", TR("Scales"))
-         .range(1, 8)
-         .help(TR("At most so many, each half the size of the one before: more keep larger structures.")),
+    {neighbourhoodField(&Settings::neighbourhood, 15), levelsField(&Settings::levels),
      field(&Settings::coherence, "coherence", TR("Coherence"))
          .range(0, 100)
          .symbol("κ")
@@ -148,10 +142,7 @@ const Method self = method<Settings>(
      field(&Settings::guideWeight, "guide-weight", TR("Weight of A and B"))
          .range(0, 100)
          .help(TR("How much pictures A and B count beside the exemplar: larger follows them more closely.")),
-     field(&Settings::leaf, "leaf", TR("Leaf"))
-         .range(1, 256)
-         .group(TR("Advanced"))
-         .help(TR("Neighbourhoods in a leaf of the tree: larger finds nearer ones, but takes longer."))},
+     leafField(&Settings::leaf)},
     run, check, estimate);
 
 } // namespace texloom::analogy

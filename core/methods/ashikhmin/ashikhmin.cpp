@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 #include "core/methods/ashikhmin/synthesizer.h"
 #include "core/methods/method.h"
+#include "core/methods/pixel_fields.h"
 
 namespace texloom::ashikhmin {
 
@@ -55,15 +56,8 @@ const Method self = method<Settings>(
      .category = Category::Pixels,
      .takes = {ports::weighedExemplars(), ports::mask(), target()},
      .gives = {ports::wrappingImage(), ports::map()}},
-    {field(&Settings::neighbourhood, "neighbourhood", TR("Neighbourhood"))
-         .range(3, 21)
-         .unit("px")
-         .symbol("n")
-         .help(TR(
-             "Side of the square that is compared (an even one counts as the next odd): larger keeps larger "
-             "structures, but takes longer.")),
-     field(&Settings::passes, "passes", TR("Passes"))
-         .range(1, 10)
+    {neighbourhoodField(&Settings::neighbourhood, 21).symbol("n"),
+     passesField(&Settings::passes, 10)
          .help(TR(
              "How often the output is gone through: passes after the first see all that surrounds a pixel, "
              "which mends joins.")),

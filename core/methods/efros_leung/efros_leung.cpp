@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 #include "core/methods/efros_leung/grower.h"
 #include "core/methods/method.h"
+#include "core/methods/patch_fields.h"
 #include "core/methods/pixel_request.h"
 
 #include <algorithm>
@@ -92,9 +93,7 @@ const Method self = method<Settings>(
          .symbol("n")
          .help(TR("Side of the square that is compared (an even one counts as the next odd): too small grows "
                   "garbage, too large copies verbatim.")),
-     field(&Settings::tolerance, "tolerance", TR("Tolerance"))
-         .range(0, 10)
-         .symbol("ε")
+     toleranceField(&Settings::tolerance)
          .help(TR(
              "How much worse than the best a window may fit and still be drawn: larger varies more, smaller "
              "copies longer stretches.")),

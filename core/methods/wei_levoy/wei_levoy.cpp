@@ -1,5 +1,6 @@
 #include "core/base/text.h"
 #include "core/methods/method.h"
+#include "core/methods/pixel_fields.h"
 #include "core/methods/pixel_request.h"
 #include "core/methods/wei_levoy/settings.h"
 
@@ -33,16 +34,12 @@ const Method self = method<Settings>(
      .category = Category::Pixels,
      .takes = {ports::exemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage(), ports::map()}},
-    {field(&Settings::neighbourhood, "neighbourhood", TR("Neighbourhood"))
-         .range(3, 21)
-         .unit("px")
+    {neighbourhoodField(&Settings::neighbourhood, 21)
          .symbol("n")
          .help(TR(
              "Side of the square whose known half is compared (an even one counts as the next odd): larger "
              "keeps larger structures, but takes longer and copies more.")),
-     field(&Settings::levels, "levels", TR("Scales"))
-         .range(1, 8)
-         .help(TR("At most so many, each half the size of the one before: more keep larger structures.")),
+     levelsField(&Settings::levels),
      field(&Settings::parent, "parent", TR("Parent square"))
          .range(0, 9)
          .unit("px")
@@ -50,8 +47,7 @@ const Method self = method<Settings>(
          .help(TR(
              "Side of the square that is compared on the next coarser scale (an even one counts as the next "
              "odd): larger follows the coarser scale more closely; 0 forgets it.")),
-     field(&Settings::passes, "passes", TR("Passes"))
-         .range(1, 5)
+     passesField(&Settings::passes, 5)
          .help(
              TR("How often each scale is made: passes after the first see all that surrounds a pixel, which "
                 "mends joins.")),
@@ -61,11 +57,7 @@ const Method self = method<Settings>(
          .help(
              TR("A tree finds a neighbourhood that is nearly the nearest, in time that hardly grows with the "
                 "exemplar; exact compares all of them.")),
-     field(&Settings::leaf, "leaf", TR("Leaf"))
-         .range(1, 256)
-         .when("search", std::string("tree"))
-         .group(TR("Advanced"))
-         .help(TR("Neighbourhoods in a leaf of the tree: larger finds nearer ones, but takes longer."))},
+     leafField(&Settings::leaf).when("search", std::string("tree"))},
     run, check, estimate);
 
 } // namespace texloom::wei_levoy
