@@ -162,6 +162,15 @@ std::vector<std::uint8_t> BlendBand::beyondMask() const {
     return mask;
 }
 
+void BlendBand::markFirst(PlaneSpan to) const {
+    const std::vector<std::uint8_t> beyond = beyondMask();
+    std::size_t at = 0;
+    for (int y = 0; y < to.height; ++y)
+        for (int x = 0; x < to.width; ++x)
+            if (beyond[at++] == 0)
+                to(x, y) = 1;
+}
+
 void BlendBand::preparePoisson() {
     m_region = std::make_shared<const PoissonRegion>(bandMask(), m_size);
 }

@@ -58,6 +58,8 @@ public:
         const ImageView& first, const ImageView& second, const MidwayOptions& options, Image& to,
         const Progress& progress = [](double) {}) const;
 
+    /// Sets to 1 what lies on the first picture's side of the curve. @param to of the band's size.
+    void markFirst(PlaneSpan to) const;
     /// Factors the equations that poisson() solves, for a small band that is used often; otherwise it
     /// iterates. Not to be called while other threads use the band.
     void preparePoisson();

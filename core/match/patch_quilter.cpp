@@ -1,7 +1,6 @@
 #include "core/match/patch_quilter.h"
 
 #include "core/base/text.h"
-#include "core/match/patch_stitch.h"
 
 #include <cmath>
 #include <numeric>
@@ -27,6 +26,8 @@ PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const Quil
       m_canvas(options.size, options.wrap, exemplars.front().image.channels, options.patch, options.overlap),
       m_map(m_canvas.image().size(), sizesOf(exemplars)),
       m_cutCosts(static_cast<std::size_t>(m_canvas.grid().count()), 0.0) {
+    if (options.stitch != PatchStitch::Cut && options.stitch != PatchStitch::SmoothCut)
+        m_stitcher.emplace(options.stitch, options.patch);
     if (!options.guide || !(options.guide->weight > 0))
         return;
     const QuiltGuide& guide = *options.guide;
@@ -38,8 +39,11 @@ PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const Quil
 }
 
 void PatchQuilter::prepareExemplars() {
-    for (const PatchCell& cell : m_canvas.grid().cells())
+    for (const PatchCell& cell : m_canvas.grid().cells()) {
         m_search.prepare(compared(cell));
+        if (m_stitcher)
+            m_stitcher->prepare(cell.overlap);
+    }
     if (m_guide)
         for (const PatchCell& cell : m_canvas.grid().cells())
             m_guide->search.prepare(Footprint::filled(m_canvas.visible(cell)));
@@ -100,7 +104,10 @@ PatchQuilter::Workspace PatchQuilter::workspace() const {
                    Image(patch, 1),
                    m_search.scratch(),
                    {},
+                   {},
                    {}};
+    if (m_stitcher)
+        work.stitch = m_stitcher->scratch();
     if (m_guide) {
         work.guide = Image(patch, m_guide->canvas.image().channels());
         work.guideScratch = m_guide->search.scratch();
@@ -114,10 +121,17 @@ void PatchQuilter::place(int index) {
     m_canvas.read(cell, work->known);
     const PatchPosition source = choose(cell, *work);
     const ImageView fresh = m_search.pixels(source);
-    m_cutCosts[static_cast<std::size_t>(index)] = cutWeights(
-        work->known, fresh, cell.overlap, m_options.softness, work->error.plane(0), work->weight.plane(0));
-    const PlaneView weight = work->weight.plane(0);
-    m_canvas.place(cell, work->known, fresh, weight);
+    const PlaneSpan weight = work->weight.plane(0);
+    if (cuts()) {
+        m_cutCosts[static_cast<std::size_t>(index)] =
+            cutWeights(work->known, fresh, cell.overlap, m_options.softness, work->error.plane(0), weight);
+        m_canvas.place(cell, work->known, fresh, weight);
+    } else {
+        Image joined(fresh);
+        m_stitcher->join(work->known, cell.overlap, joined, *work->stitch);
+        m_stitcher->shares(cell.overlap, weight);
+        m_canvas.place(cell, joined);
+    }
     trace(cell, source, weight);
 }
 
@@ -140,7 +154,8 @@ Quilt PatchQuilter::run(double weight, Order order) {
     m_map.shrink(m_options.size);
     quilt.map = std::move(m_map);
     quilt.patches = count;
-    quilt.meanCutError = std::accumulate(m_cutCosts.begin(), m_cutCosts.end(), 0.0) / count;
+    if (cuts())
+        quilt.meanCutError = std::accumulate(m_cutCosts.begin(), m_cutCosts.end(), 0.0) / count;
     return quilt;
 }
 

@@ -5,6 +5,7 @@
 #include "core/job/pool.h"
 #include "core/match/patch_canvas.h"
 #include "core/match/patch_search.h"
+#include "core/match/patch_stitch.h"
 
 #include <optional>
 #include <string>
@@ -30,7 +31,8 @@ struct QuiltOptions {
     int overlap = 10;     ///< w_o in pixels
     double tolerance = 0; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
     double contrast = 0;  ///< see ContrastBalance::share
-    int softness = 0;     ///< half the width in pixels over which a cut blends; 0 for sharp cuts
+    PatchStitch stitch = PatchStitch::Cut;
+    int softness = 0; ///< half the width in pixels over which a cut blends; 0 for sharp cuts
     /// An image of the output's size that whole patches are compared with, or none.
     const Image* initial = nullptr;
     const QuiltGuide* guide = nullptr;
@@ -39,9 +41,9 @@ struct QuiltOptions {
 /// What a PatchQuilter makes.
 struct Quilt {
     Image image;
-    PositionMap map; ///< exact where cuts are sharp
+    PositionMap map; ///< exact where cuts are sharp, or patches hide what they overlap
     int patches = 0;
-    double meanCutError = 0;
+    std::optional<double> meanCutError; ///< where patches are cut
 };
 
 /// Synthesises one output patch by patch (Raad & Galerne, IPOL 2017, algorithms 1 to 4). Every exemplar patch
@@ -69,6 +71,7 @@ private:
         PatchSearch::Scratch scratch;
         Image guide; ///< the guide's patch
         PatchSearch::Scratch guideScratch;
+        std::optional<PatchStitcher::Scratch> stitch; ///< where patches are not cut
     };
     /// The guide's own search and canvas.
     struct Guide {
@@ -84,6 +87,7 @@ private:
     void follow(const PatchCell& cell, Workspace& work) const;
     const PatchSearch::Scratch& distances(const PatchCell& cell, bool known, Workspace& work) const;
     PatchPosition choose(const PatchCell& cell, Workspace& work) const;
+    bool cuts() const { return !m_stitcher; }
     void trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight);
 
     const QuiltOptions& m_options;
@@ -91,6 +95,7 @@ private:
     PatchSearch m_search;
     PatchCanvas m_canvas;
     std::optional<Guide> m_guide;
+    std::optional<PatchStitcher> m_stitcher; ///< where patches are not cut
     PositionMap m_map;
     std::vector<double> m_cutCosts; ///< by cell, so that sums do not depend on the order
     Pool<Workspace> m_pool;

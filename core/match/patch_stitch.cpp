@@ -98,7 +98,8 @@ void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh) {
 std::vector<Choice> patchStitchChoices() {
     return {{"cut", TR("Minimum-error cut")}, {"smooth-cut", TR("Smoothed cut")},
             {"average", TR("Average")},       {"none", TR("None")},
-            {"poisson", TR("Poisson")},       {"midway", TR("Midway")}};
+            {"poisson", TR("Poisson")},       {"midway", TR("Midway")},
+            {"feather", TR("Feather")}};
 }
 
 PatchStitcher::PatchStitcher(PatchStitch stitch, int patch, const MidwayOptions& midway)
@@ -144,14 +145,40 @@ void PatchStitcher::join(const ImageView& old, const Overlap& overlap, Image& fr
     if (blends())
         return blend(old, overlap, fresh);
     const PlaneSpan weight = scratch.weight.plane(0);
-    if (m_stitch == PatchStitch::Average && overlap.right == 0 && overlap.bottom == 0)
-        averageWeights(overlap, weight);
-    else if (m_stitch == PatchStitch::Average)
-        rampWeights(overlap, weight);
+    if (m_stitch == PatchStitch::Average || m_stitch == PatchStitch::Feather)
+        shares(overlap, weight);
     else
         cutWeights(old, fresh, overlap, m_stitch == PatchStitch::SmoothCut ? kSoftness : 0,
                    scratch.error.plane(0), weight);
     mixPatches(old, weight, fresh);
+}
+
+void PatchStitcher::shares(const Overlap& overlap, PlaneSpan weight) const {
+    const bool closes = overlap.right > 0 || overlap.bottom > 0;
+    if (m_stitch == PatchStitch::Feather || (m_stitch == PatchStitch::Average && closes))
+        return rampWeights(overlap, weight);
+    if (m_stitch == PatchStitch::Average)
+        return averageWeights(overlap, weight);
+    for (int y = 0; y < weight.height; ++y)
+        std::fill_n(weight.row(y), weight.width, 0.0F);
+    if (!blends() || overlap.none())
+        return;
+    for (const BlendBand& band : m_bands.at(keyOf(overlap)))
+        band.markFirst(weight);
+}
+
+std::uint64_t PatchStitcher::bytesFor(PatchStitch stitch, int patch, int overlap, int overlaps, int threads) {
+    // Of a pixel of a band, and of one for which Poisson's equation is factored.
+    constexpr std::uint64_t kPixel = 64, kEquation = 800;
+    // What sorting and moving the mass of one patch's lines takes.
+    constexpr std::uint64_t kLines = 4ULL << 20;
+    const auto side = static_cast<std::uint64_t>(patch);
+    if (stitch != PatchStitch::Poisson && stitch != PatchStitch::Midway)
+        return 0;
+    const std::uint64_t band = 4 * side * static_cast<std::uint64_t>(overlap);
+    const std::uint64_t pixel = kPixel + (stitch == PatchStitch::Poisson ? kEquation : 0);
+    return static_cast<std::uint64_t>(overlaps) * (band * pixel + side * 24) +
+           static_cast<std::uint64_t>(threads) * (kLines + side * side * 64);
 }
 
 } // namespace texloom

@@ -33,8 +33,9 @@ void mixPatches(const ImageView& old, const PlaneView& weight, Image& fresh);
 
 /// How a patch is joined to the existing pixels: along the cut of least error, sharp or smoothed; by the mean
 /// on the overlap (by a ramp where the output closes and every border is known); or not at all, so that the
-/// new patch hides what it overlaps; or by Poisson or midway blending in the middle of the overlap.
-enum class PatchStitch { Cut, SmoothCut, Average, None, Poisson, Midway };
+/// new patch hides what it overlaps; by Poisson or midway blending in the middle of the overlap; or by a ramp
+/// over all of it (Liang et al., "Real-time texture synthesis by patch-based sampling", 2001).
+enum class PatchStitch { Cut, SmoothCut, Average, None, Poisson, Midway, Feather };
 
 /// The entries of a PatchStitch parameter.
 std::vector<Choice> patchStitchChoices();
@@ -55,6 +56,13 @@ public:
     /// Turns `fresh` into the patch to be placed. @param old the patch as it is on the canvas, known on
     /// `overlap`.
     void join(const ImageView& old, const Overlap& overlap, Image& fresh, Scratch& scratch) const;
+    /// How much of each pixel that join() makes is the old one's, 0 to 1; where it blends, 1 on the old side
+    /// of the middle of the overlap and 0 on the new. Not for cuts, whose shares are those of cutWeights().
+    void shares(const Overlap& overlap, PlaneSpan weight) const;
+
+    /// Upper bound of the memory that a stitcher for these overlaps and the joins of `threads` threads take.
+    /// @param overlaps how many different ones.
+    static std::uint64_t bytesFor(PatchStitch stitch, int patch, int overlap, int overlaps, int threads);
 
 private:
     bool blends() const { return m_stitch == PatchStitch::Poisson || m_stitch == PatchStitch::Midway; }

@@ -113,8 +113,9 @@ Synthesis quilted(Quilt quilt, MapKind kind) {
     result.image = std::move(quilt.image);
     result.map = std::move(quilt.map);
     result.mapKind = kind;
-    result.figures = {{TR("Patches"), static_cast<double>(quilt.patches)},
-                      {TR("Mean error along a cut"), quilt.meanCutError}};
+    result.figures = {{TR("Patches"), static_cast<double>(quilt.patches)}};
+    if (quilt.meanCutError)
+        result.figures.push_back({TR("Mean error along a cut"), *quilt.meanCutError});
     return result;
 }
 

@@ -88,7 +88,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                       {TR("Share of the variance in the regular part"), model.share},
                       {TR("Drift over the output, in cycles"), driftOf(model, request.size)},
                       {TR("Largest move to close, in cycles"), move},
-                      {TR("Mean error along a cut"), quilt.meanCutError}};
+                      {TR("Mean error along a cut"), *quilt.meanCutError}};
     result.pictures.push_back(
         {TR("Regular part"), Image(regular.view().channelRange(0, request.resultChannels()))});
     if (model.share < kLeastShare)

@@ -10,7 +10,13 @@ namespace {
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     Estimate need =
         growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
-    need.bytes += PatchQuilter::mapBytesFor(request.size, settings.patch);
+    // Where an axis wraps, overlaps differ by a pixel.
+    const int overlaps = request.wrap.x || request.wrap.y ? 35 : 3;
+    need.bytes +=
+        PatchQuilter::mapBytesFor(request.size, settings.patch) +
+        PatchStitcher::bytesFor(settings.stitch, settings.patch, settings.overlapPixels(), overlaps, threads);
+    if (settings.stitch == PatchStitch::Poisson || settings.stitch == PatchStitch::Midway)
+        need.seconds *= 1.5;
     return need;
 }
 
@@ -18,7 +24,9 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     const std::vector<PatchSource> exemplars = patchSources(request);
     const QuiltOptions options = settings.quiltOptions(request);
     return quilted(PatchQuilter(exemplars, options, context).run(),
-                   settings.stitch == Stitch::Cut ? MapKind::Exact : MapKind::Dominant);
+                   settings.stitch == PatchStitch::Cut || settings.stitch == PatchStitch::None
+                       ? MapKind::Exact
+                       : MapKind::Dominant);
 }
 
 } // namespace
@@ -40,9 +48,11 @@ const Method self = method<Settings>(
                   "more.")),
      quiltOverlapField(&Settings::overlap), quiltToleranceField(&Settings::tolerance),
      field(&Settings::stitch, "stitch", TR("Stitch"))
-         .choices({{"cut", TR("Minimum-error cut")}, {"smooth-cut", TR("Smoothed cut")}})
+         .choices(patchStitchChoices())
          .group(TR("Advanced"))
-         .help(TR("A cut keeps every pixel as it is in the exemplar; a smoothed one blends across it.")),
+         .help(
+             TR("How a patch is joined to its neighbours: a cut, or none, keeps every pixel as it is in the "
+                "exemplar; the others blend where patches overlap.")),
      field(&Settings::softness, "softness", TR("Softness"))
          .range(1, 16)
          .unit("px")

@@ -6,17 +6,14 @@
 
 namespace texloom::quilting {
 
-/// How a new patch is joined to what is there.
-enum class Stitch { Cut, SmoothCut };
-
 /// Parameters of image quilting (Raad & Galerne, IPOL 2017, algorithm 1).
 struct Settings {
     int patch = 40;         ///< side w_p in pixels
     double overlap = 0.25;  ///< w_o as a share of the patch
     double tolerance = 0.1; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
-    Stitch stitch = Stitch::Cut;
-    int softness = 3;    ///< half the width in pixels over which a smooth cut blends
-    double contrast = 0; ///< see ContrastBalance::share
+    PatchStitch stitch = PatchStitch::Cut; ///< how a new patch is joined to what is there
+    int softness = 3;                      ///< half the width in pixels over which a smooth cut blends
+    double contrast = 0;                   ///< see ContrastBalance::share
 
     /// w_o in pixels.
     int overlapPixels() const { return overlapFor(patch, overlap); }
@@ -29,7 +26,8 @@ struct Settings {
         options.overlap = overlapPixels();
         options.tolerance = tolerance;
         options.contrast = contrast;
-        options.softness = stitch == Stitch::SmoothCut ? softness : 0;
+        options.stitch = stitch;
+        options.softness = stitch == PatchStitch::SmoothCut ? softness : 0;
         options.initial = request.initial();
         return options;
     }

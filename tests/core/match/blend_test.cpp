@@ -181,8 +181,9 @@ TEST(BlendCurve, placesAndPointsAreInverse) {
 
 TEST(PatchStitcher, oldPixelsBeyondTheOverlapAreNeverUsed) {
     constexpr int kPatch = 24;
-    for (const PatchStitch stitch : {PatchStitch::Cut, PatchStitch::SmoothCut, PatchStitch::Average,
-                                     PatchStitch::None, PatchStitch::Poisson, PatchStitch::Midway})
+    for (const PatchStitch stitch :
+         {PatchStitch::Cut, PatchStitch::SmoothCut, PatchStitch::Average, PatchStitch::None,
+          PatchStitch::Poisson, PatchStitch::Midway, PatchStitch::Feather})
         for (const Overlap& overlap : {Overlap{8, 0, 0, 0}, Overlap{0, 7, 0, 0}, Overlap{8, 8, 0, 0},
                                        Overlap{12, 12, 0, 0}, Overlap{6, 0, 6, 0}, Overlap{6, 8, 6, 0},
                                        Overlap{6, 6, 7, 7}, Overlap{0, 6, 0, 6}, Overlap{2, 2, 0, 0}}) {
@@ -199,6 +200,80 @@ TEST(PatchStitcher, oldPixelsBeyondTheOverlapAreNeverUsed) {
                 << static_cast<int>(stitch) << " overlap " << overlap.left << overlap.top << overlap.right
                 << overlap.bottom;
         }
+}
+
+Image stitched(PatchStitch stitch, const Overlap& overlap, const Image& old, const Image& fresh) {
+    PatchStitcher stitcher(stitch, fresh.width());
+    stitcher.prepare(overlap);
+    PatchStitcher::Scratch scratch = stitcher.scratch();
+    Image joined(fresh);
+    stitcher.join(old, overlap, joined, scratch);
+    return joined;
+}
+
+const std::vector<Overlap> kSomeOverlaps = {{8, 0, 0, 0}, {0, 7, 0, 0}, {8, 8, 0, 0},    {6, 8, 6, 0},
+                                            {6, 6, 7, 7}, {1, 2, 0, 0}, {12, 12, 12, 12}};
+
+TEST(PatchStitcher, equalPatchesStayAsTheyAre) {
+    const Image patch = blobs({24, 24}, 3);
+    for (const PatchStitch stitch : {PatchStitch::Cut, PatchStitch::SmoothCut, PatchStitch::Average,
+                                     PatchStitch::None, PatchStitch::Feather})
+        for (const Overlap& overlap : kSomeOverlaps)
+            EXPECT_TRUE(samePixels(stitched(stitch, overlap, patch, patch), patch));
+    // Blending solves equations, which rounds.
+    const Image solved = stitched(PatchStitch::Poisson, {8, 8, 0, 0}, patch, patch);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x)
+            EXPECT_NEAR(solved(x, y, 1), patch(x, y, 1), 1e-5F);
+}
+
+TEST(PatchStitcher, sharesOfTheOldAndTheNewPixelAddToOne) {
+    const Image none = constant({24, 24}, 1, 0), all = constant({24, 24}, 1, 1);
+    for (const PatchStitch stitch : {PatchStitch::Average, PatchStitch::None, PatchStitch::Feather})
+        for (const Overlap& overlap : kSomeOverlaps) {
+            Image share({24, 24}, 1);
+            PatchStitcher(stitch, 24).shares(overlap, share.plane(0));
+            const Image old = stitched(stitch, overlap, all, none),
+                        fresh = stitched(stitch, overlap, none, all);
+            for (int y = 0; y < 24; ++y)
+                for (int x = 0; x < 24; ++x) {
+                    EXPECT_FLOAT_EQ(old(x, y, 0) + fresh(x, y, 0), 1);
+                    EXPECT_FLOAT_EQ(old(x, y, 0), share(x, y, 0));
+                    EXPECT_GE(share(x, y, 0), 0);
+                    EXPECT_LE(share(x, y, 0), overlap.contains(x, y, 24) ? 1 : 0);
+                }
+        }
+}
+
+TEST(PatchStitcher, featherOfAStepIsARampOverTheOverlap) {
+    const Image low = constant({24, 24}, 1, 3), high = constant({24, 24}, 1, 10);
+    for (const int width : {2, 5, 12}) {
+        const Image left = stitched(PatchStitch::Feather, {width, 0, 0, 0}, low, high);
+        const Image corner = stitched(PatchStitch::Feather, {width, 12, 0, 0}, low, high);
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x) {
+                const auto ramp = [](int at, int over) {
+                    return at < over ? static_cast<float>(at) / static_cast<float>(over - 1) : 1.0F;
+                };
+                EXPECT_NEAR(left(x, y, 0), 3 + 7 * ramp(x, width), 1e-5F);
+                EXPECT_NEAR(corner(x, y, 0), 3 + 7 * ramp(x, width) * ramp(y, 12), 1e-5F);
+            }
+    }
+}
+
+TEST(PatchStitcher, blendedPatchesHaveTheSourceOfTheirSide) {
+    Image share({24, 24}, 1);
+    for (const PatchStitch stitch : {PatchStitch::Poisson, PatchStitch::Midway}) {
+        PatchStitcher stitcher(stitch, 24);
+        const Overlap overlap{8, 0, 8, 0};
+        stitcher.prepare(overlap);
+        stitcher.shares(overlap, share.plane(0));
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x)
+                if (x != 3 && x != 4 && x != 19 && x != 20) { // the curves run through these
+                    EXPECT_EQ(share(x, y, 0), x < 4 || x > 19 ? 1 : 0) << x;
+                }
+    }
 }
 
 } // namespace

@@ -14,7 +14,6 @@ namespace texloom::test {
 namespace {
 
 using quilting::Settings;
-using quilting::Stitch;
 
 std::shared_ptr<const Image> shared(Image image) {
     return std::make_shared<const Image>(std::move(image));
@@ -64,7 +63,7 @@ TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
         for (const double overlap : {0.1, 0.25, 0.5})
             for (const Size size : {Size{90, 77}, Size{20, 60}, Size{16, 16}, Size{150, 31}}) {
                 const Request request = requestFor(blobs({40, 40}, 3), size, wrap);
-                const Settings settings{16, overlap, 0.3, Stitch::Cut, 3};
+                const Settings settings{16, overlap, 0.3, PatchStitch::Cut, 3};
                 const Quilt raster = quilt(request, settings, 1, PatchQuilter::Order::Raster);
                 for (const int threads : {1, 2, 5}) {
                     const Quilt wavefront = quilt(request, settings, threads);
@@ -76,7 +75,7 @@ TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
 
 TEST(Quilting, periodicExemplarIsContinuedWithItsPeriod) {
     const Request request = requestFor(periodic({48, 45}, {8, 9}, 2), {101, 87});
-    const Image image = quilt(request, {20, 0.25, 0, Stitch::Cut, 3}).image;
+    const Image image = quilt(request, {20, 0.25, 0, PatchStitch::Cut, 3}).image;
     for (int c = 0; c < 2; ++c)
         for (int y = 0; y + 9 < image.height(); ++y)
             for (int x = 0; x + 8 < image.width(); ++x) {
@@ -87,7 +86,7 @@ TEST(Quilting, periodicExemplarIsContinuedWithItsPeriod) {
 
 TEST(Quilting, wholePeriodsCloseOverTheBorderWithoutATrace) {
     const Request request = requestFor(periodic({48, 45}, {8, 9}, 1), {96, 90}, {true, true});
-    const Image image = quilt(request, {20, 0.25, 0, Stitch::Cut, 3}).image;
+    const Image image = quilt(request, {20, 0.25, 0, PatchStitch::Cut, 3}).image;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
             ASSERT_EQ(image(x, y, 0), image((x + 8) % 96, y, 0)) << x << "," << y;
@@ -102,7 +101,7 @@ TEST(Quilting, startingFromAPartOfTheExemplarGivesItBack) {
         const Image part(exemplar.view().crop(0, 0, size));
         Request request = requestFor(exemplar, size);
         request.inputs.set(kInitialPort, shared(part));
-        EXPECT_TRUE(samePixels(quilt(request, {16, 0.25, 0, Stitch::Cut, 3}).image, part));
+        EXPECT_TRUE(samePixels(quilt(request, {16, 0.25, 0, PatchStitch::Cut, 3}).image, part));
     }
 }
 
@@ -114,7 +113,7 @@ TEST(Quilting, initialImageIsComparedOverWholePatches) {
         for (int x = 0; x < 64; ++x)
             blurredHalves(x, y, 0) = 0.5F * (exemplar(x, y, 0) + exemplar(std::min(63, x + 1), y, 0));
     request.inputs.set(kInitialPort, shared(blurredHalves));
-    const Quilt result = quilt(request, {16, 0.25, 0, Stitch::Cut, 3});
+    const Quilt result = quilt(request, {16, 0.25, 0, PatchStitch::Cut, 3});
     int near = 0;
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
@@ -129,7 +128,7 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
         for (int x = 25; x < 40; ++x)
             mask(x, y, 0) = 0;
     request.exemplars.front().inputs.set(kMaskPort, shared(mask));
-    const Quilt result = quilt(request, {12, 0.25, 0.1, Stitch::Cut, 3});
+    const Quilt result = quilt(request, {12, 0.25, 0.1, PatchStitch::Cut, 3});
     for (int y = 0; y < 150; ++y)
         for (int x = 0; x < 150; ++x) {
             const Source source = result.map.at(x, y);
@@ -140,7 +139,7 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
 TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
     Request request = requestFor(blobs({40, 40}, 3, 1), {200, 200});
     request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1))});
-    const Quilt result = quilt(request, {12, 0.25, 0.5, Stitch::Cut, 3});
+    const Quilt result = quilt(request, {12, 0.25, 0.5, PatchStitch::Cut, 3});
     std::set<int> used;
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 200; ++x)
@@ -153,7 +152,7 @@ TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
 TEST(Quilting, zeroToleranceAlwaysTakesTheNearestPatch) {
     // The second patch of the first row, from the definition of the distance.
     const Image exemplar = blobs({40, 40}, 2);
-    const Settings settings{16, 0.25, 0, Stitch::Cut, 3};
+    const Settings settings{16, 0.25, 0, PatchStitch::Cut, 3};
     const Quilt result = quilt(requestFor(exemplar, {28, 16}), settings, 1);
     const Source first = result.map.at(0, 0);
     double best = HUGE_VAL;
@@ -183,7 +182,7 @@ TEST(Quilting, largeToleranceDrawsFromAllPatches) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         Request request = requestFor(noise({20, 20}, 1), {28, 16});
         request.seed = seed;
-        const Source source = quilt(request, {16, 0.25, 10, Stitch::Cut, 3}, 1).map.at(27, 8);
+        const Source source = quilt(request, {16, 0.25, 10, PatchStitch::Cut, 3}, 1).map.at(27, 8);
         drawn.insert({source.x, source.y});
     }
     EXPECT_GT(drawn.size(), 12U);
@@ -207,6 +206,34 @@ TEST(Quilting, smoothedCutBlendsOnlyNearTheCut) {
     const ValueRange result = valueRange(soft.image);
     EXPECT_GE(result.smallest, exemplar.smallest);
     EXPECT_LE(result.largest, exemplar.largest);
+}
+
+TEST(Quilting, everyStitchIsTheSameForAnyNumberOfThreads) {
+    for (const PatchStitch stitch : {PatchStitch::Average, PatchStitch::None, PatchStitch::Poisson,
+                                     PatchStitch::Midway, PatchStitch::Feather})
+        for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+            const Request request = requestFor(blobs({40, 40}, 3), {75, 64}, wrap);
+            const Settings settings{16, 0.25, 0.3, stitch, 3};
+            const Quilt one = quilt(request, settings, 1), many = quilt(request, settings, 3);
+            EXPECT_TRUE(samePixels(one.image, many.image));
+            EXPECT_EQ(one.map, many.map);
+        }
+}
+
+TEST(Quilting, mapsAreExactWherePixelsAreNotBlended) {
+    const Request request = requestFor(blobs({64, 64}, 3), {120, 100});
+    for (const Choice& stitch : patchStitchChoices()) {
+        const Synthesis result = run(request, {{"patch", 24}, {"stitch", stitch.id}});
+        const Image fromMap = result.map.apply(request.exemplars.front().image->view());
+        const bool exact = stitch.id == "cut" || stitch.id == "none";
+        EXPECT_EQ(result.mapKind, exact ? MapKind::Exact : MapKind::Dominant) << stitch.id;
+        EXPECT_EQ(samePixels(fromMap, result.image), exact) << stitch.id;
+        // Where nothing overlaps, nothing is blended.
+        for (int y = 6; y < 18; ++y)
+            for (int x = 6; x < 18; ++x)
+                EXPECT_EQ(fromMap(x, y, 1), result.image(x, y, 1)) << stitch.id;
+        EXPECT_EQ(result.figures.size(), stitch.id == "cut" || stitch.id == "smooth-cut" ? 2U : 1U);
+    }
 }
 
 TEST(Quilting, refusalsNameTheValueAndTheLimit) {
