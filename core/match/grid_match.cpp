@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace texloom {
 
@@ -87,8 +88,18 @@ void GridMatcher::improve(PatchField& field, const Gather& gather, int round, in
         });
 }
 
+bool GridMatcher::anyWanted(const Tile& area) const {
+    for (int y = area.top; y < area.bottom; ++y)
+        for (int x = area.left; x < area.right; ++x)
+            if (wanted(x, y))
+                return true;
+    return false;
+}
+
 void GridMatcher::improveTile(PatchField& field, const Gather& gather, int number, int round, int radius) {
     const Tile area = tile(number);
+    if (!anyWanted(area))
+        return;
     const int columns = area.right - area.left, rows = area.bottom - area.top;
     const int side = (kGridTile - 1) * m_lattice.stride + m_lattice.patch;
     const auto pixels = m_pool.borrow([&] { return Interleaved({side, side}, m_channels); });
@@ -102,6 +113,8 @@ void GridMatcher::improveTile(PatchField& field, const Gather& gather, int numbe
         for (int i = 0; i < columns; ++i) {
             const int x = step > 0 ? area.left + i : area.right - 1 - i;
             const int y = step > 0 ? area.top + j : area.bottom - 1 - j;
+            if (!wanted(x, y))
+                continue;
             improvePatch(field, x, y,
                          pixels->at((x - area.left) * m_lattice.stride, (y - area.top) * m_lattice.stride),
                          pixels->stride(), round, radius);
@@ -113,9 +126,17 @@ void GridMatcher::improvePatch(PatchField& field, int x, int y, const float* pat
                                int round, int radius) const {
     PatchMatch best{field.at(x, y).source, HUGE_VALF};
     float cost = HUGE_VALF;
+    const auto far = [&](const PatchTarget& target, int toX, int toY) {
+        return m_limit.radius > 0 && target.pixels().size == m_lattice.canvas &&
+               (std::abs(toX - x * m_lattice.stride) > m_limit.radius ||
+                std::abs(toY - y * m_lattice.stride) > m_limit.radius);
+    };
     const auto attempt = [&](std::uint16_t exemplar, int toX, int toY) {
+        // Neighbours that are left out have no match.
+        if (exemplar == Source::kNone)
+            return;
         const PatchTarget& target = m_targets[exemplar];
-        if (!target.has(toX, toY))
+        if (!target.has(toX, toY) || far(target, toX, toY))
             return;
         const Source source{static_cast<std::uint16_t>(toX), static_cast<std::uint16_t>(toY), exemplar};
         if (source == best.source && cost < HUGE_VALF)

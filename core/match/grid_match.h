@@ -50,6 +50,17 @@ public:
     /// @param weight λ_occ; 0 for none.
     void discourage(const PatchField& field, double weight);
 
+    /// What limit() leaves.
+    struct Limit {
+        const std::vector<std::uint8_t>* patches =
+            nullptr;    ///< of the lattice by rows, 1 where matches are wanted
+        int radius = 0; ///< how far from its own place a match may lie, in both directions, in pixels, in
+                        ///< exemplars of the canvas's size; 0: anywhere
+    };
+    /// Leaves out patches, whose sources in fields stay invalid, and far matches.
+    /// @param limit what it refers to must outlive the matcher.
+    void limit(const Limit& limit) { m_limit = limit; }
+
     /// One round over all patches: the distance to the current match is recomputed, then those of the
     /// neighbours' matches and of random ones at most `radius` pixels away are tried.
     /// @param round number of the round; it determines the direction of the scan and the random numbers.
@@ -67,6 +78,12 @@ private:
     void improvePatch(PatchField& field, int x, int y, const float* patch, std::ptrdiff_t stride, int round,
                       int radius) const;
     float penalty(const Source& source) const;
+    bool wanted(int x, int y) const {
+        return !m_limit.patches || (*m_limit.patches)[static_cast<std::size_t>(y) *
+                                                          static_cast<std::size_t>(m_lattice.count().width) +
+                                                      static_cast<std::size_t>(x)] != 0;
+    }
+    bool anyWanted(const Tile& area) const;
 
     PatchLattice m_lattice;
     Size m_tiles;
@@ -75,6 +92,7 @@ private:
     std::vector<PatchTarget> m_targets;
     std::vector<std::vector<float>> m_penalties; ///< by exemplar and position; empty: none
     std::int64_t m_count = 0;
+    Limit m_limit;
     Pool<Interleaved> m_pool;
 };
 

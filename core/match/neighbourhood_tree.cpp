@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace texloom {
 
@@ -21,6 +22,8 @@ constexpr int kRoundSample = 4096;
 /// A division that leaves less than this share on one side is made in the middle instead.
 constexpr int kLeastShare = 16;
 constexpr int kTreeLanes = 8;
+/// Neighbourhoods that one thread describes at a time.
+constexpr std::size_t kDescribed = 1024;
 
 TEXLOOM_WIDE_VECTORS float squares(const float* a, const float* b, int count) {
     float lanes[kTreeLanes] = {};
@@ -62,22 +65,25 @@ TEXLOOM_WIDE_VECTORS void consider(const NeighbourhoodSet& set, std::span<const 
 
 } // namespace
 
-NeighbourhoodTree::NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, const Check& check)
+NeighbourhoodTree::NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, const Check& check,
+                                     const Each& each)
     : m_set(set) {
     learnAxes(options, check);
     const std::vector<Source>& sources = set.sources();
     const Neighbourhood& neighbourhood = set.neighbourhood();
-    std::vector<float> vector(static_cast<std::size_t>(neighbourhood.length()));
     std::vector<int> order(sources.size());
+    std::iota(order.begin(), order.end(), 0);
     m_descriptors.resize(sources.size() * static_cast<std::size_t>(m_axes));
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (i % 1024 == 0)
-            check();
-        neighbourhood.gather(set.exemplars()[sources[i].exemplar].pictures, sources[i].x, sources[i].y,
-                             vector.data());
-        describe(vector.data(), m_descriptors.data() + i * static_cast<std::size_t>(m_axes));
-        order[i] = static_cast<int>(i);
-    }
+    each(static_cast<int>((sources.size() + kDescribed - 1) / kDescribed), [&](int share) {
+        check();
+        std::vector<float> vector(static_cast<std::size_t>(neighbourhood.length()));
+        const std::size_t begin = static_cast<std::size_t>(share) * kDescribed;
+        for (std::size_t i = begin; i < std::min(sources.size(), begin + kDescribed); ++i) {
+            neighbourhood.gather(set.exemplars()[sources[i].exemplar].pictures, sources[i].x, sources[i].y,
+                                 vector.data());
+            describe(vector.data(), m_descriptors.data() + i * static_cast<std::size_t>(m_axes));
+        }
+    });
     divide(order, 0, static_cast<int>(order.size()), options.leaf, check);
     m_sources.reserve(order.size());
     for (const int entry : order)

@@ -187,7 +187,7 @@ void WindowScan::look(const PixelCanvas& canvas, const KnownPixels& known, int x
 }
 
 void WindowScan::complete(const PixelCanvas& canvas, const KnownPixels& known, int x, int y, Wrap wrap,
-                          std::vector<float>& vector) const {
+                          const Source& standIn, std::vector<float>& vector) const {
     const Size size = canvas.size();
     const int reach = m_window / 2, pixel = canvas.pixels.pixel;
     vector.resize(m_weights.size() * static_cast<std::size_t>(pixel));
@@ -209,8 +209,15 @@ void WindowScan::complete(const PixelCanvas& canvas, const KnownPixels& known, i
         }
     for (float& value : mean)
         value = whole > 0 ? value / whole : 0;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        std::copy_n(seen[i] ? seen[i] : mean.data(), pixel, vector.data() + i * mean.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const float* from = seen[i];
+        if (!from && standIn.valid()) {
+            const int at = static_cast<int>(i);
+            from = pixels(standIn.exemplar)
+                       .at(standIn.x + at % m_window - reach, standIn.y + at / m_window - reach);
+        }
+        std::copy_n(from ? from : mean.data(), pixel, vector.data() + i * mean.size());
+    }
 }
 
 WindowScan::Bound WindowScan::boundFor(const Query& query, double tolerance) const {
@@ -345,6 +352,22 @@ void WindowScan::withinOf(std::span<const Source> windows, double tolerance, Que
         }
     }
     std::erase_if(found, [&](const Found& one) { return one.distance > bound.limit; });
+}
+
+Source WindowScan::nearestOf(std::span<const Source> windows, Query& query) const {
+    Source nearest = windows.front();
+    float limit = std::numeric_limits<float>::infinity();
+    for (int e = 0; e < static_cast<int>(m_pixels.size()); ++e) {
+        bind(query, e);
+        for (const Source& source : windows) {
+            const float sum = source.exemplar == e ? distance(query, source, limit) : limit;
+            if (sum < limit) {
+                limit = sum;
+                nearest = source;
+            }
+        }
+    }
+    return nearest;
 }
 
 std::uint64_t WindowScan::bytesFor(std::span<const Size> exemplars, int channels) {

@@ -105,9 +105,11 @@ public:
     /// Looks at the window about (x, y), round the borders on the axes that wrap.
     void look(const PixelCanvas& canvas, const KnownPixels& known, int x, int y, Wrap wrap,
               Query& query) const;
-    /// The same window as a whole vector of windows(), where the mean of what is known stands for the rest.
+    /// The same window as a whole vector of windows(), where another window stands for what is not known, or
+    /// the mean of what is known if there is none.
+    /// @param standIn one of windows(), or an invalid source.
     void complete(const PixelCanvas& canvas, const KnownPixels& known, int x, int y, Wrap wrap,
-                  std::vector<float>& vector) const;
+                  const Source& standIn, std::vector<float>& vector) const;
 
     /// All windows at most (1 + tolerance) times as far as the nearest, in order of reading. Distances below
     /// a 255th of the exemplars' range count as that. Never empty. @param nearby where they lie; everywhere
@@ -119,6 +121,8 @@ public:
     /// The same of these windows alone, in their order.
     void withinOf(std::span<const Source> windows, double tolerance, Query& query,
                   std::vector<Found>& found) const;
+    /// The nearest of these windows, of equal ones the first. @param windows at least one.
+    Source nearestOf(std::span<const Source> windows, Query& query) const;
 
     static std::uint64_t bytesFor(std::span<const Size> exemplars, int channels);
 

@@ -1,56 +1,31 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/methods/efros_leung/grower.h"
+#include "core/methods/fill_request.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_fields.h"
+#include "core/methods/pixel_grower.h"
 #include "core/methods/pixel_request.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace texloom::efros_leung {
 
 namespace {
 
-constexpr std::string_view kKnownPort = "known";
+using pixel_growth::Grower;
+using pixel_growth::Settings;
 
-Port known() {
-    return {.id = std::string(kKnownPort),
-            .title = TR("Known"),
-            .help = TR("What of the image to start from is kept; the rest, where it is black, is made anew."),
-            .kind = AssetKind::Mask,
-            .extent = Extent::Output};
-}
-
-/// Pixels that are to be made.
-double unknownOf(const Request& request) {
-    const Image* const mask = request.inputs.image(kKnownPort);
-    double pixels = 0;
-    for (int y = 0; mask && y < mask->height(); ++y)
-        for (int x = 0; x < mask->width(); ++x)
-            pixels += (*mask)(x, y, 0) == 0 ? 1 : 0;
-    return mask ? pixels : static_cast<double>(request.size.area());
-}
-
-/// The exemplars without the hole: where one is the very picture that is completed, and no mask says what of
-/// it may be copied, what is to be made anew is hidden in it.
-Request withoutHole(const Request& request) {
-    Request hidden = request;
-    const auto mask = request.inputs.first<Image>(kKnownPort);
-    for (Exemplar& exemplar : hidden.exemplars)
-        if (mask && request.initial() && !exemplar.mask() && samePixels(*exemplar.image, *request.initial()))
-            exemplar.inputs.set(kMaskPort, mask);
-    return hidden;
+Request prepared(
+    const Request& request, const Settings& settings, const std::function<void()>& checked = [] {}) {
+    return withoutHole(request, settings.context, Grower::window(settings), checked);
 }
 
 void check(const Request& request, const Settings& settings) {
-    checkSquares(withoutHole(request), Grower::window(settings));
-    const Image* const mask = request.inputs.image(kKnownPort);
-    if (request.initial() && !mask)
+    checkSquares(prepared(request, settings), Grower::window(settings));
+    if (request.initial() && !knownOf(request))
         failUsage("What is to be kept of the image to start from is not said; give a mask of what is known.");
-    if (mask && !request.initial())
-        failUsage("There is a mask of what is known, but no image to start from; give that too.");
-    if (unknownOf(request) == 0)
-        failUsage("All of the image to start from is known, so that there is nothing to make; mask less.");
+    checkFill(request);
 }
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
@@ -61,16 +36,16 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         windows += limited ? std::min(area, 4.0 * settings.radius * settings.radius) : area;
     }
     const double values = static_cast<double>(settings.window) * settings.window * request.channels();
-    const double compared = settings.search == Search::Exact ? 1.5e-9 * windows : 1.2e-5;
+    const double compared = settings.exact(knownOf(request) != nullptr) ? 1.5e-9 * windows : 2.4e-5;
     Estimate need;
-    need.bytes = Grower::bytesFor(request, settings, threads);
-    need.seconds = unknownOf(request) * (compared + values * 6e-9);
+    need.bytes = Grower::bytesFor(request, settings, threads) + fillMaskBytes(request);
+    need.seconds = unknownPixels(request) * (compared + values * 6e-9);
     return need;
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    const Request hidden = withoutHole(request);
-    return Grower(hidden, settings, {request.initial(), request.inputs.image(kKnownPort)}, context).run();
+    const Request hidden = prepared(request, settings, [&context] { context.check(); });
+    return Grower(hidden, settings, {request.initial(), knownOf(request)}, context).run();
 }
 
 } // namespace
@@ -85,7 +60,7 @@ const Method self = method<Settings>(
          "garbage or copies verbatim."),
      .citation = "Efros & Leung, ICCV 1999; Aguerrebere, Gousseau & Tartavel, IPOL 2013",
      .category = Category::Pixels,
-     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial(), known()},
+     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial(), ports::known()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::window, "window", TR("Window"))
          .range(3, 63)
@@ -114,24 +89,18 @@ const Method self = method<Settings>(
              "Side of the square of the exemplar that growth begins with, at most the window: larger begins "
              "with more structure.")),
      field(&Settings::search, "search", TR("Search"))
-         .choices({{"exact", TR("Exact")}, {"pca", TR("Principal components")}})
+         .choices({{"auto", TR("Automatic")}, {"exact", TR("Exact")}, {"pca", TR("Principal components")}})
          .group(TR("Advanced"))
-         .help(TR("Compares all windows exactly, or only those that are likely by their principal "
-                  "components, in time "
-                  "that hardly grows with the exemplar.")),
+         .help(
+             TR("Compares all windows exactly, or only those that are likely by their principal components, "
+                "in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the "
+                "likely ones.")),
      field(&Settings::components, "components", TR("Components"))
          .range(4, 64)
-         .when("search", std::string("pca"))
          .group(TR("Advanced"))
          .help(TR("Principal components by which likely windows are found: more find nearer ones, but take "
                   "longer.")),
-     field(&Settings::radius, "radius", TR("Search radius"))
-         .range(0, 4096)
-         .unit("px")
-         .group(TR("Advanced"))
-         .help(TR(
-             "How far from its own place in an exemplar of the output's size a pixel's source may lie, as "
-             "in a photo that is mended: smaller takes what is near, and is faster; 0 looks everywhere."))},
+     radiusField(&Settings::radius), contextField(&Settings::context)},
     run, check, estimate);
 
 } // namespace texloom::efros_leung

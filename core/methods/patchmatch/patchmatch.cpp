@@ -1,13 +1,35 @@
+#include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/methods/fill_request.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/patchmatch/completer.h"
 #include "core/methods/patchmatch/synthesizer.h"
 
 namespace texloom::patchmatch {
 
 namespace {
 
+void check(const Request& request, const Settings& settings) {
+    checkSomeKnown(request);
+    checkPatchRequest(withoutHole(request, settings.context, settings.patch), settings.patch);
+    if (knownOf(request) && request.size.shorterSide() < settings.patch)
+        failUsage(
+            "The image to start from is {} × {} px, smaller than the patch of {} px; choose a patch of at "
+            "most {} px.",
+            request.size.width, request.size.height, settings.patch, request.size.shorterSide());
+}
+
+Estimate fillEstimate(const Request& request, const Settings& settings, int threads) {
+    const double values = settings.patch * settings.patch * (request.channels() + 1);
+    return {Completer::bytesFor(request, settings, threads),
+            unknownPixels(request) * settings.iterations * (1e-6 + 2e-8 * values) +
+                1e-7 * static_cast<double>(request.size.area())};
+}
+
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    if (knownOf(request))
+        return fillEstimate(request, settings, threads);
     const Size canvas = Synthesizer::canvasFor(request.size, request.wrap, settings.patch);
     const auto area = static_cast<std::uint64_t>(canvas.area());
     const std::vector<Size> exemplars = request.exemplarSizes();
@@ -28,7 +50,11 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    return Synthesizer(request, settings, context).run();
+    if (!knownOf(request))
+        return Synthesizer(request, settings, context).run();
+    const Request hidden =
+        withoutHole(request, settings.context, settings.patch, [&context] { context.check(); });
+    return Completer(hidden, settings, context).run();
 }
 
 } // namespace
@@ -42,7 +68,7 @@ const Method self = method<Settings>(
             "large structure."),
      .citation = "Barnes et al., SIGGRAPH 2009; Han et al. 2006; Kaspar et al., Eurographics 2015",
      .category = Category::Optimisation,
-     .takes = {ports::exemplars(), ports::mask(), ports::initial()},
+     .takes = {ports::exemplars(), ports::mask(), ports::initial(), ports::known()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::patch, "patch", TR("Patch size"))
          .range(3, 32)
@@ -53,7 +79,15 @@ const Method self = method<Settings>(
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 50)
          .help(TR("Rounds of matching and voting on each scale: more join better, but take longer.")),
-     scalesField(&Settings::scales), uniformityField(&Settings::uniformity)},
-    run, checkPatch, estimate);
+     scalesField(&Settings::scales),
+     uniformityField(&Settings::uniformity)
+         .help(TR(
+             "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
+             "whatever fits best, as a hole does that is filled.")),
+     radiusField(&Settings::radius)
+         .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
+                  "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),
+     contextField(&Settings::context)},
+    run, check, estimate);
 
 } // namespace texloom::patchmatch

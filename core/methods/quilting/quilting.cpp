@@ -1,13 +1,44 @@
+#include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/methods/fill_request.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/quilting/hole_quilter.h"
 #include "core/methods/quilting/settings.h"
+
+#include <functional>
 
 namespace texloom::quilting {
 
 namespace {
 
+Request prepared(
+    const Request& request, const Settings& settings, const std::function<void()>& checked = [] {}) {
+    return withoutHole(request, settings.context, HoleQuilter::patchFor(request, settings), checked);
+}
+
+void checkHole(const Request& request, const Settings& settings) {
+    const int patch = HoleQuilter::patchFor(request, settings);
+    checkPatchRequest(prepared(request, settings), patch);
+    const bool cuts = settings.stitch == PatchStitch::Cut || settings.stitch == PatchStitch::SmoothCut;
+    if (!cuts && settings.stitch != PatchStitch::None && settings.stitch != PatchStitch::Poisson)
+        failUsage("A hole has no overlaps of even width to blend; choose the stitch cut, smooth-cut, none or "
+                  "poisson.");
+    if (settings.contrast > 0)
+        failUsage("The contrast of {} is for whole outputs; set it to 0 to fill a hole.", settings.contrast);
+}
+
+void check(const Request& request, const Settings& settings) {
+    checkSomeKnown(request);
+    if (knownOf(request))
+        checkHole(request, settings);
+    else
+        checkPatchRequest(request, settings.patch);
+}
+
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    if (knownOf(request))
+        return HoleQuilter::estimate(request, settings);
     Estimate need =
         growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
     // Where an axis wraps, overlaps differ by a pixel.
@@ -21,6 +52,10 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
+    if (knownOf(request)) {
+        const Request hidden = prepared(request, settings, [&context] { context.check(); });
+        return HoleQuilter(hidden, settings, context).run();
+    }
     const std::vector<PatchSource> exemplars = patchSources(request);
     const QuiltOptions options = settings.quiltOptions(request);
     return quilted(PatchQuilter(exemplars, options, context).run(),
@@ -39,7 +74,7 @@ const Method self = method<Settings>(
             "faithful to structure such as bricks or leaves; copies larger areas verbatim."),
      .citation = "Efros & Freeman, SIGGRAPH 2001; Raad & Galerne, IPOL 2017",
      .category = Category::Patches,
-     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
+     .takes = {ports::weighedExemplars(), ports::mask(), ports::initial(), ports::known()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {patchField(&Settings::patch, 0.16)
          .range(4, 512)
@@ -59,7 +94,11 @@ const Method self = method<Settings>(
          .when("stitch", std::string("smooth-cut"))
          .group(TR("Advanced"))
          .help(TR("How far the smoothed cut blends to either side.")),
-     contrastField(&Settings::contrast)},
-    run, checkPatch, estimate);
+     contrastField(&Settings::contrast),
+     radiusField(&Settings::radius)
+         .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
+                  "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),
+     contextField(&Settings::context)},
+    run, check, estimate);
 
 } // namespace texloom::quilting

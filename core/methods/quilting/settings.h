@@ -14,6 +14,8 @@ struct Settings {
     PatchStitch stitch = PatchStitch::Cut; ///< how a new patch is joined to what is there
     int softness = 3;                      ///< half the width in pixels over which a smooth cut blends
     double contrast = 0;                   ///< see ContrastBalance::share
+    int radius = 0;   ///< in exemplars of the output\'s size, how far a hole\'s sources lie; 0: anywhere
+    int context = 80; ///< where a hole is filled, how far around it is copied from; see withoutHole()
 
     /// w_o in pixels.
     int overlapPixels() const { return overlapFor(patch, overlap); }

@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/io/image_file.h"
 #include "core/job/job.h"
-#include "core/methods/efros_leung/grower.h"
 #include "core/methods/method.h"
+#include "core/methods/pixel_grower.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -15,11 +15,11 @@
 namespace texloom::test {
 namespace {
 
-using efros_leung::Grower;
-using efros_leung::Order;
-using efros_leung::Search;
-using efros_leung::Settings;
-using efros_leung::Start;
+using pixel_growth::Grower;
+using pixel_growth::Order;
+using pixel_growth::Search;
+using pixel_growth::Settings;
+using pixel_growth::Start;
 
 std::shared_ptr<const Image> shared(Image image) {
     return std::make_shared<const Image>(std::move(image));

@@ -1,19 +1,22 @@
-#include "core/methods/efros_leung/grower.h"
+#include "core/methods/pixel_grower.h"
 
 #include "core/base/text.h"
 #include "core/match/coherent_candidates.h"
+#include "core/methods/fill_request.h"
 #include "core/methods/patch_request.h"
 #include "core/methods/pixel_request.h"
 
 #include <algorithm>
 #include <tuple>
 
-namespace texloom::efros_leung {
+namespace texloom::pixel_growth {
 
 namespace {
 
-/// Windows that are compared exactly where the tree names the likely ones (Aguerrebere et al., IPOL 2013).
+/// Windows that are compared exactly where the tree names the likely ones (Aguerrebere et al., IPOL 2013), in
+/// so many rounds.
 constexpr std::size_t kLikely = 200;
+constexpr std::size_t kTreeRounds = 2;
 /// Pixels that one thread makes at a time; fewer are not worth a second thread.
 constexpr int kShare = 4;
 /// Draws at one place, beside that of its candidate.
@@ -38,19 +41,20 @@ Grower::Grower(const Request& request, const Settings& settings, const Start& st
              [&context] { context.check(); }),
       m_canvas(request.size, request.channels(), request.exemplarSizes()), m_known(request.size) {}
 
-Synthesis Grower::run() {
-    m_context.stage(0.02, TR("Preparing the exemplar"));
-    if (m_settings.search == Search::Pca)
-        m_tree = std::make_unique<NeighbourhoodTree>(m_scan.windows(), treeOptions(m_settings),
-                                                     [this] { m_context.check(); });
+Synthesis Grower::run(double weight) {
+    m_context.stage(0.02 * weight, TR("Preparing the exemplar"));
+    if (!m_settings.exact(m_start.known != nullptr))
+        m_tree = std::make_unique<NeighbourhoodTree>(
+            m_scan.windows(), treeOptions(m_settings), [this] { m_context.check(); },
+            [this](int count, const std::function<void(int)>& body) { m_context.parallel(0, count, body); });
     m_turn.assign(m_known.flags.size(), 0);
-    m_context.stage(0.96, TR("Growing pixels"));
+    m_context.stage(0.96 * weight, TR("Growing pixels"));
     begin();
     if (m_settings.order == Order::Onion)
         growLayers();
     else
         growRows();
-    m_context.stage(0.02, TR("Copying pixels"));
+    m_context.stage(0.02 * weight, TR("Copying pixels"));
     return finish();
 }
 
@@ -63,29 +67,13 @@ void Grower::begin() {
     m_made = 0;
 }
 
-/// Takes over what is known of the initial image. Where an exemplar of its size shows the same, the picture
-/// itself most likely, the map says so.
+/// Takes over what is known of the initial image.
 void Grower::keep() {
-    const Image& image = *m_start.image;
-    m_canvas.pixels = m_scan.turned(image, [this] { m_context.check(); });
-    for (int y = 0; y < image.height(); ++y) {
-        m_context.check();
-        for (int x = 0; x < image.width(); ++x) {
-            if ((*m_start.known)(x, y, 0) == 0)
-                continue;
-            m_known.at(x, y) = 1;
-            ++m_made;
-            for (std::size_t e = 0; e < m_request.exemplars.size() && !m_canvas.map.at(x, y).valid(); ++e) {
-                const Image& exemplar = *m_request.exemplars[e].image;
-                bool same = exemplar.size() == image.size();
-                for (int c = 0; c < image.channels() && same; ++c)
-                    same = exemplar(x, y, c) == image(x, y, c);
-                if (same)
-                    m_canvas.map.at(x, y) = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                             static_cast<std::uint16_t>(e)};
-            }
-        }
-    }
+    KnownPicture picture(*m_start.image, *m_start.known, m_request, m_context);
+    m_canvas.pixels = m_scan.turned(picture.image, [this] { m_context.check(); });
+    m_canvas.map = std::move(picture.map);
+    m_known.flags = std::move(picture.known);
+    m_made = m_request.size.area() - picture.wanted;
 }
 
 /// Copies a square about a random window's middle to the middle of the output, or, where it grows by rows,
@@ -256,19 +244,32 @@ void Grower::findLikely(int x, int y, Workspace& work) const {
     for (const Continuation& one : work.coherent)
         if (m_scan.windows().has(one.x, one.y, one.exemplar))
             work.likely.push_back(one.source());
-    if (!m_tree)
-        return;
-    m_scan.complete(m_canvas, m_known, x, y, m_request.wrap, work.vector);
-    NeighbourhoodTree::Lookup lookup(*m_tree, work.vector.data());
+    if (m_tree)
+        findInTree(x, y, work);
+}
+
+/// The tree compares whole windows. What is not known of this one is taken from the best window found so far:
+/// a mean in its place would find windows that are flat there, from which flat areas grow.
+void Grower::findInTree(int x, int y, Workspace& work) const {
     const std::size_t coherent = work.likely.size();
-    while (work.likely.size() < kLikely + coherent) {
-        const std::span<const Source> leaf = lookup.next();
-        if (leaf.empty())
-            break;
-        for (const Source& source : leaf)
-            if (std::find(work.likely.begin(), work.likely.begin() + static_cast<std::ptrdiff_t>(coherent),
-                          source) == work.likely.begin() + static_cast<std::ptrdiff_t>(coherent))
-                work.likely.push_back(source);
+    work.leaves.clear();
+    for (std::size_t round = 1; round <= kTreeRounds; ++round) {
+        const Source best = work.likely.empty() ? Source{} : m_scan.nearestOf(work.likely, work.query);
+        m_scan.complete(m_canvas, m_known, x, y, m_request.wrap, best, work.vector);
+        NeighbourhoodTree::Lookup lookup(*m_tree, work.vector.data());
+        while (work.likely.size() < coherent + kLikely * round / kTreeRounds) {
+            const std::span<const Source> leaf = lookup.next();
+            if (leaf.empty())
+                break;
+            if (std::find(work.leaves.begin(), work.leaves.end(), leaf.data()) != work.leaves.end())
+                continue;
+            work.leaves.push_back(leaf.data());
+            for (const Source& source : leaf)
+                if (std::find(work.likely.begin(),
+                              work.likely.begin() + static_cast<std::ptrdiff_t>(coherent),
+                              source) == work.likely.begin() + static_cast<std::ptrdiff_t>(coherent))
+                    work.likely.push_back(source);
+        }
     }
 }
 
@@ -320,10 +321,7 @@ Image Grower::shown() const {
 Synthesis Grower::finish() {
     Synthesis result;
     result.image = m_start.image ? shown() : copied(m_canvas.map, m_request, m_context);
-    result.mapKind = MapKind::Exact;
-    for (Place place = 0; place < m_request.size.area() && m_start.image; ++place)
-        if (!m_canvas.map.at(x(place), y(place)).valid())
-            result.mapKind = MapKind::Dominant;
+    result.mapKind = m_start.image ? filledMapKind(m_canvas.map) : MapKind::Exact;
     result.map = std::move(m_canvas.map);
     m_context.progress(1);
     return result;
@@ -344,9 +342,9 @@ std::uint64_t Grower::bytesFor(const Request& request, const Settings& settings,
                           static_cast<std::uint64_t>(threads) *
                               (window * window * static_cast<std::uint64_t>(request.channels()) * 64 +
                                3 * windows * sizeof(WindowScan::Found));
-    if (settings.search == Search::Pca)
+    if (!settings.exact(knownOf(request) != nullptr))
         bytes += NeighbourhoodTree::bytesFor(exemplars, treeOptions(settings));
     return bytes;
 }
 
-} // namespace texloom::efros_leung
+} // namespace texloom::pixel_growth

@@ -4,14 +4,38 @@
 #include "core/job/pool.h"
 #include "core/match/neighbourhood_tree.h"
 #include "core/match/window_scan.h"
-#include "core/methods/efros_leung/settings.h"
 #include "core/methods/synthesis.h"
 
 #include <functional>
 #include <memory>
 #include <vector>
 
-namespace texloom::efros_leung {
+namespace texloom::pixel_growth {
+
+/// In which order pixels are made: those with the most known neighbours first, layer by layer, or in rows.
+enum class Order { Onion, Raster };
+/// How the windows are found that fit: among all of them, or among those that are likely by their principal
+/// components; by itself, the first where an output grows from a seed, and the second, which is fast, where a
+/// hole is filled.
+enum class Search { Auto, Exact, Pca };
+
+/// Parameters of the pixel growing of Efros & Leung (ICCV 1999).
+struct Settings {
+    int window = 21; ///< side n in pixels; an even one counts as the next odd. The source uses 11 to 25;
+                     ///< 11 grows garbage from most photos
+    double tolerance = 0.1; ///< ε: a window up to (1 + ε) times as far as the nearest may be drawn
+    double sigma = 0.156;   ///< of the Gaussian weights, as a share of the window: the source has 1 / 6.4
+    int seedSize = 3;       ///< side of the square that growth begins with
+    Order order = Order::Onion;
+    Search search = Search::Auto;
+    int components = 20; ///< principal axes on which windows are compared first
+    int radius =
+        0; ///< in exemplars of the output's size, how far a window may lie from the pixel; 0: anywhere
+    int context = 80; ///< where a hole is filled, how far around it windows lie; see withoutHole()
+
+    /// @param fills whether some of the output is known.
+    bool exact(bool fills) const { return search == Search::Exact || (search == Search::Auto && !fills); }
+};
 
 /// What is there before growth begins: an image of the output's size, and a mask that is not 0 where it is to
 /// be kept. None: growth begins from a seed.
@@ -26,7 +50,8 @@ struct Start {
 class Grower {
 public:
     Grower(const Request& request, const Settings& settings, const Start& start, JobContext& context);
-    Synthesis run();
+    /// Its three stages make up `weight` of the run.
+    Synthesis run(double weight = 1);
 
     static int window(const Settings& settings);
     static NeighbourhoodTree::Options treeOptions(const Settings& settings);
@@ -39,6 +64,7 @@ private:
         std::vector<Continuation> coherent;
         std::vector<Source> likely;
         std::vector<float> vector;
+        std::vector<const Source*> leaves; ///< of the tree that were met
     };
     /// A place of the output, as y × width + x.
     using Place = std::int64_t;
@@ -59,6 +85,7 @@ private:
     void makePixel(Place place, Workspace& work);
     Source choose(int x, int y, Workspace& work) const;
     void findLikely(int x, int y, Workspace& work) const;
+    void findInTree(int x, int y, Workspace& work) const;
     Source draw(const std::vector<WindowScan::Found>& found, int x, int y) const;
     bool neighbour(int x, int y, int dx, int dy, Place& found) const;
     Image shown() const;
@@ -77,4 +104,4 @@ private:
     Pool<Workspace> m_pool;
 };
 
-} // namespace texloom::efros_leung
+} // namespace texloom::pixel_growth

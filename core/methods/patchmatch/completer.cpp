@@ -1,0 +1,382 @@
+#include "core/methods/patchmatch/completer.h"
+
+#include "core/base/text.h"
+#include "core/image/half_scale.h"
+#include "core/image/mirror.h"
+#include "core/methods/patch_request.h"
+#include "core/methods/patchmatch/synthesizer.h"
+#include "core/methods/pixel_grower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace texloom::patchmatch {
+
+namespace {
+
+/// What is made counts less by this factor for each pixel away from what is known (Wexler et al.,
+/// section 3.2).
+constexpr float kTrust = 1.3F;
+/// While patches still disagree the best of them decide; later their mean gives better joins.
+constexpr VoteWeight kEarly{0.02F, 4}, kLate{0.05F, 3};
+constexpr int kRandomReach = 1 << 16;
+
+/// Steps from each pixel to the nearest that is known, 0 there; diagonal ones count as one.
+std::vector<int> depths(const Image& known, const JobContext& context) {
+    const int width = known.width(), height = known.height();
+    constexpr int kFar = std::numeric_limits<int>::max() / 2;
+    std::vector<int> depth(static_cast<std::size_t>(known.size().area()), kFar);
+    const auto at = [&](int x, int y) -> int& {
+        return depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x)];
+    };
+    const auto lower = [&](int x, int y, int dx, int dy) {
+        if (x + dx >= 0 && x + dx < width && y + dy >= 0 && y + dy < height)
+            at(x, y) = std::min(at(x, y), at(x + dx, y + dy) + 1);
+    };
+    for (int y = 0; y < height; ++y) {
+        context.check();
+        for (int x = 0; x < width; ++x) {
+            if (known(x, y, 0) != 0)
+                at(x, y) = 0;
+            for (int dx = -1; dx <= 1; ++dx)
+                lower(x, y, dx, -1);
+            lower(x, y, -1, 0);
+        }
+    }
+    for (int y = height - 1; y >= 0; --y) {
+        context.check();
+        for (int x = width - 1; x >= 0; --x) {
+            for (int dx = -1; dx <= 1; ++dx)
+                lower(x, y, dx, 1);
+            lower(x, y, 1, 0);
+        }
+    }
+    return depth;
+}
+
+int deepest(const Image& known, const JobContext& context) {
+    const std::vector<int> depth = depths(known, context);
+    return *std::max_element(depth.begin(), depth.end());
+}
+
+bool anyKnown(const Image& known) {
+    return valueRange(known).largest > 0;
+}
+
+} // namespace
+
+Completer::Completer(const Request& request, const Settings& settings, JobContext& context)
+    : m_request(request), m_settings(settings), m_context(context),
+      m_pyramid(patchSources(request), settings.scales, settings.patch, [&context] { context.check(); }),
+      m_pixels({1, 1}, request.channels()) {
+    makeScales(*request.initial(), *knownOf(request));
+}
+
+/// Scales down to the one at which a patch reaches across the hole.
+void Completer::makeScales(const Image& picture, const Image& known) {
+    m_scales.push_back({picture, known});
+    while (static_cast<int>(m_scales.size()) < m_pyramid.levels()) {
+        m_context.check();
+        const Scale& fine = m_scales.back();
+        if (fine.size().shorterSide() < 2 * m_settings.patch ||
+            2 * deepest(fine.known, m_context) <= m_settings.patch)
+            return;
+        Scale coarse{halved(fine.picture), halvedMask(fine.known.view().plane(0))};
+        if (!anyKnown(coarse.known))
+            return;
+        m_scales.push_back(std::move(coarse));
+    }
+}
+
+Synthesis Completer::run() {
+    const int coarsest = static_cast<int>(m_scales.size()) - 1;
+    grow();
+    double whole = 0;
+    for (int level = 0; level <= coarsest; ++level)
+        whole += std::pow(0.3, level);
+    for (int level = coarsest; level >= 0; --level) {
+        m_context.stage(0.88 * std::pow(0.3, level) / whole, message("Scale 1/{}", 1 << level));
+        enter(level);
+        refine(level);
+    }
+    m_context.stage(0.02, TR("Copying pixels"));
+    KnownPicture picture(*m_request.initial(), *knownOf(m_request), m_request, m_context);
+    Synthesis result;
+    result.map = std::move(picture.map);
+    result.image = std::move(picture.image);
+    for (int y = 0; y < m_map.height(); ++y)
+        for (int x = 0; x < m_map.width(); ++x)
+            if (const Source& source = m_map.at(x, y); source.valid()) {
+                result.map.at(x, y) = source;
+                for (int c = 0; c < result.image.channels(); ++c)
+                    result.image(x, y, c) =
+                        (*m_request.exemplars[source.exemplar].image)(source.x, source.y, c);
+            }
+    result.mapKind = filledMapKind(result.map);
+    m_context.progress(1);
+    return result;
+}
+
+/// Grows the coarsest scale pixel by pixel.
+void Completer::grow() {
+    const int level = static_cast<int>(m_scales.size()) - 1;
+    Request request;
+    for (const PatchSource& source : m_pyramid.level(level)) {
+        Exemplar& exemplar = request.exemplars.emplace_back();
+        exemplar.image = std::make_shared<const Image>(source.image);
+        exemplar.weight = source.weight;
+        if (!source.mask.data)
+            continue;
+        Image mask({source.mask.width, source.mask.height}, 1);
+        for (int y = 0; y < mask.height(); ++y)
+            std::copy_n(source.mask.row(y), mask.width(), mask.plane(0).row(y));
+        exemplar.inputs.set(kMaskPort, std::make_shared<const Image>(std::move(mask)));
+    }
+    const Scale& scale = m_scales.back();
+    request.size = scale.size();
+    request.wrap = m_request.wrap;
+    pixel_growth::Settings settings;
+    settings.search = pixel_growth::Search::Exact;
+    settings.radius = m_settings.radius >> level;
+    // Twice the patch as near as it fits: what grows has nothing but its surroundings to go by.
+    settings.window = oddSide(2 * m_settings.patch);
+    for (const Exemplar& exemplar : request.exemplars)
+        settings.window = std::min(settings.window, (exemplar.image->size().shorterSide() - 1) | 1);
+    while (settings.window > 3 && !leavesWholePatch(request, settings.window))
+        settings.window -= 2;
+    m_map = pixel_growth::Grower(request, settings, {&scale.picture, &scale.known}, m_context).run(0.1).map;
+}
+
+/// Takes the map to a scale: as it is on the coarsest, else in the pixels of the next finer one.
+void Completer::enter(int level) {
+    const Scale& scale = m_scales[static_cast<std::size_t>(level)];
+    const bool first = m_map.size() == scale.size();
+    const std::vector<Size> sizes = m_pyramid.sizes(level);
+    PositionMap map(scale.size(), sizes);
+    m_known = &scale.known;
+    m_pixels = Interleaved(scale.size(), m_request.channels());
+    m_pixels.load(scale.picture, 0, 0, scale.size());
+    m_trust.clear();
+    for (const int depth : depths(scale.known, m_context))
+        m_trust.push_back(std::pow(kTrust, -static_cast<float>(std::min(depth, 200))));
+    for (int y = 0; y < map.height(); ++y) {
+        m_context.check();
+        for (int x = 0; x < map.width(); ++x) {
+            if (!made(x, y))
+                continue;
+            Source source =
+                first ? m_map.at(x, y)
+                      : m_map.at(std::min(x / 2, m_map.width() - 1), std::min(y / 2, m_map.height() - 1));
+            const Size size = sizes[source.exemplar];
+            if (!first) {
+                source.x = static_cast<std::uint16_t>(std::min(2 * source.x + x % 2, size.width - 1));
+                source.y = static_cast<std::uint16_t>(std::min(2 * source.y + y % 2, size.height - 1));
+            }
+            map.at(x, y) = source;
+            const ImageView& image = m_pyramid.level(level)[source.exemplar].image;
+            float* const to = m_pixels.data.data() + y * m_pixels.stride() + x * m_pixels.pixel;
+            for (int c = 0; c < image.channels; ++c)
+                to[c] = image(source.x, source.y, c);
+        }
+    }
+    m_map = std::move(map);
+}
+
+void Completer::refine(int level) {
+    const Scale& scale = m_scales[static_cast<std::size_t>(level)];
+    const std::vector<std::uint8_t> flags = wanted(scale);
+    const PatchLattice lattice{scale.size(), m_settings.patch, 1};
+    GridMatcher matcher(m_pyramid.level(level), lattice, m_context);
+    matcher.limit({&flags, m_settings.radius >> level});
+    PatchField field(lattice.count());
+    adopt(matcher, flags, field);
+    const auto pixels = [this](int x, int y, Size extent, Interleaved& to) { gather(x, y, extent, to); };
+    for (int round = 0; round < m_settings.iterations; ++round) {
+        matcher.improve(field, pixels, 2 * round, kRandomReach);
+        matcher.improve(field, pixels, 2 * round + 1, kRandomReach);
+        vote(matcher, flags, field, 2 * round >= m_settings.iterations);
+        offer(scale);
+        m_context.progress((round + 1.0) / m_settings.iterations);
+    }
+}
+
+/// Which patches, by their top left, show something that is made, and lie in the picture.
+std::vector<std::uint8_t> Completer::wanted(const Scale& scale) const {
+    const Size size = scale.size();
+    const int patch = m_settings.patch;
+    std::vector<std::uint8_t> rows(static_cast<std::size_t>(size.area()), 0), flags = rows;
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+               static_cast<std::size_t>(x);
+    };
+    for (int y = 0; y < size.height; ++y) {
+        m_context.check();
+        for (int x = 0; x < size.width; ++x)
+            if (made(x, y))
+                for (int i = 0; i < patch; ++i)
+                    if (x >= i || m_request.wrap.x)
+                        rows[index(repeated(x - i, size.width), y)] = 1;
+    }
+    const int right = m_request.wrap.x ? size.width : size.width - patch + 1;
+    const int bottom = m_request.wrap.y ? size.height : size.height - patch + 1;
+    for (int y = 0; y < size.height; ++y) {
+        m_context.check();
+        for (int x = 0; x < right; ++x)
+            if (rows[index(x, y)] != 0)
+                for (int j = 0; j < patch; ++j)
+                    if (const int top = repeated(y - j, size.height);
+                        (y >= j || m_request.wrap.y) && top < bottom)
+                        flags[index(x, top)] = 1;
+    }
+    return flags;
+}
+
+/// A pixel on the axes that wrap. @return whether it lies in the picture.
+bool Completer::place(int& x, int& y) const {
+    const Size size = m_map.size();
+    if (m_request.wrap.x)
+        x = repeated(x, size.width);
+    if (m_request.wrap.y)
+        y = repeated(y, size.height);
+    return x >= 0 && y >= 0 && x < size.width && y < size.height;
+}
+
+/// What the map makes of the patch with this top left: the source of its made pixel nearest to the middle.
+Source Completer::match(const GridMatcher& matcher, int x, int y) const {
+    const int middle = m_settings.patch / 2;
+    int nearest = std::numeric_limits<int>::max();
+    Source found;
+    for (int j = 0; j < m_settings.patch; ++j)
+        for (int i = 0; i < m_settings.patch; ++i) {
+            int u = x + i, v = y + j;
+            const int apart = (i - middle) * (i - middle) + (j - middle) * (j - middle);
+            if (apart >= nearest || !place(u, v) || !made(u, v))
+                continue;
+            const Source& source = m_map.at(u, v);
+            const int left = source.x - i, top = source.y - j;
+            if (!matcher.target(source.exemplar).has(left, top))
+                continue;
+            nearest = apart;
+            found = {static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(top), source.exemplar};
+        }
+    return found.valid() ? found : matcher.any(x, y);
+}
+
+void Completer::adopt(const GridMatcher& matcher, const std::vector<std::uint8_t>& flags,
+                      PatchField& field) const {
+    const int width = field.size().width;
+    m_context.parallel(0, field.size().height, [&](int y) {
+        for (int x = 0; x < width; ++x)
+            if (flags[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)] != 0)
+                field.at(x, y).source = match(matcher, x, y);
+    });
+}
+
+void Completer::gather(int x, int y, Size extent, Interleaved& to) const {
+    const Size size = m_pixels.size;
+    for (int row = 0; row < extent.height; ++row) {
+        float* at = to.data.data() + row * to.stride();
+        const int fromY = (y + row) % size.height;
+        for (int column = 0; column < extent.width; ++column, at += to.pixel)
+            std::copy_n(m_pixels.at((x + column) % size.width, fromY), to.pixel, at);
+    }
+}
+
+/// Every made pixel becomes the one, of those that its patches propose, that is nearest to their weighted
+/// mean.
+void Completer::vote(const GridMatcher& matcher, const std::vector<std::uint8_t>& flags,
+                     const PatchField& field, bool late) {
+    const Size size = field.size();
+    const int patch = m_settings.patch, middle = patch / 2, pixel = m_pixels.pixel;
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+               static_cast<std::size_t>(x);
+    };
+    double sum = 0, patches = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            if (flags[index(x, y)] != 0) {
+                sum += static_cast<double>(field.at(x, y).distance);
+                ++patches;
+            }
+    const auto unit = static_cast<float>(patches / std::max(sum, 1e-12));
+    m_context.curve(TR("Mean distance of the patches"), patches > 0 ? sum / patches : 0);
+    const VoteWeight& weights = late ? kLate : kEarly;
+    /// Calls visit(source, weight) for what each patch over a pixel proposes.
+    const auto everyProposal = [&](int x, int y, const auto& visit) {
+        for (int j = 0; j < patch; ++j)
+            for (int i = 0; i < patch; ++i) {
+                int left = x - i, top = y - j, u = left + middle, v = top + middle;
+                if (!place(left, top) || flags[index(left, top)] == 0 || !place(u, v))
+                    continue;
+                const PatchMatch& one = field.at(left, top);
+                visit(Source{static_cast<std::uint16_t>(one.source.x + i),
+                             static_cast<std::uint16_t>(one.source.y + j), one.source.exemplar},
+                      weights.of(unit * one.distance) * m_trust[index(u, v)]);
+            }
+    };
+    const auto pixelOf = [&](const Source& source) {
+        return matcher.target(source.exemplar).pixels().at(source.x, source.y);
+    };
+    m_context.parallel(0, size.height, [&](int y) {
+        std::vector<float> mean(static_cast<std::size_t>(pixel));
+        for (int x = 0; x < size.width; ++x) {
+            if (!made(x, y))
+                continue;
+            std::fill(mean.begin(), mean.end(), 0.0F);
+            float whole = 0;
+            everyProposal(x, y, [&](const Source& source, float weight) {
+                for (std::size_t c = 0; c < mean.size(); ++c)
+                    mean[c] += weight * pixelOf(source)[c];
+                whole += weight;
+            });
+            float least = std::numeric_limits<float>::infinity();
+            everyProposal(x, y, [&](const Source& source, float) {
+                float distance = 0;
+                for (std::size_t c = 0; c < mean.size(); ++c) {
+                    const float difference = pixelOf(source)[c] - mean[c] / whole;
+                    distance += difference * difference;
+                }
+                if (distance < least) {
+                    least = distance;
+                    m_map.at(x, y) = source;
+                }
+            });
+            std::copy_n(pixelOf(m_map.at(x, y)), pixel,
+                        m_pixels.data.data() + y * m_pixels.stride() + x * pixel);
+        }
+    });
+}
+
+/// Makes a preview, if one is looked at.
+void Completer::offer(const Scale& scale) {
+    if (!m_context.previewDue())
+        return;
+    Image image = scale.picture;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            for (int c = 0; made(x, y) && c < image.channels(); ++c)
+                image(x, y, c) = m_pixels.at(x, y)[c];
+    m_context.preview(image);
+}
+
+std::uint64_t Completer::bytesFor(const Request& request, const Settings& settings, int threads) {
+    const std::vector<Size> exemplars = request.exemplarSizes();
+    const int channels = request.channels();
+    const auto area = static_cast<std::uint64_t>(request.size.area());
+    // Pictures and masks of all scales; pixels, maps, matches, flags and trust of the finest two.
+    const std::uint64_t scales = Image::bytesFor(request.size, channels + 1) * 3 / 2;
+    const std::uint64_t present =
+        Interleaved::bytesFor(request.size, channels) + 3 * PositionMap::bytesFor(request.size) +
+        PatchField::bytesFor(request.size) + area * (2 * sizeof(std::uint8_t) + sizeof(float) + sizeof(int));
+    return scales + present * 5 / 4 + 2 * Image::bytesFor(request.size, channels) +
+           ExemplarPyramid::bytesFor(exemplars, channels) +
+           GridMatcher::bytesFor(exemplars, channels, settings.patch, 1, threads) + fillMaskBytes(request) +
+           (24U << 20U);
+}
+
+} // namespace texloom::patchmatch
