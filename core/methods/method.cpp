@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/io/model_file.h"
 
+#include <algorithm>
 #include <array>
 
 namespace texloom {
@@ -231,6 +232,7 @@ std::string categoryTitle(Category category) {
     return titles.at(static_cast<std::size_t>(category));
 }
 
+/// A picture beside a model that goes along only shows what was learnt: nothing to start from.
 std::vector<PortLink> linksBetween(const MethodInfo& first, const MethodInfo& second) {
     std::vector<PortLink> links;
     for (const Port& output : first.gives)
@@ -240,6 +242,11 @@ std::vector<PortLink> linksBetween(const MethodInfo& first, const MethodInfo& se
             if (output.kind == input.kind && (picture || own))
                 links.push_back({output.id, input.id});
         }
+    const bool model = std::any_of(links.begin(), links.end(), [&first](const PortLink& link) {
+        return first.output(link.from)->kind == AssetKind::Model;
+    });
+    if (model)
+        std::erase_if(links, [](const PortLink& link) { return link.to == kInitialPort; });
     return links;
 }
 
