@@ -51,22 +51,25 @@ void drawFew(std::vector<int>& positions, const TextureDictionaryOptions& option
 /// Draws atoms into cells of `side` pixels whose corners are `pitch` apart.
 void drawAtoms(const Eigen::MatrixXf& atoms, std::span<const int> order, const AtomSheetStyle& style,
                int columns, int side, int pitch, int margin, Image& to) {
-    float largest = 0;
-    for (Eigen::Index n = 0; n < atoms.cols(); ++n)
-        largest = std::max(largest, atoms.col(n).cwiseAbs().maxCoeff());
-    const float scale = largest > 0 ? style.reach / largest : 0;
+    std::vector<float> scales;
+    for (const int n : order) {
+        const float largest = atoms.col(n).cwiseAbs().maxCoeff();
+        const float sign = atoms.col(n).sum() < 0 ? -1.0F : 1.0F;
+        scales.push_back(largest > 0 ? sign * style.reach / largest : 0);
+    }
     const int area = style.patch * style.patch;
     for (int c = 0; c < to.channels(); ++c) {
         for (int y = 0; y < to.height(); ++y)
-            std::fill_n(to.plane(c).row(y), to.width(), style.zero[at(c)]);
+            std::fill_n(to.plane(c).row(y), to.width(), style.background[at(c)]);
         for (int i = 0; i < static_cast<int>(order.size()); ++i) {
             const int left = margin + i % columns * pitch, top = margin + i / columns * pitch;
             for (int y = 0; y < side; ++y)
                 for (int x = 0; x < side; ++x)
-                    to(left + x, top + y, c) +=
-                        scale *
-                        atoms(c * area + y * style.patch / side * style.patch + x * style.patch / side,
-                              order[at(i)]);
+                    to(left + x, top + y, c) =
+                        style.zero[at(c)] +
+                        scales[at(i)] *
+                            atoms(c * area + y * style.patch / side * style.patch + x * style.patch / side,
+                                  order[at(i)]);
         }
     }
 }
@@ -130,12 +133,14 @@ Image atomSheet(const Eigen::MatrixXf& atoms, std::span<const int> order, const 
     Image sheet(size, shown);
     const int count = static_cast<int>(order.size());
     int pitch = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(size.area()) / count)));
-    while (pitch > 1 && (size.width / pitch) * (size.height / pitch) < count)
+    const auto margin = [&pitch] { return pitch > 3 ? 1 : 0; };
+    const auto columns = [&] { return std::max(0, size.width - margin()) / pitch; };
+    const auto rows = [&] { return std::max(0, size.height - margin()) / pitch; };
+    while (pitch > 1 && columns() * rows() < count)
         --pitch;
-    const int columns = size.width / pitch;
-    const auto fitting = static_cast<std::size_t>(std::min(count, columns * (size.height / pitch)));
-    const int margin = pitch > 3 ? 1 : 0;
-    drawAtoms(atoms, order.first(fitting), style, std::max(1, columns), pitch - margin, pitch, margin, sheet);
+    const auto fitting = static_cast<std::size_t>(std::min(count, columns() * rows()));
+    drawAtoms(atoms, order.first(fitting), style, std::max(1, columns()), pitch - margin(), pitch, margin(),
+              sheet);
     return sheet;
 }
 

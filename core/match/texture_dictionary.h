@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace texloom {
 
@@ -34,19 +35,20 @@ std::uint64_t textureDictionaryBytes(Size exemplar, int channels, const TextureD
 /// Rough time on one thread, in seconds.
 double textureDictionarySeconds(Size exemplar, int channels, const TextureDictionaryOptions& options);
 
-/// How atoms are shown.
+/// How atoms are shown: each as bright as it can be, and with the sign that makes it bright rather than dark.
 struct AtomSheetStyle {
     int patch = 12;
-    int channels = 3;            ///< of the atoms
-    std::span<const float> zero; ///< for each channel, the value that 0 in an atom is shown as
-    float reach = 0.5F;          ///< how far from there the largest value of all atoms is shown
+    std::vector<float> zero;       ///< for each channel, the value that 0 in an atom is shown as
+    std::vector<float> background; ///< between the atoms
+    float reach = 0.5F;            ///< how far from zero the largest value of each atom is shown
 };
 
 /// The atoms side by side, row by row, with a pixel of space around each. @param atoms their numbers in the
 /// order in which they are shown. @param shown how many of the first channels are shown.
 Image atomSheet(const Eigen::MatrixXf& atoms, std::span<const int> order, const AtomSheetStyle& style,
                 int shown);
-/// The same, with cells that fill a picture of this size as far as they can.
+/// The same, with cells that fill a picture of this size as far as they can. Its border is free, so that it
+/// closes on itself, unless it is too small for that.
 Image atomSheet(const Eigen::MatrixXf& atoms, std::span<const int> order, const AtomSheetStyle& style,
                 int shown, Size size);
 

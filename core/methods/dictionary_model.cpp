@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace texloom {
@@ -139,10 +140,17 @@ int dictionaryScales(int wanted, int patch, Size exemplar, Size output, Wrap wra
     return scales;
 }
 
-AtomSheetStyle sheetStyle(const Request& request, int patch, const std::vector<float>& origin) {
-    const ValueRange range =
-        valueRange(request.exemplars.front().image->view().channelRange(0, shownChannels(request)));
-    return {patch, request.channels(), origin, 0.5F * (range.largest - range.smallest)};
+AtomSheetStyle sheetStyle(const Request& request, int patch, const std::vector<float>& origin,
+                          const JobContext& context) {
+    const Exemplar& exemplar = request.exemplars.front();
+    AtomSheetStyle style{patch, origin, dictionaryOrigin(exemplar, true, context), 0};
+    for (int c = 0; c < shownChannels(request); ++c) {
+        const ValueRange range = valueRange(exemplar.image->view().channelRange(c, 1));
+        const float zero = origin[at(c)];
+        style.reach =
+            std::max({style.reach, std::abs(range.largest - zero), std::abs(range.smallest - zero)});
+    }
+    return style;
 }
 
 int shownChannels(const Request& request) {

@@ -43,8 +43,9 @@ Image shifted(const ImageView& image, const std::vector<float>& origin, float si
 /// the exemplar, and in the output where it wraps.
 int dictionaryScales(int wanted, int patch, Size exemplar, Size output, Wrap wrap);
 
-/// How the atoms of a request's exemplar are shown. @param origin must outlive what is returned.
-AtomSheetStyle sheetStyle(const Request& request, int patch, const std::vector<float>& origin);
+/// How the atoms of a request's exemplar are shown. @param origin of the dictionaries.
+AtomSheetStyle sheetStyle(const Request& request, int patch, const std::vector<float>& origin,
+                          const JobContext& context);
 /// Colours are shown as they are, other numbers of channels by their first.
 int shownChannels(const Request& request);
 

@@ -62,6 +62,7 @@ public:
         const Exemplar& exemplar = m_request.exemplars.front();
         m_learnt.patch = m_settings.patch;
         m_learnt.origin = dictionaryOrigin(exemplar, m_settings.centred, m_context);
+        m_style = sheetStyle(m_request, m_settings.patch, m_learnt.origin, m_context);
         const Image image = shifted(*exemplar.image, m_learnt.origin, -1, m_context);
         PatchSource source = patchSources(m_request).front();
         source.image = image.view();
@@ -99,22 +100,18 @@ private:
 
     /// All channels, at the output's size.
     Image sheet(const Eigen::MatrixXf& atoms, const std::vector<int>& order) const {
-        return atomSheet(atoms, order, sheetStyle(m_request, m_settings.patch, m_learnt.origin),
-                         m_request.channels(), m_request.size);
+        return atomSheet(atoms, order, m_style, m_request.channels(), m_request.size);
     }
 
     Synthesis result() {
         Synthesis made;
         const Dictionary& finest = m_learnt.scales.front();
-        made.image = finest.uses == std::vector<std::int64_t>{0}
-                         ? sheet(Eigen::MatrixXf::Zero(finest.length(), 1), {0})
-                         : sheet(finest.atoms, finest.byUse());
+        made.image = sheet(finest.atoms, finest.byUse());
         for (std::size_t j = 0; j < m_learnt.scales.size(); ++j) {
             const Dictionary& scale = m_learnt.scales[j];
-            made.pictures.push_back({message("Dictionary at scale 1/{}", 1 << j),
-                                     atomSheet(scale.atoms, scale.byUse(),
-                                               sheetStyle(m_request, m_settings.patch, m_learnt.origin),
-                                               shownChannels(m_request))});
+            made.pictures.push_back(
+                {message("Dictionary at scale 1/{}", 1 << j),
+                 atomSheet(scale.atoms, scale.byUse(), m_style, shownChannels(m_request))});
             if (scale.count() < m_settings.atoms)
                 made.notes.push_back(message("At scale 1/{} there are {} patches to learn from, so that the "
                                              "dictionary has {} atoms instead of {}.",
@@ -132,6 +129,7 @@ private:
     const Settings& m_settings;
     JobContext& m_context;
     TextureDictionaries m_learnt;
+    AtomSheetStyle m_style;
 };
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
@@ -157,7 +155,7 @@ const Method self = method<Settings>(
                  "Tartavel, Gousseau & Peyré, SSVM 2013",
      .category = Category::Sparse,
      .takes = {ports::exemplar(), ports::mask()},
-     .gives = {ports::image(), dictionaryOutput()}},
+     .gives = {ports::wrappingImage(), dictionaryOutput()}},
     params(), run, check, estimate);
 
 } // namespace texloom::dictionary

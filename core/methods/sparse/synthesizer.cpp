@@ -454,7 +454,7 @@ void Synthesizer::show() const {
 }
 
 void Synthesizer::addDictionaries(Synthesis& result) const {
-    const AtomSheetStyle style = sheetStyle(m_request, m_settings.patch, m_dictionaries.origin);
+    const AtomSheetStyle style = sheetStyle(m_request, m_settings.patch, m_dictionaries.origin, m_context);
     for (int j = 0; j < m_pyramid->levels(); ++j) {
         const Dictionary& scale = m_dictionaries.scales[at(j)];
         result.pictures.push_back({message("Dictionary at scale 1/{}", 1 << j),
