@@ -21,8 +21,7 @@ void checkSquares(const Request& request, int side) {
         const Size size = exemplar.image->size();
         if (size.shorterSide() < side)
             failUsage("{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of "
-                      "at most "
-                      "{} px, or a larger exemplar.",
+                      "at most {} px, or a larger exemplar.",
                       exemplar.name, size.width, size.height, side, size.shorterSide());
         any = any || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), side);
     }

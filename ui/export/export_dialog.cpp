@@ -336,8 +336,7 @@ QString ExportDialog::refusal() const {
         for (const ExportEntry& entry : exportEntries(*m_result, options()))
             if (entry.foreign && !m_foreign->isChecked())
                 return tr("%1 is there, and Texloom did not write it. Choose another name or folder, or "
-                          "allow "
-                          "that it is replaced.")
+                          "allow that it is replaced.")
                     .arg(toQString(entry.path.filename()));
     } catch (const std::exception& error) {
         return sentence(error);

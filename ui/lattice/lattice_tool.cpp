@@ -388,8 +388,7 @@ void LatticeTool::sayVerdict() {
         text =
             tr("No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you "
                "see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not "
-               "repeat, "
-               "methods without a lattice suit it, such as image quilting.")
+               "repeat, methods without a lattice suit it, such as image quilting.")
                 .arg(m_name, percentText(m_analysis->confidence));
     m_verdict->setVisible(!text.isEmpty());
     m_verdict->setText(text);

@@ -53,11 +53,9 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Efros–Leung"),
-     .summary = TR(
-         "Grows the output pixel by pixel from a seed; each becomes one of the exemplar's whose surroundings "
-         "fit "
-         "what is known around it. Faithful to small structures; slow, and a window of the wrong size grows "
-         "garbage or copies verbatim."),
+     .summary = TR("Grows the output pixel by pixel from a seed; each becomes one of the exemplar's whose "
+                   "surroundings fit what is known around it. Faithful to small structures; slow, and a "
+                   "window of the wrong size grows garbage or copies verbatim."),
      .citation = "Efros & Leung, ICCV 1999; Aguerrebere, Gousseau & Tartavel, IPOL 2013",
      .category = Category::Pixels,
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial(), ports::known()},

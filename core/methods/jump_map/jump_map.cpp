@@ -47,8 +47,7 @@ const Method self = method<Settings>(
          .range(3, 21)
          .unit("px")
          .help(TR("Side of the squares by which places look alike (an even one counts as the next odd): "
-                  "larger jumps "
-                  "only where larger structures agree.")),
+                  "larger jumps only where larger structures agree.")),
      field(&Settings::jumps, "jumps", TR("Jumps"))
          .range(1, 16)
          .symbol("k")

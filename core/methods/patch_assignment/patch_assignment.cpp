@@ -108,8 +108,7 @@ const Method self = method<Settings>(
          .choices({{"duplicate", TR("Duplicate")}, {"bootstrap", TR("Bootstrap")}})
          .group(TR("Advanced"))
          .help(TR("For outputs of another size than the exemplar's: all patches equally often, or patches "
-                  "drawn at "
-                  "random.")),
+                  "drawn at random.")),
      field(&Settings::median, "median", TR("Median"))
          .choices({{"weiszfeld", TR("Weiszfeld")}, {"douglas-rachford", TR("Douglas–Rachford")}})
          .group(TR("Advanced"))

@@ -65,8 +65,7 @@ std::vector<Param> params() {
         field(&Settings::weight, "weight", TR("Weight of the second exemplar"))
             .range(0, 1)
             .help(TR("With two exemplars, how far the statistics go from the first to the second, before "
-                     "their own "
-                     "weights.")),
+                     "their own weights.")),
         field(&Settings::jointChannels, "joint-channels", TR("Channels that count"))
             .range(0, 64)
             .when("cross-channel", true)

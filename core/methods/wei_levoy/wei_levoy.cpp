@@ -28,8 +28,7 @@ const Method self = method<Settings>(
      .summary = TR(
          "Makes one pixel after another in rows, from coarse to fine, and takes each from where the exemplar "
          "looks most like what is there above and to the left. Always tiles from left to right; small "
-         "details "
-         "may become blurred."),
+         "details may become blurred."),
      .citation = "Wei & Levoy, SIGGRAPH 2000",
      .category = Category::Pixels,
      .takes = {ports::exemplars(), ports::mask(), ports::initial()},
