@@ -106,10 +106,11 @@ Image enlargedCubic(const Image& image, Size size, Wrap wrap, JobContext& contex
 }
 
 struct Synthesizer::Level {
-    Level(const Synthesizer& self, int scale)
-        : dictionary(self.m_dictionaries.scales[at(scale)]),
-          columns(self.m_image.size(), self.m_request.wrap, self.m_settings.patch, self.m_settings.spacing) {
-        const Settings& settings = self.m_settings;
+    Level(const Synthesizer& owner, int scale)
+        : dictionary(owner.m_dictionaries.scales[at(scale)]),
+          columns(owner.m_image.size(), owner.m_request.wrap, owner.m_settings.patch,
+                  owner.m_settings.spacing) {
+        const Settings& settings = owner.m_settings;
         const int side = (settings.patch + settings.spacing - 1) / settings.spacing;
         overlaps = side * side;
         limits.most = std::min(settings.sparsity, dictionary.length());
@@ -120,19 +121,19 @@ struct Synthesizer::Level {
                                  static_cast<double>(dictionary.signals));
             limits.uses = roundedShares(shares);
         }
-        const PatchSource& exemplar = self.m_pyramid->level(scale).front();
+        const PatchSource& exemplar = owner.m_pyramid->level(scale).front();
         const ValueRange range = valueRange(exemplar.image);
         delta = kFlat * (range.largest - range.smallest) * (range.largest - range.smallest) *
                 static_cast<float>(exemplar.image.channels);
         if (settings.histogramWeight() > 0)
-            histogram.emplace(exemplar, settings.colours == Axes::Pca, self.m_context);
+            histogram.emplace(exemplar, settings.colours == Axes::Pca, owner.m_context);
         if (settings.lowPassWeight() > 0)
-            lowPass.emplace(self.target(scale), self.m_request.wrap, settings.patch);
+            lowPass.emplace(owner.target(scale), owner.m_request.wrap, settings.patch);
         if (settings.spectrumWeight() > 0) {
-            Image learned = self.m_filled;
+            Image learned = owner.m_filled;
             for (int i = 0; i < scale; ++i)
                 learned = halved(learned);
-            spectrum.emplace(learned, self.m_image.size(), self.m_context);
+            spectrum.emplace(learned, owner.m_image.size(), owner.m_context);
         }
     }
 

@@ -55,6 +55,16 @@ TEST(DictionaryMethod, givesADictionaryForEachScale) {
     }
 }
 
+TEST(DictionaryMethod, handsItsModelOnButNotThePictureOfIt) {
+    const MethodInfo& sparse = findMethod("sparse").info();
+    const std::vector<PortLink> links = linksBetween(findMethod("dictionary").info(), sparse);
+    ASSERT_EQ(links.size(), 1U);
+    EXPECT_EQ(links.front().to, kDictionaryPort);
+    const std::vector<PortLink> others = linksBetween(findMethod("quilting").info(), sparse);
+    ASSERT_EQ(others.size(), 1U);
+    EXPECT_EQ(others.front().to, kInitialPort);
+}
+
 TEST(DictionaryMethod, comesBackFromAFileAsItWas) {
     const Synthesis result = learn(requestFor(blobs({64, 64}, 2)), kBrief);
     const auto model = result.outputs.first<Model>(kDictionaryPort);
