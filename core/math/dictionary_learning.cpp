@@ -111,10 +111,10 @@ private:
     void code() {
         const SparseCode fresh =
             orthogonalPursuit(m_atoms, SignalSource::of(m_signals), m_code.most(), m_context);
-        constexpr int kChunk = 64;
-        m_context.parallel(0, (signals() + kChunk - 1) / kChunk, [&](int chunk) {
+        constexpr int kCodedAtOnce = 64;
+        m_context.parallel(0, (signals() + kCodedAtOnce - 1) / kCodedAtOnce, [&](int chunk) {
             Eigen::VectorXf made(m_signals.rows());
-            for (int k = chunk * kChunk; k < std::min(signals(), (chunk + 1) * kChunk); ++k) {
+            for (int k = chunk * kCodedAtOnce; k < std::min(signals(), (chunk + 1) * kCodedAtOnce); ++k) {
                 fresh.combine(m_atoms, k, made);
                 made = m_signals.col(k) - made;
                 if (made.squaredNorm() > m_residual.col(k).squaredNorm())
