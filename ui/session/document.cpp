@@ -46,7 +46,7 @@ LoadedSession loadAll(Session session) {
     for (std::size_t i = 0; i < session.settings.exemplars.size();) {
         const RecipeExemplar entry = session.settings.exemplars[i];
         try {
-            loaded.exemplars.push_back(edited(loadFiles(entry), entry.edits));
+            loaded.exemplars.push_back(edited(loadFiles(entry, session.settings.steps), entry.edits));
             ++i;
         } catch (const std::exception& error) {
             loaded.leftOut += sentence(error);

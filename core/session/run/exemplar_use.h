@@ -3,6 +3,8 @@
 #include "core/methods/method.h"
 #include "core/session/run/run.h"
 
+#include <map>
+#include <string_view>
 #include <vector>
 
 namespace texloom {
@@ -16,6 +18,10 @@ struct ExemplarUse {
     bool masks = false;
     bool companions = false; ///< the last method makes their maps for the result
 };
+
+/// Whether one of the methods takes this port. What the first is to start from is for the first alone.
+/// @throws UsageError where a method is not known.
+bool takesPort(const std::vector<RecipeStep>& steps, std::string_view port);
 
 /// Of methods that learn from exemplars and others, the former decide. @throws UsageError where a method is
 /// not known.
@@ -43,6 +49,7 @@ std::vector<Entry> exemplarsFor(const std::vector<RecipeStep>& steps, const std:
             chosen.back().companions.clear();
         if (!use.weights)
             chosen.back().weight = 1;
+        std::erase_if(chosen.back().inputs, [&](const auto& own) { return !takesPort(steps, own.first); });
     }
     return chosen;
 }

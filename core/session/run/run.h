@@ -97,8 +97,10 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0, bool strip
 /// figures
 void checkMemory(const RunPlan& plan);
 
-/// Loads one exemplar's files, without its edits. `changed` as in loadRecipe(). @throws Error, UsageError
-RunExemplar loadFiles(const RecipeExemplar& entry,
+/// Loads one exemplar's files, without its edits. `changed` as in loadRecipe(). @param steps whose ports its
+/// inputs go into; one for a port that none of the methods has is taken to be a picture.
+/// @throws Error, UsageError
+RunExemplar loadFiles(const RecipeExemplar& entry, const std::vector<RecipeStep>& steps,
                       const std::function<void(const std::filesystem::path&)>& changed = {});
 
 /// The port of this id that one of the methods has: the first to have it. Only the first method of a run

@@ -243,6 +243,23 @@ ExemplarFile loadNamed(const RecipeFile& file, ExemplarFile loaded,
     return loaded;
 }
 
+/// The same for what goes into a port. @param exemplars as of loadInput()
+InputFile loadChecked(const Port& port, const RecipeFile& file, const std::vector<Size>& exemplars,
+                      const std::function<void(const std::filesystem::path&)>& changed) {
+    InputFile loaded = loadInput(port, file, exemplars);
+    if (changed && !file.hash.empty() && file.hash != loaded.file.hash)
+        changed(file.path);
+    return loaded;
+}
+
+/// The port for what belongs to an exemplar, of this id; a picture's if none of the methods has it.
+Port ownPort(const std::vector<RecipeStep>& steps, const std::string& id) {
+    for (const RecipeStep& step : steps)
+        if (const Port* port = findMethod(step.method).info().input(id))
+            return *port;
+    return {.id = id, .title = {}, .help = {}, .extent = Extent::Exemplar};
+}
+
 } // namespace
 
 RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
@@ -254,6 +271,9 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     plan.memoryBefore = residentMemory();
     for (const auto& [port, files] : input.inputs)
         portOf(input.steps, port);
+    for (const RunExemplar& exemplar : input.exemplars)
+        for (const auto& [port, files] : exemplar.inputs)
+            portOf(input.steps, port);
     const bool stacks = hasCompanions(input) && !findMethod(input.steps.back().method).info().copiesPixels();
     plan.request = requestFor(input, stacks);
     planSteps(plan, input.steps);
@@ -298,6 +318,10 @@ Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
     for (const auto& [port, given] : request.inputs.byPort())
         if (!info.input(port))
             own.inputs.clear(port);
+    for (std::size_t i = 0; i < own.exemplars.size(); ++i)
+        for (const auto& [port, given] : request.exemplars[i].inputs.byPort())
+            if (port != kMaskPort && !info.input(port))
+                own.exemplars[i].inputs.clear(port);
     if (!info.takesExemplars()) {
         own.exemplars.clear();
         own.companionChannels = 0;
@@ -341,7 +365,7 @@ RecipeExemplar recipeExemplar(const RunExemplar& exemplar) {
     return entry;
 }
 
-RunExemplar loadFiles(const RecipeExemplar& entry,
+RunExemplar loadFiles(const RecipeExemplar& entry, const std::vector<RecipeStep>& steps,
                       const std::function<void(const std::filesystem::path&)>& changed) {
     RunExemplar exemplar;
     exemplar.weight = entry.weight;
@@ -355,6 +379,9 @@ RunExemplar loadFiles(const RecipeExemplar& entry,
         if (!companion.role.empty())
             exemplar.companions.back().role = mapRoleFrom(companion.role);
     }
+    for (const auto& [id, files] : entry.inputs)
+        for (const RecipeFile& file : files)
+            exemplar.inputs[id].push_back(loadChecked(ownPort(steps, id), file, {}, changed));
     return exemplar;
 }
 
@@ -368,7 +395,7 @@ RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::fi
     input.seed = recipe.seed;
     input.region = recipe.region;
     for (const RecipeExemplar& entry : recipe.exemplars)
-        input.exemplars.push_back(edited(loadFiles(entry, changed), entry.edits));
+        input.exemplars.push_back(edited(loadFiles(entry, input.steps, changed), entry.edits));
     input.inputs = loadInputs(recipe.inputs, input.steps, input.exemplars, changed);
     return input;
 }
@@ -382,12 +409,8 @@ InputFiles loadInputs(const RecipeInputs& wanted, const std::vector<RecipeStep>&
     InputFiles inputs;
     for (const auto& [id, files] : wanted) {
         const Port& port = portOf(steps, id);
-        for (const RecipeFile& file : files) {
-            InputFile loaded = loadInput(port, file, sizes);
-            if (changed && !file.hash.empty() && file.hash != loaded.file.hash)
-                changed(file.path);
-            inputs[id].push_back(std::move(loaded));
-        }
+        for (const RecipeFile& file : files)
+            inputs[id].push_back(loadChecked(port, file, sizes, changed));
     }
     return inputs;
 }

@@ -1,3 +1,4 @@
+#include "core/session/run/exemplar_use.h"
 #include "core/session/run/run.h"
 #include "tests/core/io/write_as.h"
 #include "tests/core/refusal.h"
@@ -159,6 +160,42 @@ TEST(LoadRecipe, TellsWhichFileHasChanged) {
     sample.write("bark", {48, 44}, 3, 99);
     loadRecipe(recipe, note);
     EXPECT_EQ(changed, std::vector{sample.folder / "bark.png"});
+}
+
+TEST(LoadRecipe, BringsBackThePicturesThatBelongToAnExemplar) {
+    SampleRun sample;
+    sample.input.steps = {{"texture-transfer", {{"patch", 12}}}};
+    sample.input.exemplars.front().inputs["correspondence"] = {
+        loadExemplar(sample.write("heights", {48, 44}, 1))};
+    sample.input.inputs["target"] = {loadExemplar(sample.write("face", sample.input.size, 1, 7))};
+    const Result first = sample.run();
+    std::vector<std::filesystem::path> changed;
+    const auto note = [&](const std::filesystem::path& path) { changed.push_back(path); };
+    sample.input = loadRecipe(first.plan.recipe, note);
+    ASSERT_EQ(sample.input.exemplars.front().inputs.count("correspondence"), 1U);
+    EXPECT_TRUE(samePixels(sample.run().synthesis.image, first.synthesis.image));
+    EXPECT_TRUE(changed.empty());
+    sample.write("heights", {48, 44}, 1, 99);
+    loadRecipe(first.plan.recipe, note);
+    EXPECT_EQ(changed, std::vector{sample.folder / "heights.png"});
+}
+
+TEST(PlanRun, APictureOfTheExemplarThatNoMethodTakesIsRefused) {
+    SampleRun sample;
+    sample.input.exemplars.front().inputs["guide"] = {loadExemplar(sample.write("labels", {48, 44}, 3))};
+    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("guide"));
+    EXPECT_TRUE(exemplarsFor(sample.input.steps, sample.input.exemplars, {true}, 0).front().inputs.empty())
+        << "the window keeps it for methods that do";
+    sample.input.steps = {{"analogy", {}}};
+    EXPECT_EQ(exemplarsFor(sample.input.steps, sample.input.exemplars, {true}, 0).front().inputs.size(), 1U);
+}
+
+TEST(PlanRun, AMethodThatFollowsIsNotGivenThePicturesOfTheOneBefore) {
+    SampleRun sample;
+    sample.input.steps = {{"analogy", {}}, {"quilting", {{"patch", 12}}}};
+    sample.input.exemplars.front().inputs["guide"] = {loadExemplar(sample.write("labels", {48, 44}, 3))};
+    sample.input.inputs["output-guide"] = {loadExemplar(sample.write("layout", sample.input.size, 3, 7))};
+    EXPECT_NO_THROW(planRun(sample.input));
 }
 
 TEST(LoadRecipe, NamesAFileThatIsGone) {
