@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/labels.h"
 #include "core/methods/analogy/settings.h"
 #include "core/methods/method.h"
 #include "core/methods/pixel_fields.h"
@@ -49,44 +50,31 @@ CausalOptions optionsOf(const Request& request, const Settings& settings) {
     return options;
 }
 
-using Colour = std::vector<float>;
+using Colours = std::set<labels::Colour>;
 
 /// The colours of a picture that is painted flat; none if there are more than anyone would paint.
-std::set<Colour> flatColours(const Image& picture) {
-    constexpr std::size_t kMost = 32;
-    std::set<Colour> colours;
-    Colour last, own(static_cast<std::size_t>(picture.channels()));
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) {
-            for (int c = 0; c < picture.channels(); ++c)
-                own[static_cast<std::size_t>(c)] = picture(x, y, c);
-            if (own == last)
-                continue;
-            last = own;
-            colours.insert(own);
-            if (colours.size() > kMost)
-                return {};
-        }
-    return colours;
+Colours flatColours(const Image& picture) {
+    const auto colours = labels::flatColours(picture, labels::kMostColours);
+    return colours ? Colours(colours->begin(), colours->end()) : Colours();
 }
 
-std::string textOf(const Colour& colour) {
+std::string textOf(const labels::Colour& colour) {
     return fmt::format("({:.3g})", fmt::join(colour, ", "));
 }
 
 /// Where both are painted flat, picture B has colours of picture A alone.
 void checkColours(const Request& request, const Image& output) {
-    std::set<Colour> known;
+    Colours known;
     for (const Exemplar& exemplar : request.exemplars) {
-        const std::set<Colour> own = flatColours(*exemplar.inputs.image(kGuidePort));
+        const Colours own = flatColours(*exemplar.inputs.image(kGuidePort));
         if (own.empty())
             return;
         known.insert(own.begin(), own.end());
     }
     std::vector<std::string> names;
-    for (const Colour& colour : known)
+    for (const labels::Colour& colour : known)
         names.push_back(textOf(colour));
-    for (const Colour& colour : flatColours(output))
+    for (const labels::Colour& colour : flatColours(output))
         if (!known.contains(colour))
             failUsage("Picture B has the colour {}, which picture A has nowhere; paint it in A, too, or use "
                       "A's colours: {}.",
