@@ -24,6 +24,7 @@ struct BatchOptions {
     fs::path file;
     std::string shard = "1/1";
     fs::path summary;
+    fs::path outputs;
     int threads = 0;
     bool list = false;
     bool skipExisting = false;
@@ -147,7 +148,7 @@ OutputGuard checkOutputs(const Batch& batch, const Shard& shard, const BatchOpti
 
 void run(const BatchOptions& options) {
     const fs::path folder = options.file.has_parent_path() ? options.file.parent_path() : fs::path(".");
-    const Batch batch = Batch::fromJson(readText(options.file), folder);
+    const Batch batch = Batch::fromJson(readText(options.file), folder, options.outputs);
     const Shard shard = Shard::parse(options.shard);
     if (options.list) {
         printItems(batch, shard);
@@ -182,6 +183,8 @@ void addBatch(CLI::App& app) {
     command->add_option("file", options.file, "JSON file with the runs; see README.md")->required();
     command->add_option("--shard", options.shard, "Make only every Nth run, beginning with the Ith, as I/N");
     command->add_option("--summary", options.summary, "JSON file that says how each run ended");
+    command->add_option("--to", options.outputs,
+                        "Folder for outputs with relative names, rather than that of the batch");
     command->add_option("--threads", options.threads, "Number of threads; one per core if not given")
         ->check(CLI::Range(1, 1024));
     addMemory(*command);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Collects the texts that lupdate does not find by itself, for the context "core": those marked with TR(), the patterns
-of messages and errors, whose values are {}, and the texts of the shipped presets.
+of messages and errors, whose values are {}, and the texts of the shipped presets and batches.
 
     collect_core.py ROOT OUT.cpp      writes them as a C++ file for lupdate
     collect_core.py ROOT --patterns   prints the patterns of messages as a JSON list
@@ -82,9 +82,10 @@ def patterns(root):
 
 
 def shipped(root):
-    for path in sorted((root / "resources/presets").glob("*.json")):
-        preset = json.loads(path.read_text(encoding="utf-8"))
-        yield from (preset["title"], preset["summary"])
+    for folder in ("presets", "batches"):
+        for path in sorted((root / "resources" / folder).glob("*.json")):
+            file = json.loads(path.read_text(encoding="utf-8"))
+            yield from (file["title"], file["summary"])
 
 
 def texts(root):

@@ -85,6 +85,13 @@ TEST_F(Batch, SkipsWhatIsThereOnlyWhenTold) {
     EXPECT_EQ(readImageInfo(m_folder / "bark_8_s1.png").size, (Size{40, 40}));
 }
 
+TEST_F(Batch, WritesToAnotherFolderWhenTold) {
+    fs::create_directory(m_folder / "made");
+    EXPECT_EQ(run({"--shard", "1/5", "--to", "made", "--quiet"}).status, 0);
+    EXPECT_TRUE(has("made/bark_8_s1.png"));
+    EXPECT_FALSE(has("bark_8_s1.png"));
+}
+
 TEST_F(Batch, ListsItsRunsWithoutDoingThem) {
     const Ended ended = run({"--list", "--shard", "2/5"});
     EXPECT_EQ(ended.status, 0);

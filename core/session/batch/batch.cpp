@@ -248,7 +248,7 @@ std::string BatchItem::label(std::size_t number) const {
     return cell.empty() ? fmt::format("run {}", number) : fmt::format("run {} ({})", number, cell);
 }
 
-Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
+Batch Batch::fromJson(std::string_view text, const fs::path& folder, const fs::path& outputs) {
     const Json json = parseJson(TR("batch"), text);
     const JsonField root(TR("batch"), json);
     if (!json.is_object())
@@ -258,10 +258,12 @@ Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
     else if (format.whole() > kFormat)
         failUsage("The batch is of format {}, made for a newer Texloom; this one reads up to {}.",
                   format.whole(), kFormat);
-    root.only({"batch", "runs"});
+    root.only({"batch", "title", "summary", "runs"});
     const JsonField runs = root.at("runs");
     runs.needArray(1, kMostRuns);
     Batch batch;
+    batch.title = textOr(root, "title", "");
+    batch.summary = textOr(root, "summary", "");
     ReadFiles files;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const Run run = runFrom(runs.at(i), folder, files);
@@ -269,7 +271,8 @@ Batch Batch::fromJson(std::string_view text, const fs::path& folder) {
         if (combinations.count() > kMostRuns - batch.items.size())
             failUsage("The batch holds more than {} runs; divide it.", grouped(kMostRuns));
         for (std::size_t k = 0; k < combinations.count(); ++k)
-            batch.items.push_back(itemFor(run, k, combinations.at(k), batch.items.size() + 1, folder));
+            batch.items.push_back(itemFor(run, k, combinations.at(k), batch.items.size() + 1,
+                                          outputs.empty() ? folder : outputs));
     }
     checkOutputs(batch.items);
     for (const auto& [path, read] : files)

@@ -32,23 +32,27 @@ struct BatchItem {
 };
 
 /// Many recipes in one file, in their order. The JSON text is
-/// `{"batch": 1, "runs": [{"recipe": …, "output": …, "sweep": {…}, "seeds": "held", …}]}`: a recipe is the
-/// name of a file or is written out in place; names of outputs are templates (see expandName()) of $name,
-/// $method, $seed, $w, $h, $size, $index and each swept word; a sweep gives lists of values to parameters
+/// `{"batch": 1, "title": …, "summary": …, "runs": [{"recipe": …, "output": …, "sweep": {…}, "seeds": "held",
+/// …}]}`: a recipe is the name of a file or is written out in place; names of outputs are templates (see
+/// expandName()) of $name, $method, $seed, $w, $h, $size, $index and each swept word; a sweep gives lists of
+/// values to parameters
 /// ("patch", or "METHOD.name" for methods that follow), "seed" and "size", of which all combinations are
 /// made, the last one fastest; with "seeds": "varied" each combination has a seed of its own.
 struct Batch {
     /// Version of the format that this build writes and the newest it reads.
     static constexpr int kFormat = 1;
 
+    std::string title, summary; ///< what it shows, where it is an example; empty where it says nothing
     std::vector<BatchItem> items;
     std::vector<std::filesystem::path> recipes; ///< files that recipes were read from
 
     /// A recipe that cannot be read becomes its items' problem, so that the number of items depends on this
     /// text alone.
-    /// @param folder against which relative paths are taken.
+    /// @param folder against which relative paths are taken. @param outputs the same for the files to write;
+    /// `folder` if empty.
     /// @throws UsageError that names the wrong field, or two items that would write the same file.
-    static Batch fromJson(std::string_view text, const std::filesystem::path& folder);
+    static Batch fromJson(std::string_view text, const std::filesystem::path& folder,
+                          const std::filesystem::path& outputs = {});
 };
 
 /// One of several equal shares of a batch: every count-th item, from `index` on.

@@ -52,6 +52,18 @@ TEST(Batch, ReadsARecipeWithItsOutputs) {
     EXPECT_EQ(item.whole().exemplars.front().image.path, "/data/bark.png");
 }
 
+TEST(Batch, MaySayWhatItShowsAndWriteElsewhere) {
+    const std::string runs = R"("runs": [{"recipe": )" + kRecipe + R"(, "output": "out/$name.png"}]})";
+    const Batch plain = Batch::fromJson(R"({"batch": 1, )" + runs, "/data");
+    EXPECT_EQ(plain.title + plain.summary, "");
+    const Batch told = Batch::fromJson(R"({"batch": 1, "title": "Patches", "summary": "Two sizes.", )" + runs,
+                                       "/data", "/made");
+    EXPECT_EQ(told.title, "Patches");
+    EXPECT_EQ(told.summary, "Two sizes.");
+    EXPECT_EQ(told.items.front().output, "/made/out/bark.png");
+    EXPECT_EQ(told.items.front().whole().exemplars.front().image.path, "/data/bark.png");
+}
+
 TEST(Batch, SweepsThroughEveryCombination) {
     const Batch batch = sweep(R"({"patch": [8, 16], "stitch": ["cut", "smooth-cut"], "size": [[32, 32]]})");
     ASSERT_EQ(batch.items.size(), 4U);
