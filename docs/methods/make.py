@@ -4,7 +4,8 @@
     make.py TEXLOOM-CLI            writes the pages, and a picture for each method that has none
     make.py TEXLOOM-CLI --check    fails where a page says something else, or a picture is missing
 
-To make a picture anew, delete it first.
+To make a picture anew, delete it first. Pictures that show what a method was given beside what it made are put together
+by oiiotool.
 """
 import json
 import pathlib
@@ -16,6 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 EXEMPLARS = HERE.parent.parent / "resources/exemplars"
 # What shows a method at its best; all others are shown on soil_clods.png.
 SHOWN_ON = {
+    "analogy": "crazy_paving.png",
     "ashikhmin": "grass_dry_gray.png",
     "fourier-mask": "solar_cells_blue.jpg",
     "gaussian-patches": "crazy_paving.png",
@@ -29,9 +31,14 @@ SHOWN_ON = {
     "regular-tile": "solar_cells_blue.jpg",
     "texture-optimization": "crazy_paving.png",
 }
+# Methods that are given pictures by ports of their own are shown with them, two by two: A and the exemplar A', B and the
+# result B'. The pictures fit SHOWN_ON's exemplar and have the size of the result.
+GUIDED = {"analogy": {"guide": "crazy_paving_a.png", "output-guide": "crazy_paving_b.png"}}
+GUIDED_SIDE = 256
 # Methods that need a target follow a texture of this exemplar.
 TARGETS = {"texture-transfer": "crazy_paving.png"}
 SIDE = 384
+BATCHES = HERE.parent.parent / "resources/batches"
 EXAMPLE = HERE.parent.parent / "tests/methods/examples/mirror_tile.cpp"
 GUIDE = HERE.parent.parent / "CONTRIBUTING.md"
 
@@ -45,15 +52,37 @@ def takes_exemplar(cli, method):
     return any(port["id"] == "exemplar" for port in json.loads(listed)[0]["takes"])
 
 
-def synthesise(cli, method, exemplar, output, *options):
+def synthesise(cli, method, exemplar, output, *options, side=SIDE):
     exemplars = [EXEMPLARS / exemplar] if takes_exemplar(cli, method) else []
-    subprocess.run([cli, "synth", method, *exemplars, "--size", str(SIDE), "--seed", "1", "--quiet",
+    subprocess.run([cli, "synth", method, *exemplars, "--size", str(side), "--seed", "1", "--quiet",
                     "--no-sidecar", "-o", output, *options], check=True)
+
+
+def two_by_two(pictures, output, side, gap=8):
+    """Puts the top left of four pictures on white."""
+    whole = 2 * side + gap
+    command = ["oiiotool", "--pattern", "constant:color=1,1,1", f"{whole}x{whole}", "3"]
+    for i, picture in enumerate(pictures):
+        x, y = i % 2 * (side + gap), i // 2 * (side + gap)
+        command += [picture, "--ch", "R,G,B", "--cut", f"{side}x{side}+0+0", "--swap", "--paste", f"+{x}+{y}"]
+    subprocess.run([*command, "-d", "uint8", "-o", output], check=True)
+
+
+def make_guided(cli, method, folder, output):
+    """The exemplar's top left with its picture A above picture B and what is made of it."""
+    exemplar, made = SHOWN_ON[method], folder / "made.png"
+    inputs = [BATCHES / name for name in GUIDED[method].values()]
+    options = [f"--input={port}={BATCHES / name}" for port, name in GUIDED[method].items()]
+    synthesise(cli, method, exemplar, made, "--edit", f"crop=0,0,{GUIDED_SIDE},{GUIDED_SIDE}", *options, side=GUIDED_SIDE)
+    two_by_two([inputs[0], EXEMPLARS / exemplar, inputs[1], made], output, GUIDED_SIDE)
 
 
 def make_picture(cli, method):
     output = HERE / "picture" / f"{method}.jpg"
     with tempfile.TemporaryDirectory() as folder:
+        if method in GUIDED:
+            make_guided(cli, method, pathlib.Path(folder), output)
+            return
         options = []
         if method in TARGETS:
             target = pathlib.Path(folder) / "target.png"
