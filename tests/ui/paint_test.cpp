@@ -1,16 +1,21 @@
-// Masks that are painted in the window: what they do to a method that completes an image, and how they come
-// about.
+// What is painted in the window: masks, and what they do to a method that completes an image; pictures of
+// flat colours, and what analogies make of them; pictures that are extended beyond their edges.
 
+#include "core/image/extension.h"
+#include "core/image/labels.h"
 #include "core/image/selection.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/appearance.h"
 #include "ui/common/message_bar.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/exemplar/files.h"
+#include "ui/inspector/analogy_view.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/port_row.h"
-#include "ui/paint/mask_canvas.h"
+#include "ui/paint/extend_dialog.h"
+#include "ui/paint/label_painter.h"
 #include "ui/paint/mask_painter.h"
 
 #include <QAction>
@@ -18,8 +23,10 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -31,11 +38,11 @@ namespace {
 constexpr Size kPicture{64, 48};
 
 /// The point of a canvas over the middle of a pixel.
-QPoint over(const MaskCanvas& canvas, QPoint pixel) {
+QPoint over(const PaintCanvas& canvas, QPoint pixel) {
     return canvas.view().toWidget(QPointF(pixel) + QPointF(0.5, 0.5)).toPoint();
 }
 
-void drag(MaskCanvas& canvas, const std::vector<QPoint>& pixels, Qt::KeyboardModifiers keys = {}) {
+void drag(PaintCanvas& canvas, const std::vector<QPoint>& pixels, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(&canvas, Qt::LeftButton, keys, over(canvas, pixels.front()));
     for (const QPoint& pixel : pixels)
         QTest::mouseMove(&canvas, over(canvas, pixel));
@@ -49,7 +56,7 @@ Image rectangle(int left, int top, int right, int bottom) {
 }
 
 /// Waits until a painter shows what is painted.
-void settled(const MaskPainter& painter) {
+void settled(const Painter& painter) {
     settle();
     if (!QTest::qWaitFor([&] { return !painter.busy(); }))
         qFatal("the painter did not come to rest");
@@ -65,7 +72,43 @@ std::unique_ptr<MaskPainter> lonePainter() {
     return painter;
 }
 
-void chooseTool(const MaskPainter& painter, const char* name) {
+/// A painter of flat colours with nothing painted, on its own.
+std::unique_ptr<LabelPainter> loneLabels() {
+    auto picture = std::make_shared<const Image>(testTexture(kPicture));
+    auto painter = std::make_unique<LabelPainter>(std::make_shared<const DisplayPicture>(picture), true,
+                                                  Image(kPicture, 1), labels::usualColours(3),
+                                                  QStringLiteral("Flat colours for materials."));
+    painter->show();
+    settled(*painter);
+    return painter;
+}
+
+/// Keeps pictures of a widget, light and dark, in the folder that the environment names, for people to look
+/// at.
+void look(QWidget& widget, const char* name) {
+    const QString folder = qEnvironmentVariable("TEXLOOM_LOOK");
+    if (folder.isEmpty())
+        return;
+    for (const auto& [appearance, ending] :
+         {std::pair(Appearance::Dark, "dark"), std::pair(Appearance::Light, "light")}) {
+        applyAppearance(appearance);
+        settle();
+        widget.grab().save(
+            QStringLiteral("%1/%2_%3.png").arg(folder, QLatin1String(name), QLatin1String(ending)));
+    }
+}
+
+/// Answers the question that a painter asks before it loses something.
+void answer(const Painter& painter, QMessageBox::ButtonRole role) {
+    QTRY_VERIFY(painter.findChild<QMessageBox*>(QStringLiteral("paintLoss")));
+    const auto* box = child<QMessageBox>(painter, "paintLoss");
+    for (QAbstractButton* button : box->buttons())
+        if (box->buttonRole(button) == role)
+            return button->click();
+    qFatal("no such answer");
+}
+
+void chooseTool(const Painter& painter, const char* name) {
     child<QToolButton>(painter, name)->click();
 }
 
@@ -79,13 +122,13 @@ private Q_SLOTS:
         openWindow();
         child<PortRow>(*m_window, "port_picture")->add(loadExemplar(toPath(m_picture)));
         MaskPainter* painter = openPainter();
-        QVERIFY2(child<QLabel>(*painter, "maskLegend")->text().contains(QStringLiteral("is filled")),
+        QVERIFY2(child<QLabel>(*painter, "paintLegend")->text().contains(QStringLiteral("is filled")),
                  "the legend says what the port's help says");
-        chooseTool(*painter, "maskRectangle");
+        chooseTool(*painter, "paintRectangle");
         drag(*painter->canvas(), {{20, 10}, {30, 25}, {41, 31}});
         const Image hole = rectangle(20, 10, 42, 32);
         QTRY_VERIFY(!painter->busy());
-        QVERIFY(samePixels(painter->selection(), hole));
+        QVERIFY(samePixels(painter->painted(), hole));
         confirm(*painter);
         QTRY_VERIFY(m_window->input(false).inputs.contains("known"));
         QVERIFY(m_window->inspector()->output()->outputSize() == kPicture);
@@ -106,9 +149,11 @@ private Q_SLOTS:
         comparesWithTheBefore(picture);
 
         painter = openPainter();
-        QVERIFY2(samePixels(painter->selection(), hole), "a mask that is there is painted on");
+        QVERIFY2(samePixels(painter->painted(), hole), "a mask that is there is painted on");
         drag(*painter->canvas(), {{0, 0}, {3, 3}});
         painter->reject();
+        answer(*painter, QMessageBox::DestructiveRole);
+        QTRY_VERIFY(shownPainters().empty());
         QVERIFY(samePixels(*m_window->input(false).inputs.at("known").front().image(), *known.image()));
     }
 
@@ -117,7 +162,7 @@ private Q_SLOTS:
         const Image before = m_window->desk()->result()->synthesis.image;
         MaskPainter* const painter = openPainter();
         QVERIFY(samePixels(painter->canvas()->picture()->values(), before));
-        chooseTool(*painter, "maskLasso");
+        chooseTool(*painter, "paintLasso");
         const int right = before.width() / 2, bottom = before.height() / 2;
         drag(*painter->canvas(), {{2, 2}, {right, 3}, {right, bottom}, {3, bottom}});
         confirm(*painter);
@@ -141,8 +186,8 @@ private Q_SLOTS:
 
     void everyToolPaintsAndAltTakesAway() {
         const auto painter = lonePainter();
-        MaskCanvas& canvas = *painter->canvas();
-        const auto selected = [&](int x, int y) { return painter->selection()(x, y, 0); };
+        PaintCanvas& canvas = *painter->canvas();
+        const auto selected = [&](int x, int y) { return painter->painted()(x, y, 0); };
         canvas.setBrushSize(6);
         drag(canvas, {{10, 10}, {30, 10}});
         QTRY_VERIFY(!painter->busy());
@@ -154,7 +199,7 @@ private Q_SLOTS:
         QCOMPARE(selected(20, 10), 0.0F);
         QCOMPARE(selected(12, 10), 1.0F);
 
-        chooseTool(*painter, "maskPolygon");
+        chooseTool(*painter, "paintPolygon");
         for (const QPoint corner : {QPoint(40, 20), QPoint(60, 20), QPoint(50, 40)})
             QTest::mouseClick(&canvas, Qt::LeftButton, {}, over(canvas, corner));
         QVERIFY2(!painter->busy(), "it is not closed yet");
@@ -162,7 +207,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!painter->busy() && selected(50, 25) == 1);
         QCOMPARE(selected(42, 38), 0.0F);
 
-        chooseTool(*painter, "maskLasso");
+        chooseTool(*painter, "paintLasso");
         child<QCheckBox>(*painter, "maskTakeAway")->setChecked(true);
         drag(canvas, {{44, 22}, {56, 22}, {56, 30}, {44, 30}});
         QTRY_VERIFY(!painter->busy() && selected(50, 25) == 0);
@@ -172,38 +217,38 @@ private Q_SLOTS:
     void stepsAreUndoneAndRedone() {
         const auto painter = lonePainter();
         QVERIFY(QTest::qWaitForWindowActive(painter.get()));
-        auto* undo = child<QPushButton>(*painter, "maskUndo");
-        auto* redo = child<QPushButton>(*painter, "maskRedo");
+        auto* undo = child<QPushButton>(*painter, "paintUndo");
+        auto* redo = child<QPushButton>(*painter, "paintRedo");
         QVERIFY(!undo->isEnabled() && !redo->isEnabled());
-        chooseTool(*painter, "maskRectangle");
+        chooseTool(*painter, "paintRectangle");
         drag(*painter->canvas(), {{5, 5}, {20, 20}});
         child<QPushButton>(*painter, "maskInvert")->click();
         QTRY_VERIFY(!painter->busy());
         const Image first = rectangle(5, 5, 21, 21), second = selections::inverted(first);
-        QVERIFY(samePixels(painter->selection(), second));
+        QVERIFY(samePixels(painter->painted(), second));
         undo->click();
         QTRY_VERIFY(!painter->busy());
-        QVERIFY(samePixels(painter->selection(), first));
+        QVERIFY(samePixels(painter->painted(), first));
         QTest::keyClick(painter->canvas(), Qt::Key_Z, Qt::ControlModifier);
         QTRY_VERIFY(!painter->busy());
-        QVERIFY(samePixels(painter->selection(), Image(kPicture, 1)));
+        QVERIFY(samePixels(painter->painted(), Image(kPicture, 1)));
         QVERIFY(!undo->isEnabled() && redo->isEnabled());
         for (int i = 0; i < 2; ++i)
             QTest::keyClick(painter->canvas(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY(!painter->busy());
-        QVERIFY(samePixels(painter->selection(), second));
+        QVERIFY(samePixels(painter->painted(), second));
         child<QPushButton>(*painter, "maskClear")->click();
         QTRY_VERIFY(!painter->busy());
-        QCOMPARE(valueRange(painter->selection()).largest, 0.0F);
+        QCOMPARE(valueRange(painter->painted()).largest, 0.0F);
     }
 
     void edgesGrowShrinkAndSoften() {
         const auto painter = lonePainter();
-        chooseTool(*painter, "maskRectangle");
+        chooseTool(*painter, "paintRectangle");
         drag(*painter->canvas(), {{20, 15}, {35, 30}});
         QTRY_VERIFY(!painter->busy());
         Image expected = rectangle(20, 15, 36, 31);
-        QVERIFY(samePixels(painter->selection(), expected));
+        QVERIFY(samePixels(painter->painted(), expected));
         child<QSpinBox>(*painter, "maskPixels")->setValue(3);
         const std::pair<const char*, Image (*)(const ImageView&, int, const std::function<void()>&)> ways[] =
             {{"maskGrow", &selections::grown},
@@ -213,7 +258,7 @@ private Q_SLOTS:
             child<QPushButton>(*painter, name)->click();
             expected = filter(expected, 3, [] {});
             QTRY_VERIFY(!painter->busy());
-            QVERIFY2(samePixels(painter->selection(), expected), name);
+            QVERIFY2(samePixels(painter->painted(), expected), name);
         }
         QVERIFY(valueRange(expected).largest == 1 && expected(18, 20, 0) > 0 && expected(18, 20, 0) < 1);
     }
@@ -221,7 +266,7 @@ private Q_SLOTS:
     void keysDoWhatTheMouseDoes() {
         const auto painter = lonePainter();
         QVERIFY(QTest::qWaitForWindowActive(painter.get()));
-        MaskCanvas* const canvas = painter->canvas();
+        PaintCanvas* const canvas = painter->canvas();
         canvas->setFocus();
         const int size = canvas->brushSize();
         QTest::keyClick(canvas, Qt::Key_BracketRight);
@@ -235,11 +280,11 @@ private Q_SLOTS:
         double dabbed = 0;
         for (int y = 0; y < kPicture.height; ++y)
             for (int x = 0; x < kPicture.width; ++x)
-                dabbed += static_cast<double>(painter->selection()(x, y, 0));
+                dabbed += static_cast<double>(painter->painted()(x, y, 0));
         QVERIFY2(dabbed >= 1 && dabbed <= 4, "a brush as small as can be");
 
         child<QPushButton>(*painter, "maskClear")->click();
-        chooseTool(*painter, "maskPolygon");
+        chooseTool(*painter, "paintPolygon");
         const auto go = [&](Qt::Key key, int times) {
             for (int i = 0; i < times; ++i)
                 QTest::keyClick(canvas, key, Qt::ShiftModifier);
@@ -258,7 +303,7 @@ private Q_SLOTS:
         QTest::keyClick(canvas, Qt::Key_Return);
         QTRY_VERIFY(!painter->busy());
         QVERIFY2(painter->isVisible(), "Enter closes the shape alone");
-        QCOMPARE(valueRange(painter->selection()).largest, 1.0F);
+        QCOMPARE(valueRange(painter->painted()).largest, 1.0F);
     }
 
     void thePainterIsWholeAndNamed() {
@@ -268,21 +313,266 @@ private Q_SLOTS:
         QVERIFY(painter->width() <= 1280);
         QCOMPARE(cutText(*painter), QString());
         QCOMPARE(namelessControls(*painter), QStringList());
-        if (const QString folder = qEnvironmentVariable("TEXLOOM_LOOK"); !folder.isEmpty()) {
-            chooseTool(*painter, "maskLasso");
-            drag(*painter->canvas(), {{10, 10}, {40, 12}, {44, 30}, {25, 38}, {8, 26}});
-            QTRY_VERIFY(!painter->busy());
-            painter->grab().save(folder + QStringLiteral("/painter.png"));
-        }
+        chooseTool(*painter, "paintLasso");
+        drag(*painter->canvas(), {{10, 10}, {40, 12}, {44, 30}, {25, 38}, {8, 26}});
+        QTRY_VERIFY(!painter->busy());
+        look(*painter, "painter");
+    }
+
+    void closingAsksBeforeStrokesAreLost() {
+        const auto painter = lonePainter();
+        painter->reject();
+        QVERIFY2(!painter->isVisible(), "nothing was painted");
+        painter->show();
+        chooseTool(*painter, "paintRectangle");
+        drag(*painter->canvas(), {{5, 5}, {20, 20}});
+        painter->close();
+        QVERIFY2(painter->isVisible(), "it asks first");
+        answer(*painter, QMessageBox::RejectRole);
+        QVERIFY(painter->isVisible());
+        QTRY_VERIFY(!painter->findChild<QMessageBox*>());
+        QTest::keyClick(painter->canvas(), Qt::Key_Escape);
+        answer(*painter, QMessageBox::DestructiveRole);
+        QVERIFY(!painter->isVisible());
+        QCOMPARE(painter->result(), int(QDialog::Rejected));
+
+        const auto kept = lonePainter();
+        drag(*kept->canvas(), {{5, 5}, {20, 20}});
+        kept->reject();
+        answer(*kept, QMessageBox::AcceptRole);
+        QTRY_COMPARE(kept->result(), int(QDialog::Accepted));
+
+        const auto undone = lonePainter();
+        drag(*undone->canvas(), {{5, 5}, {20, 20}});
+        QTRY_VERIFY(!undone->busy());
+        child<QPushButton>(*undone, "paintUndo")->click();
+        QTRY_VERIFY(!undone->busy());
+        undone->reject();
+        QVERIFY2(!undone->isVisible(), "what was undone is not lost");
+    }
+
+    void coloursArePaintedFilledAndPicked() {
+        const auto painter = loneLabels();
+        PaintCanvas& canvas = *painter->canvas();
+        const auto at = [&](int x, int y) { return painter->painted()(x, y, 0); };
+        child<QToolButton>(*painter, "paintColour3")->click();
+        chooseTool(*painter, "paintRectangle");
+        drag(canvas, {{10, 10}, {30, 30}});
+        QTRY_VERIFY(!painter->busy());
+        QCOMPARE(at(10, 10), 2.0F);
+        QCOMPARE(at(30, 30), 2.0F);
+        QCOMPARE(at(31, 30), 0.0F);
+        painter->setColour(1);
+        chooseTool(*painter, "paintFill");
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, over(canvas, {20, 20}));
+        QTRY_VERIFY(!painter->busy());
+        Image expected(kPicture, 1);
+        expected = labels::painted(expected, rectangle(10, 10, 31, 31), 1);
+        QVERIFY(samePixels(painter->painted(), expected));
+        painter->setColour(5);
+        chooseTool(*painter, "paintPick");
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, over(canvas, {20, 20}));
+        QTRY_COMPARE(painter->colour(), 1);
+        QVERIFY2(child<QToolButton>(*painter, "paintBrush")->isChecked(), "the brush follows");
+        QTest::mouseClick(&canvas, Qt::LeftButton, Qt::AltModifier, over(canvas, {2, 2}));
+        QTRY_COMPARE(painter->colour(), 0);
+        QVERIFY2(samePixels(painter->painted(), expected), "picking paints nothing");
+        child<QPushButton>(*painter, "paintUndo")->click();
+        QTRY_VERIFY(!painter->busy());
+        QCOMPARE(at(20, 20), 2.0F);
+        painter->setColour(4);
+        child<QPushButton>(*painter, "paintWhole")->click();
+        QTRY_VERIFY(!painter->busy());
+        QCOMPARE(valueRange(painter->painted()).smallest, 4.0F);
+    }
+
+    void theColoursShowAsTheyAreAndThePictureThroughThem() {
+        const auto painter = loneLabels();
+        painter->setColour(3);
+        chooseTool(*painter, "paintRectangle");
+        drag(*painter->canvas(), {{0, 0}, {20, 20}});
+        QTRY_VERIFY(!painter->busy());
+        QCOMPARE(painter->canvas()->veil().pixel(5, 5), qRgb(213, 94, 0));
+        const QPoint place = over(*painter->canvas(), {10, 10});
+        const auto shown = [&] { return painter->canvas()->grab().toImage().pixelColor(place); };
+        auto* showing = child<QSlider>(*painter, "paintShowing");
+        QVERIFY2(showing->value() > 0, "the picture shows faintly");
+        showing->setValue(0);
+        QCOMPARE(shown(), QColor(213, 94, 0));
+        showing->setValue(100);
+        const QColor through = shown();
+        painter->canvas()->setVeil({});
+        QCOMPARE(shown(), through);
+        QVERIFY(through != QColor(213, 94, 0));
+    }
+
+    void coloursArePaintedByKeysAlone() {
+        const auto painter = loneLabels();
+        QVERIFY(QTest::qWaitForWindowActive(painter.get()));
+        PaintCanvas* const canvas = painter->canvas();
+        canvas->setFocus();
+        QTest::keyClick(canvas, Qt::Key_4, Qt::AltModifier);
+        QCOMPARE(painter->colour(), 3);
+        QTest::keyClick(canvas, Qt::Key_F, Qt::AltModifier);
+        QTRY_COMPARE(canvas->tool(), PaintCanvas::Tool::Fill);
+        QTest::keyClick(canvas, Qt::Key_Right, Qt::ShiftModifier);
+        QTest::keyClick(canvas, Qt::Key_Space);
+        QTRY_VERIFY(!painter->busy() && valueRange(painter->painted()).smallest == 3);
+        QTest::keyClick(canvas, Qt::Key_2, Qt::AltModifier);
+        QTest::keyClick(canvas, Qt::Key_I, Qt::AltModifier);
+        QTRY_COMPARE(canvas->tool(), PaintCanvas::Tool::Pick);
+        QTest::keyClick(canvas, Qt::Key_Left, Qt::ShiftModifier);
+        QTest::keyClick(canvas, Qt::Key_Space);
+        QTRY_COMPARE(painter->colour(), 3);
+    }
+
+    void thePainterOfColoursIsWholeAndNamed() {
+        const auto painter = loneLabels();
+        QVERIFY(QTest::qWaitForWindowExposed(painter.get()));
+        settle();
+        QVERIFY(painter->width() <= 1280);
+        QVERIFY(painter->height() <= 768);
+        painter->setColour(1);
+        chooseTool(*painter, "paintLasso");
+        drag(*painter->canvas(), {{10, 10}, {40, 12}, {44, 30}, {25, 38}, {8, 26}});
+        QTRY_VERIFY(!painter->busy());
+        look(*painter, "labels");
+        QCOMPARE(cutText(*painter), QString());
+        QCOMPARE(namelessControls(*painter), QStringList());
+    }
+
+    void textureByNumbersNeedsNoOtherProgram() {
+        openWindow();
+        choose("analogy");
+        child<QSpinBox>(*m_window, "outputWidth")->setValue(64);
+        child<QSpinBox>(*m_window, "outputHeight")->setValue(48);
+        auto* view = child<AnalogyView>(*m_window, "analogy");
+        QTRY_VERIFY(view->isVisible());
+        LabelPainter* painter = open<LabelPainter>("paint_guide");
+        const ExemplarEntry* entry = m_window->store()->current();
+        QVERIFY2(samePixels(painter->canvas()->picture()->values(), *entry->file().image),
+                 "over the exemplar");
+        QCOMPARE(painter->colours().size(), 8U);
+        painter->setColour(2);
+        chooseTool(*painter, "paintRectangle");
+        drag(*painter->canvas(), {{0, 0}, {19, 35}});
+        confirm(*painter);
+        const auto ofA = [&] {
+            const InputFiles& own = m_window->store()->current()->exemplar.inputs;
+            return own.contains("guide") ? own.at("guide").front().image() : nullptr;
+        };
+        QTRY_VERIFY(ofA() != nullptr);
+        QVERIFY(ofA()->size() == entry->file().image->size());
+        const auto colours = labels::flatColours(*ofA(), 8);
+        QCOMPARE(colours->size(), 2U);
+
+        painter = open<LabelPainter>("paint_output-guide");
+        QVERIFY2(painter->colours() == *colours, "B has the colours of A");
+        QVERIFY(painter->painted().size() == (Size{64, 48}));
+        painter->setColour(1);
+        chooseTool(*painter, "paintRectangle");
+        drag(*painter->canvas(), {{0, 0}, {63, 23}});
+        confirm(*painter);
+        QTRY_VERIFY(m_window->input(false).inputs.contains("output-guide"));
+        run();
+        QVERIFY(m_window->desk()->result()->synthesis.image.size() == (Size{64, 48}));
+        QVERIFY(m_window->desk()->result()->plan.request.exemplars.front().inputs.image("guide") != nullptr);
+        const Recipe recipe = m_window->desk()->result()->plan.recipe;
+
+        child<QToolButton>(*m_window, "clear_guide")->click();
+        QTRY_VERIFY(ofA() == nullptr);
+        child<QAction>(*m_window, "undo")->trigger();
+        QTRY_VERIFY2(ofA() != nullptr, "what was cleared comes back");
+        choose("quilting");
+        QVERIFY2(m_window->input(false).exemplars.front().inputs.empty(), "quilting takes no A");
+        m_window->restoreRecipe(recipe, false);
+        QTRY_COMPARE(m_window->inspector()->method()->id(), std::string("analogy"));
+        QTRY_VERIFY(ofA() != nullptr && m_window->input(false).inputs.contains("output-guide"));
+        QVERIFY(samePixels(labels::pictureOf(labels::indicesOf(*ofA(), *colours), *colours), *ofA()));
+    }
+
+    void analogiesShowTwoByTwoByTheirDeclaration() {
+        openWindow();
+        QVERIFY(m_window->findChild<AnalogyView*>() == nullptr);
+        choose("texture-transfer");
+        QVERIFY2(m_window->findChild<AnalogyView*>() != nullptr, "it has a picture for either");
+        choose("analogy");
+        auto* view = child<AnalogyView>(*m_window, "analogy");
+        const auto pictured = [view](const char* picture) {
+            return !child<QToolButton>(*view, picture)->icon().isNull();
+        };
+        QTRY_VERIFY(pictured("analogyExemplar") && pictured("analogyResult"));
+        QVERIFY(!pictured("choose_guide") && !pictured("choose_output-guide"));
+        child<QToolButton>(*view, "useResult_output-guide")->click();
+        QTRY_VERIFY(m_window->input(false).inputs.contains("output-guide"));
+        QTRY_VERIFY(pictured("choose_output-guide"));
+        child<QToolButton>(*view, "useResult_guide")->click();
+        QTRY_VERIFY2(m_window->messages()->text().contains(QStringLiteral("must be the same size")),
+                     qPrintable(m_window->messages()->text()));
+        QVERIFY2(!pictured("choose_guide"), "what does not fit is not shown");
+        const QString same = writeTexture(m_folder, QStringLiteral("labels.png"), {40, 36}, 8);
+        child<PortRow>(*view, "port_guide")->read(same);
+        QTRY_VERIFY(pictured("choose_guide"));
+        QTRY_VERIFY(m_window->store()->current()->exemplar.inputs.contains("guide"));
+        child<QToolButton>(*view, "useResult_exemplar")->click();
+        QTRY_COMPARE(m_window->store()->entries().size(), 2U);
+        QTRY_VERIFY2(!pictured("choose_guide"), "the other exemplar has no A yet");
+        settle();
+        QCOMPARE(cutText(*view), QString());
+        QCOMPARE(namelessControls(*view), QStringList());
+        m_window->resize(1366, 768);
+        settle();
+        QVERIFY(m_window->width() <= 1366);
+        QVERIFY2(view->height() < 400, "it fits beside all else");
+        look(*m_window, "analogy");
+    }
+
+    void aPictureIsExtendedBeyondItsEdges() {
+        openWindow();
+        child<PortRow>(*m_window, "port_picture")->add(loadExemplar(toPath(m_picture)));
+        auto* dialog = open<ExtendDialog>("extend_known");
+        auto* ok = child<QDialogButtonBox>(*dialog, "extendButtons")->button(QDialogButtonBox::Ok);
+        QVERIFY2(!ok->isEnabled(), "nothing is asked for yet");
+        const std::pair<const char*, int> sides[] = {
+            {"extendLeft", 6}, {"extendTop", 3}, {"extendRight", 10}, {"extendBottom", 0}};
+        for (const auto& [name, pixels] : sides)
+            child<QSpinBox>(*dialog, name)->setValue(pixels);
+        QVERIFY(child<QLabel>(*dialog, "extendSize")->text().contains(QStringLiteral("80 × 51")));
+        QCOMPARE(cutText(*dialog), QString());
+        QCOMPARE(namelessControls(*dialog), QStringList());
+        look(*dialog, "extend");
+        look(*m_window, "holes");
+        ok->click();
+        QTRY_VERIFY(m_window->input(false).inputs.contains("known"));
+        QVERIFY(m_window->inspector()->output()->outputSize() == (Size{80, 51}));
+        const Image picture = *loadExemplar(toPath(m_picture)).image;
+        const InputFiles inputs = m_window->input(false).inputs;
+        const Image known = extended(selections::inverted(Image(kPicture, 1)), {6, 3, 10, 0}, {0});
+        QVERIFY(samePixels(*inputs.at("known").front().image(), known));
+        QVERIFY(samePixels(inputs.at("picture").front().image()->view().crop(6, 3, kPicture), picture));
+        run();
+        QVERIFY(samePixels(m_window->desk()->result()->synthesis.image.view().crop(6, 3, kPicture), picture));
+        comparesWithTheBefore(*inputs.at("picture").front().image());
+        child<QAction>(*m_window, "undo")->trigger();
+        QVERIFY2(!m_window->input(false).inputs.contains("known"), "all of it was one step");
+
+        choose("efros-leung");
+        child<QAction>(*m_window, "extendCanvas")->trigger();
+        QTRY_VERIFY(m_window->findChild<ExtendDialog*>() != nullptr);
+        m_window->findChild<ExtendDialog*>()->reject();
+        choose("random-phase");
+        child<QAction>(*m_window, "extendCanvas")->trigger();
+        QVERIFY2(m_window->messages()->text().contains(QStringLiteral("Efros–Leung")),
+                 "it says which methods complete pictures");
     }
 
     void cleanup() { m_window.reset(); }
 
 private:
-    void choose() {
+    void choose(const char* id = "fill-hole") {
         auto* method = child<QComboBox>(*m_window, "method");
-        method->setCurrentIndex(method->findData(QStringLiteral("fill-hole")));
-        QCOMPARE(m_window->inspector()->method()->id(), std::string("fill-hole"));
+        method->setCurrentIndex(method->findData(QLatin1String(id)));
+        QCOMPARE(m_window->inspector()->method()->id(), std::string(id));
     }
 
     /// With an exemplar, a first result, and the method that completes images.
@@ -297,23 +587,33 @@ private:
         QVERIFY2(child<QToolButton>(*m_window, "paint_picture")->isHidden(), "only masks are painted");
     }
 
-    MaskPainter* openPainter() {
-        child<QToolButton>(*m_window, "paint_known")->click();
-        MaskPainter* painter = nullptr;
-        [[maybe_unused]] const bool opened = QTest::qWaitFor([&] {
-            for (auto* found : m_window->findChildren<MaskPainter*>())
-                if (found->isVisible())
-                    painter = found;
-            return painter != nullptr;
-        });
-        if (painter == nullptr)
-            qFatal("no painter opened: %s", qPrintable(m_window->messages()->text()));
-        settled(*painter);
-        return painter;
+    QList<Painter*> shownPainters() const {
+        QList<Painter*> shown = m_window->findChildren<Painter*>();
+        shown.removeIf([](const Painter* painter) { return !painter->isVisible(); });
+        return shown;
     }
 
-    static void confirm(const MaskPainter& painter) {
-        child<QDialogButtonBox>(painter, "maskButtons")->button(QDialogButtonBox::Ok)->click();
+    /// The dialog that a button opens, once it is at rest.
+    template <class Dialog> Dialog* open(const char* button) {
+        child<QToolButton>(*m_window, button)->click();
+        Dialog* dialog = nullptr;
+        [[maybe_unused]] const bool opened = QTest::qWaitFor([&] {
+            for (auto* found : m_window->findChildren<Dialog*>())
+                if (found->isVisible())
+                    dialog = found;
+            return dialog != nullptr;
+        });
+        if (dialog == nullptr)
+            qFatal("nothing opened: %s", qPrintable(m_window->messages()->text()));
+        if (const auto* painter = qobject_cast<const Painter*>(dialog))
+            settled(*painter);
+        return dialog;
+    }
+
+    MaskPainter* openPainter() { return open<MaskPainter>("paint_known"); }
+
+    static void confirm(const Painter& painter) {
+        child<QDialogButtonBox>(painter, "paintButtons")->button(QDialogButtonBox::Ok)->click();
     }
 
     void run() {

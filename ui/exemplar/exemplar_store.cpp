@@ -52,6 +52,17 @@ ExemplarState stateOf(const RunExemplar& exemplar) {
     return {exemplar.original(), exemplar.edits};
 }
 
+/// Whether both have the same pictures for the same ports.
+bool samePictures(const InputFiles& a, const InputFiles& b) {
+    const auto sameFile = [](const InputFile& one, const InputFile& two) {
+        return one.file.image == two.file.image && one.file.path == two.file.path;
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& two) {
+        return one.first == two.first && std::equal(one.second.begin(), one.second.end(), two.second.begin(),
+                                                    two.second.end(), sameFile);
+    });
+}
+
 /// Whether making the exemplar anew from the state would change no pixel.
 bool samePixels(const RunExemplar& exemplar, const ExemplarState& state) {
     const RunExemplar& original = exemplar.original();
@@ -62,7 +73,8 @@ bool samePixels(const RunExemplar& exemplar, const ExemplarState& state) {
         return original.mask ? state.original.mask && same(*original.mask, *state.original.mask)
                              : !state.original.mask;
     };
-    return exemplar.edits == state.edits && same(original.image, state.original.image) && sameMask() &&
+    return exemplar.edits == state.edits && samePictures(original.inputs, state.original.inputs) &&
+           same(original.image, state.original.image) && sameMask() &&
            std::equal(original.companions.begin(), original.companions.end(),
                       state.original.companions.begin(), state.original.companions.end(), same);
 }
@@ -397,6 +409,23 @@ void ExemplarStore::paintMask(int id, Image stroke, bool hide) {
                 state.original.mask =
                     saveMask(paintedMask(known, size, warpOf(state.edits, size), *painted, hide),
                              state.original.image.name());
+            },
+            true});
+}
+
+void ExemplarStore::setInputs(int id, const std::string& port, std::vector<InputFile> files,
+                              const QString& what) {
+    change({id,
+            what,
+            {},
+            [port, files = std::move(files)](ExemplarState& state) {
+                for (const InputFile& input : files)
+                    if (input.image() != nullptr)
+                        checkSizeLike(state.original.image, input.file, TR("picture"));
+                if (files.empty())
+                    state.original.inputs.erase(port);
+                else
+                    state.original.inputs[port] = files;
             },
             true});
 }

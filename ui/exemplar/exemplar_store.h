@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace texloom::ui {
@@ -72,6 +73,9 @@ public:
     void clearMask(int id);
     /// Adds a stroke, one channel of the exemplar's size, to the mask. @param hide or shows again.
     void paintMask(int id, Image stroke, bool hide);
+    /// Puts these files in the place of what the exemplar has for a port; see RunExemplar::inputs.
+    /// @param what names the change in the undo list.
+    void setInputs(int id, const std::string& port, std::vector<InputFile> files, const QString& what);
     void addCompanion(int id, const QString& path);
     void removeCompanion(int id, std::size_t index);
     void setCompanionRole(int id, std::size_t index, MapRole role);

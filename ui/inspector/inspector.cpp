@@ -152,13 +152,14 @@ void Inspector::setSteps(const std::vector<RecipeStep>& steps) {
     setThen({steps.begin() + 1, steps.end()});
 }
 
-/// A row for everything that the methods take apart from exemplars and what belongs to them.
+/// A row for everything that the methods take apart from exemplars and what is shown beside them: their masks
+/// and companion maps.
 void Inspector::showPorts() {
     std::vector<Port> ports;
     for (const RecipeStep& step : steps())
         for (const Port& port : findMethod(step.method).info().takes)
-            if (port.extent != Extent::Exemplar && port.id != kExemplarPort && !findPort(ports, port.id) &&
-                (port.id != kInitialPort || step.method == method()->id()))
+            if (port.id != kExemplarPort && port.id != kMaskPort && port.id != kCompanionPort &&
+                !findPort(ports, port.id) && (port.id != kInitialPort || step.method == method()->id()))
                 ports.push_back(port);
     m_output->setPorts(ports);
 }

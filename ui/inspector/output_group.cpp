@@ -2,7 +2,9 @@
 
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
+#include "ui/inspector/analogy_view.h"
 #include "ui/inspector/part_editor.h"
+#include "ui/inspector/port_pairs.h"
 #include "ui/inspector/port_row.h"
 #include "ui/inspector/seed_edit.h"
 
@@ -38,6 +40,11 @@ QWidget* rowOf(const QList<QWidget*>& widgets, int stretched) {
     if (stretched < 0)
         layout->addStretch();
     return row;
+}
+
+/// Whether what goes in there belongs to the exemplar.
+bool ofExemplar(const PortRow* row) {
+    return row->port().extent == Extent::Exemplar;
 }
 
 int limited(int side) {
@@ -256,13 +263,15 @@ void OutputGroup::multiply(int factor) {
 InputFiles OutputGroup::inputs() const {
     InputFiles inputs;
     for (const PortRow* row : m_ports)
-        if (!row->files().empty())
+        if (!ofExemplar(row) && !row->files().empty())
             inputs[row->port().id] = row->files();
     return inputs;
 }
 
 void OutputGroup::setInputs(const InputFiles& inputs) {
     for (PortRow* row : m_ports) {
+        if (ofExemplar(row))
+            continue;
         const auto found = inputs.find(row->port().id);
         row->setFiles(found == inputs.end() ? std::vector<InputFile>() : found->second);
     }
@@ -303,27 +312,91 @@ void OutputGroup::setResult(const std::shared_ptr<const Result>& result) {
     m_result = result;
     for (PortRow* row : m_ports)
         row->setResult(m_result);
+    if (m_analogy != nullptr)
+        m_analogy->setResult(m_result);
+}
+
+void OutputGroup::setExemplar(const QString& name, const std::shared_ptr<const Image>& image,
+                              const InputFiles& inputs) {
+    m_exemplarName = name;
+    m_exemplarImage = image;
+    m_exemplarInputs = inputs;
+    showExemplarInputs();
+}
+
+void OutputGroup::showExemplarInputs() {
+    if (m_analogy != nullptr)
+        m_analogy->setExemplar(m_exemplarName, m_exemplarImage);
+    for (PortRow* row : m_ports) {
+        if (!ofExemplar(row))
+            continue;
+        const auto found = m_exemplarInputs.find(row->port().id);
+        row->setFiles(found == m_exemplarInputs.end() ? std::vector<InputFile>() : found->second);
+        row->setEnabled(m_exemplarImage != nullptr);
+    }
+}
+
+PortRow* OutputGroup::makePort(const Port& port, const PortLook& look) {
+    auto* row = new PortRow(port, look, this);
+    row->setResult(m_result);
+    explain(row, row->toolTip());
+    connect(row, &PortRow::edited, this, [this, row] {
+        if (ofExemplar(row))
+            Q_EMIT exemplarInputsEdited(row->port().id, row->files());
+        else
+            Q_EMIT edited();
+    });
+    connect(row, &PortRow::failed, this, &OutputGroup::failed);
+    connect(row, &PortRow::resultWanted, this,
+            [this, row](const std::string& key) { Q_EMIT resultWanted(row->port().id, key); });
+    connect(row, &PortRow::paintWanted, this, [this, row] { Q_EMIT paintWanted(row->port().id); });
+    connect(row, &PortRow::extendWanted, this, [this, row] { Q_EMIT extendWanted(row->port().id); });
+    m_ports.push_back(row);
+    return row;
+}
+
+/// Above all else: it is what the method is about.
+void OutputGroup::addAnalogy(PortRow* a, PortRow* b) {
+    m_analogy = new AnalogyView(a, b, this);
+    m_analogy->setResult(m_result);
+    connect(m_analogy, &AnalogyView::exemplarWanted, this, [this] { Q_EMIT exemplarWanted({}); });
+    connect(m_analogy, &AnalogyView::exemplarOffered, this, &OutputGroup::exemplarWanted);
+    connect(m_analogy, &AnalogyView::resultOffered, this,
+            [this](const std::string& key) { Q_EMIT resultWanted(std::string(kExemplarPort), key); });
+    connect(m_analogy, &AnalogyView::resultWanted, this, &OutputGroup::resultLookedAt);
+    m_form->insertRow(0, m_analogy);
+    QWidget* last = m_width->previousInFocusChain();
+    for (QWidget* stop : m_analogy->stops()) {
+        setTabOrder(last, stop);
+        last = stop;
+    }
 }
 
 void OutputGroup::setPorts(const std::vector<Port>& ports) {
     const InputFiles kept = inputs();
+    if (m_analogy != nullptr)
+        m_form->removeRow(m_analogy);
+    m_analogy = nullptr;
     for (PortRow* row : m_ports)
-        m_form->removeRow(row);
+        if (m_form->indexOf(row) >= 0)
+            m_form->removeRow(row);
     m_ports.clear();
     int at = kFirstPortRow;
+    const std::optional<AnalogyPorts> pair = analogyAmong(ports);
+    if (pair) {
+        PortRow* const a = makePort(pair->exemplars, {true, tr("A"), true, false});
+        addAnalogy(a, makePort(pair->output, {true, tr("B"), true, false}));
+        ++at;
+    }
     for (const Port& port : ports) {
-        auto* row = new PortRow(port, this);
-        row->setResult(m_result);
-        explain(row, row->toolTip());
-        connect(row, &PortRow::edited, this, &OutputGroup::edited);
-        connect(row, &PortRow::failed, this, &OutputGroup::failed);
-        connect(row, &PortRow::resultWanted, this,
-                [this, row](const std::string& key) { Q_EMIT resultWanted(row->port().id, key); });
-        connect(row, &PortRow::paintWanted, this, [this, row] { Q_EMIT paintWanted(row->port().id); });
-        m_form->insertRow(at++, translated(port.title), row);
-        m_ports.push_back(row);
+        if (pair && (port.id == pair->exemplars.id || port.id == pair->output.id))
+            continue;
+        const bool mask = port.kind == AssetKind::Mask;
+        m_form->insertRow(at++, translated(port.title),
+                          makePort(port, {false, {}, mask, mask && pictureBefore(ports, port.id)}));
     }
     setInputs(kept);
+    showExemplarInputs();
 }
 
 } // namespace texloom::ui

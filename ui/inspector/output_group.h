@@ -23,8 +23,10 @@ struct Result;
 
 namespace texloom::ui {
 
+class AnalogyView;
 class PartEditor;
 class PortRow;
+struct PortLook;
 class SeedEdit;
 
 /// What every method is told of the output: its size, the axes on which it wraps, the seed, what goes into
@@ -50,7 +52,7 @@ public:
     /// The part of the output that is made; none if it is all.
     std::optional<Region> part() const;
     void setPart(const std::optional<Region>& part);
-    /// What goes into the ports that have a row here.
+    /// What goes into the ports that have a row here, but for those of the exemplar.
     InputFiles inputs() const;
     /// Takes the place of all that is there; ports without a row are left out.
     void setInputs(const InputFiles& inputs);
@@ -63,6 +65,10 @@ public:
     void replaceInputs(const InputFiles& inputs, Size size);
     /// The ports that have a row here.
     std::vector<Port> ports() const;
+    /// The exemplar that is looked at, whose own inputs go into ports of its size. @param image null for
+    /// none.
+    void setExemplar(const QString& name, const std::shared_ptr<const Image>& image,
+                     const InputFiles& inputs);
     /// The result that is shown, which can go into ports; null if there is none.
     void setResult(const std::shared_ptr<const Result>& result);
 
@@ -82,8 +88,16 @@ Q_SIGNALS:
     void failed(const QString& sentence);
     /// A result is to go into this port; see PortRow::resultWanted().
     void resultWanted(const std::string& port, const std::string& key);
-    /// The mask that goes into this port is to be painted.
+    /// What goes into this port is to be painted.
     void paintWanted(const std::string& port);
+    /// The picture that the mask of this port belongs to is to be made larger.
+    void extendWanted(const std::string& port);
+    /// These files are to go into a port that belongs to the exemplar.
+    void exemplarInputsEdited(const std::string& port, const std::vector<texloom::InputFile>& files);
+    /// Another exemplar is to be opened: this file, or if it is empty one that is yet to be chosen.
+    void exemplarWanted(const QString& path);
+    /// The result is to be looked at.
+    void resultLookedAt();
     /// What the control that the mouse or the focus came to is for.
     void helpWanted(const QString& html);
 
@@ -98,6 +112,9 @@ private:
     QSpinBox* makeSide(const QString& name);
     void explain(QWidget* widget, const QString& help);
     void multiply(int factor);
+    PortRow* makePort(const Port& port, const PortLook& look);
+    void addAnalogy(PortRow* a, PortRow* b);
+    void showExemplarInputs();
 
     QSpinBox* m_width;
     QSpinBox* m_height;
@@ -110,6 +127,10 @@ private:
     QSpinBox* m_threads;
     QFormLayout* m_form = nullptr;
     std::vector<PortRow*> m_ports;
+    AnalogyView* m_analogy = nullptr;
+    QString m_exemplarName;
+    std::shared_ptr<const Image> m_exemplarImage;
+    InputFiles m_exemplarInputs;            ///< of the exemplar that is looked at
     std::shared_ptr<const Result> m_result; ///< that is shown
     Size m_exemplar;
     bool m_sizeChosen = false;

@@ -7,14 +7,12 @@
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
-#include "ui/picture/display_picture.h"
-#include "ui/runs/result_history.h"
+#include "ui/inspector/picture_tile.h"
+#include "ui/inspector/thumbnail.h"
 
-#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMimeData>
 #include <QToolButton>
 
 #include <utility>
@@ -47,18 +45,6 @@ QString filterFor(AssetKind kind) {
     return pictureFilter();
 }
 
-/// A small copy of a picture as it is shown. Called on a worker.
-QImage thumbnail(const Image& image, int side) {
-    const int step = std::max(1, image.size().longerSide() / side);
-    auto small = std::make_shared<Image>(
-        Size{(image.width() + step - 1) / step, (image.height() + step - 1) / step}, image.channels());
-    for (int c = 0; c < image.channels(); ++c)
-        for (int y = 0; y < small->height(); ++y)
-            for (int x = 0; x < small->width(); ++x)
-                (*small)(x, y, c) = image(x * step, y * step, c);
-    return DisplayPicture(std::move(small)).image();
-}
-
 /// That a result has nothing of this kind.
 QString nothingOf(const Port& port) {
     switch (port.kind) {
@@ -82,33 +68,72 @@ QString nothingOf(const Port& port) {
 
 } // namespace
 
-PortRow::PortRow(const Port& port, QWidget* parent)
-    : QWidget(parent), m_port(port), m_thumbnail(new QLabel(this)), m_name(new ElidedLabel(this)),
-      m_choose(makeButton(QStringLiteral("choose_"), &PortRow::choose)),
+PortRow::PortRow(const Port& port, const PortLook& look, QWidget* parent)
+    : DropField(parent), m_port(port), m_name(new ElidedLabel(this)),
       m_useResult(makeButton(QStringLiteral("useResult_"), &PortRow::useShown)),
       m_paint(makeButton(QStringLiteral("paint_"), &PortRow::paint)),
+      m_extend(makeButton(QStringLiteral("extend_"), &PortRow::extend)),
       m_clear(makeButton(QStringLiteral("clear_"), &PortRow::clear)) {
     const QString title = translated(m_port.title);
     setObjectName(QStringLiteral("port_") + QString::fromStdString(m_port.id));
     setAcceptDrops(true);
     setToolTip(
         QStringLiteral("<b>%1</b> %2").arg(title.toHtmlEscaped(), translated(m_port.help).toHtmlEscaped()));
-    m_choose->setText(tr("Choose…"));
-    m_choose->setAccessibleName(tr("Choose a file: %1").arg(title));
-    m_useResult->setText(tr("Use result"));
     m_useResult->setAccessibleName(tr("Take the result that is shown: %1").arg(title));
-    setResult(nullptr);
-    setIconButton(m_paint, QStringLiteral("brush"), tr("Paint the mask: %1…").arg(title));
-    m_paint->setVisible(m_port.kind == AssetKind::Mask);
+    setIconButton(m_paint, QStringLiteral("brush"),
+                  m_port.kind == AssetKind::Mask ? tr("Paint the mask: %1…").arg(title)
+                                                 : tr("Paint: %1…").arg(title));
+    m_paint->setVisible(look.paints);
+    setIconButton(m_extend, QStringLiteral("extend"), tr("Extend the picture beyond its edges…"));
+    m_extend->setVisible(look.extends);
     setIconButton(m_clear, QStringLiteral("close"), tr("Go without: %1").arg(title));
+    if (look.tile)
+        layTile(look.letter);
+    else
+        layRow(look.extends);
+    m_choose->setAccessibleName(tr("Choose a file: %1").arg(title));
+    setResult(nullptr);
+    setFocusProxy(m_choose);
+    for (qsizetype i = 1; i < stops().size(); ++i)
+        setTabOrder(stops()[i - 1], stops()[i]);
+    connect(this, &DropField::fileDropped, this, &PortRow::read);
+    connect(this, &DropField::resultDropped, this, &PortRow::resultWanted);
+    show();
+}
+
+QList<QWidget*> PortRow::stops() const {
+    return {m_choose, m_paint, m_useResult, m_extend, m_clear};
+}
+
+/// @param narrow whether there are so many buttons that only one has words.
+void PortRow::layRow(bool narrow) {
+    m_thumbnail = new QLabel(this);
+    m_choose = makeButton(QStringLiteral("choose_"), &PortRow::choose);
+    m_choose->setText(tr("Choose…"));
+    if (narrow)
+        setIconButton(m_useResult, QStringLiteral("use-result"), m_useResult->accessibleName());
+    else
+        m_useResult->setText(tr("Use result"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_thumbnail);
     layout->addWidget(m_name, 1);
-    for (QToolButton* button : {m_choose, m_useResult, m_paint, m_clear})
+    for (QToolButton* button : {m_choose, m_useResult, m_paint, m_extend, m_clear})
         layout->addWidget(button);
-    setFocusProxy(m_choose);
-    show();
+}
+
+/// The picture itself is what is clicked to choose another.
+void PortRow::layTile(const QString& letter) {
+    m_tile = new PictureTile(letter, m_name, translated(m_port.title), this);
+    m_choose = m_tile->picture();
+    m_choose->setObjectName(QStringLiteral("choose_") + QString::fromStdString(m_port.id));
+    connect(m_choose, &QToolButton::clicked, this, &PortRow::choose);
+    setIconButton(m_useResult, QStringLiteral("use-result"), m_useResult->accessibleName());
+    for (QToolButton* button : {m_paint, m_useResult, m_clear})
+        m_tile->add(button);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_tile);
 }
 
 QToolButton* PortRow::makeButton(const QString& name, void (PortRow::*clicked)()) {
@@ -165,19 +190,6 @@ void PortRow::read(const QString& path) {
         [this](InputFile file) { add(std::move(file)); }, [this](const QString& why) { Q_EMIT failed(why); });
 }
 
-void PortRow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!draggedResult(*event->mimeData()).empty() || !localFiles(*event->mimeData()).isEmpty())
-        event->acceptProposedAction();
-}
-
-void PortRow::dropEvent(QDropEvent* event) {
-    if (const std::string key = draggedResult(*event->mimeData()); !key.empty())
-        Q_EMIT resultWanted(key);
-    for (const QString& path : localFiles(*event->mimeData()))
-        read(path);
-    event->acceptProposedAction();
-}
-
 void PortRow::show() {
     QStringList names, paths;
     for (const InputFile& input : m_files) {
@@ -187,20 +199,13 @@ void PortRow::show() {
     m_name->setFullText(names.isEmpty() ? tr("Nothing") : names.join(QStringLiteral(", ")),
                         paths.join(QLatin1Char('\n')));
     m_clear->setVisible(!m_files.empty());
-    m_thumbnail->setVisible(!m_files.empty() && m_files.front().image() != nullptr);
-    if (!m_thumbnail->isVisibleTo(this))
-        return;
-    const qreal ratio = devicePixelRatioF();
-    const int side = static_cast<int>(fontMetrics().lineSpacing() * kThumbnailLines * ratio);
-    inBackground(
-        this, [image = m_files.front().file.image, side] { return thumbnail(*image, side); },
-        [this, side, ratio](const QImage& made) {
-            QPixmap pixmap =
-                QPixmap::fromImage(made.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
-            pixmap.setDevicePixelRatio(ratio);
-            m_thumbnail->setPixmap(pixmap);
-        },
-        [this](const QString& why) { Q_EMIT failed(why); });
+    const std::shared_ptr<const Image> image = m_files.empty() ? nullptr : m_files.front().file.image;
+    if (m_tile != nullptr)
+        return m_tile->setImage(image);
+    m_thumbnail->setVisible(image != nullptr);
+    if (image)
+        makeThumbnail(m_thumbnail, image, fontMetrics().lineSpacing() * kThumbnailLines,
+                      [this](const QPixmap& made) { m_thumbnail->setPixmap(made); });
 }
 
 } // namespace texloom::ui

@@ -78,6 +78,9 @@ Actions::Actions(QMainWindow* window) {
                      tr("End the run under way and keep nothing of it; those that wait go on"), "close");
     newSeedRun = make("newSeedRun", tr("&New seed and run"), {Qt::CTRL | Qt::Key_R}, {}, "dice");
     resetParameters = make("resetParameters", tr("Reset all &parameters"), {}, {}, "reset");
+    extend =
+        make("extendCanvas", tr("E&xtend a picture…"), {},
+             tr("Make more of a picture beyond its edges, with a method that completes pictures"), "extend");
     fit = make("fit", tr("&Fit"), {Qt::Key_F}, tr("Fit the picture in the view"), "fit");
     actualSize = make("actualSize", tr("&100 %"), {Qt::Key_1},
                       tr("One screen pixel for each of the picture's"), "actual-size");

@@ -27,6 +27,7 @@ struct Actions {
     QAction* cancelRun;
     QAction* newSeedRun;
     QAction* resetParameters;
+    QAction* extend;
     QAction* fit;
     QAction* actualSize;
     QAction* zoomIn;

@@ -23,8 +23,9 @@
 #include "ui/session/run_recovery.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/drop_targets.h"
+#include "ui/window/exemplar_inputs.h"
 #include "ui/window/hovers.h"
-#include "ui/window/mask_painting.h"
+#include "ui/window/port_painting.h"
 #include "ui/window/readout.h"
 #include "ui/window/result_export.h"
 #include "ui/window/result_inputs.h"
@@ -145,8 +146,12 @@ void MainWindow::makeDocks() {
     auto* parameters = new QWidget;
     m_inspector = new Inspector(parameters);
     m_resultInputs = new ResultInputs(m_desk, m_store, m_inspector->output(), this);
-    auto* painting = new MaskPainting(m_desk, m_store, m_inspector, this);
-    connect(painting, &MaskPainting::failed, this, &MainWindow::fail);
+    new ExemplarInputs(m_store, m_inspector->output(), this);
+    auto* painting = new PortPainting(m_desk, m_store, m_inspector, this);
+    connect(painting, &PortPainting::failed, this, &MainWindow::fail);
+    connect(painting, &PortPainting::told, this,
+            [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); });
+    connect(m_actions.extend, &QAction::triggered, painting, &PortPainting::extend);
     m_runPanel = new RunPanel(
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.cancelRun},
         parameters);
@@ -230,6 +235,16 @@ void MainWindow::connectStore() {
     connect(m_store, &ExemplarStore::loadingChanged, this, &MainWindow::planSoon);
     connect(m_inspector, &Inspector::edited, this, &MainWindow::settingsEdited);
     connect(m_inspector->output(), &OutputGroup::failed, this, &MainWindow::fail);
+    connect(m_inspector->output(), &OutputGroup::exemplarWanted, this, [this](const QString& path) {
+        if (path.isEmpty())
+            openDialog();
+        else
+            openFiles({path});
+    });
+    connect(m_inspector->output(), &OutputGroup::resultLookedAt, this, [this] {
+        showResults();
+        m_results->setTab(ResultView::ResultTab);
+    });
 }
 
 void MainWindow::connectDesk() {

@@ -49,6 +49,13 @@ struct LoadedRecipe {
     std::string version; ///< of the build that made it
 };
 
+/// Whether the exemplar has something of its own that the methods would take.
+bool hasOwnInputs(const ExemplarEntry& entry, const std::vector<RecipeStep>& steps) {
+    const InputFiles& own = entry.exemplar.inputs;
+    return std::any_of(own.begin(), own.end(),
+                       [&steps](const auto& input) { return takesPort(steps, input.first); });
+}
+
 LoadedRecipe loadAll(const std::filesystem::path& path) {
     LoadedRecipe loaded;
     const Recipe recipe = readRecipe(path);
@@ -260,7 +267,8 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
     std::vector<double> weights;
     for (const RecipeExemplar& wanted : recipe.exemplars) {
         const ExemplarEntry* const entry = m_store->find(wanted);
-        if (entry == nullptr || wanted.mask || !wanted.companions.empty())
+        if (entry == nullptr || wanted.mask || !wanted.companions.empty() || !wanted.inputs.empty() ||
+            hasOwnInputs(*entry, recipe.steps))
             return false;
         ids.push_back(entry->id);
         weights.push_back(wanted.weight);

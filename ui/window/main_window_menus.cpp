@@ -32,7 +32,9 @@ void MainWindow::makeMenus() {
     menuBar()->addMenu(makeViewMenu());
     menuBar()->addMenu(m_comparisons->makeMenu());
     menuBar()->addMenu(m_resultActions.makeMenu(this));
-    menuBar()->addMenu(tr("&Tools"))->addActions({m_actions.blend, m_actions.variance, m_actions.stress});
+    menuBar()
+        ->addMenu(tr("&Tools"))
+        ->addActions({m_actions.extend, m_actions.blend, m_actions.variance, m_actions.stress});
     menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
 }
 

@@ -19,6 +19,8 @@ ResultInputs::ResultInputs(const RunDesk* desk, ExemplarStore* store, OutputGrou
 }
 
 void ResultInputs::put(const std::string& port, const std::string& key) {
+    if (port == kExemplarPort)
+        return open(key);
     const std::vector<Port> ports = m_output->ports();
     if (const Port* found = findPort(ports, port))
         withFile(*found, key, [this, port](const QString& path) { m_output->readInput(port, path); });

@@ -23,8 +23,8 @@ class ResultInputs : public QObject {
 public:
     ResultInputs(const RunDesk* desk, ExemplarStore* store, OutputGroup* output, QObject* parent);
 
-    /// Puts what a result has of the port's kind into one of the method's ports. @param key in the history;
-    /// empty for the result that is shown.
+    /// Puts what a result has of the port's kind into one of the method's ports, or opens it as an exemplar
+    /// if it is theirs. @param key in the history; empty for the result that is shown.
     void put(const std::string& port, const std::string& key);
     /// Opens a result as an exemplar.
     void open(const std::string& key);

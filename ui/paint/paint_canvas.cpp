@@ -1,4 +1,4 @@
-#include "ui/paint/mask_canvas.h"
+#include "ui/paint/paint_canvas.h"
 
 #include "ui/viewers/viewer_keys.h"
 
@@ -7,7 +7,6 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,55 +32,57 @@ QPolygonF wholeRectangle(QPointF a, QPointF b) {
 
 } // namespace
 
-MaskCanvas::MaskCanvas(QWidget* parent) : ImageViewer(parent) {
-    setObjectName(QStringLiteral("maskCanvas"));
+PaintCanvas::PaintCanvas(QWidget* parent) : ImageViewer(parent) {
+    setObjectName(QStringLiteral("paintCanvas"));
     setCursor(Qt::CrossCursor);
 }
 
-QColor MaskCanvas::veilColor() {
-    return {255, 0, 110, 140};
-}
-
-QImage MaskCanvas::veilOf(const Image& selection) {
-    constexpr int kWhole = 255;
-    std::array<QRgb, kWhole + 1> colors{};
-    const QColor color = veilColor();
-    for (int i = 0; i <= kWhole; ++i)
-        colors[static_cast<std::size_t>(i)] =
-            qPremultiply(qRgba(color.red(), color.green(), color.blue(), color.alpha() * i / kWhole));
-    QImage veil(selection.width(), selection.height(), QImage::Format_ARGB32_Premultiplied);
-    for (int y = 0; y < selection.height(); ++y) {
-        const float* const row = selection.plane(0).row(y);
-        std::transform(row, row + selection.width(), reinterpret_cast<QRgb*>(veil.scanLine(y)),
-                       [&colors](float value) {
-                           const float share = std::clamp(value, 0.0F, 1.0F);
-                           return colors[static_cast<std::size_t>(std::lround(share * kWhole))];
-                       });
-    }
-    return veil;
-}
-
-void MaskCanvas::setTool(Tool tool) {
+void PaintCanvas::setTool(Tool tool) {
     m_tool = tool;
     dropShape();
 }
 
-void MaskCanvas::setBrushSize(int pixels) {
+void PaintCanvas::setBrushSize(int pixels) {
     m_brush.setWidth(pixels);
     update();
 }
 
-void MaskCanvas::setVeil(const QImage& veil) {
+void PaintCanvas::setVeil(const QImage& veil) {
     m_veil = veil;
     update();
 }
 
-void MaskCanvas::begin(Qt::KeyboardModifiers keys) {
-    m_adds = m_takesAway == keys.testFlag(Qt::AltModifier);
+void PaintCanvas::setVeilOpacity(double opacity) {
+    m_veilOpacity = opacity;
+    update();
+}
+
+void PaintCanvas::setTint(const QColor& tint) {
+    m_tint = tint;
+    update();
+}
+
+/// Whether the tool, with these keys, points at a pixel rather than drawing a shape.
+bool PaintCanvas::points(Qt::KeyboardModifiers keys) const {
+    const bool picks = m_altPicks && keys.testFlag(Qt::AltModifier) && m_corners.isEmpty();
+    return picks || m_tool == Tool::Fill || m_tool == Tool::Pick;
+}
+
+void PaintCanvas::point(QPointF at, Qt::KeyboardModifiers keys) {
+    const QPoint pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
+    setFocus(Qt::MouseFocusReason);
+    const Size size = picture()->size();
+    const bool picks = m_tool == Tool::Pick || (m_altPicks && keys.testFlag(Qt::AltModifier));
+    if (QRect(0, 0, size.width, size.height).contains(pixel))
+        Q_EMIT pointed(pixel, picks ? Tool::Pick : Tool::Fill);
+}
+
+void PaintCanvas::begin(Qt::KeyboardModifiers keys) {
+    m_adds = m_takesAway == (keys.testFlag(Qt::AltModifier) && !m_altPicks);
     setFocus(Qt::MouseFocusReason);
 }
 
-void MaskCanvas::addCorner(QPointF at, Qt::KeyboardModifiers keys) {
+void PaintCanvas::addCorner(QPointF at, Qt::KeyboardModifiers keys) {
     if (m_corners.isEmpty())
         begin(keys);
     m_corners << at;
@@ -91,7 +92,7 @@ void MaskCanvas::addCorner(QPointF at, Qt::KeyboardModifiers keys) {
     update();
 }
 
-void MaskCanvas::closeShape() {
+void PaintCanvas::closeShape() {
     const QPolygonF corners = std::exchange(m_corners, {});
     m_dragging = false;
     update();
@@ -101,14 +102,14 @@ void MaskCanvas::closeShape() {
         Q_EMIT outlined(cornersOf(corners), m_adds);
 }
 
-void MaskCanvas::dropShape() {
+void PaintCanvas::dropShape() {
     m_corners.clear();
     m_brush.finish();
     m_dragging = false;
     update();
 }
 
-bool MaskCanvas::event(QEvent* event) {
+bool PaintCanvas::event(QEvent* event) {
     if (event->type() == QEvent::Leave) {
         m_brush.leave();
         update();
@@ -116,11 +117,13 @@ bool MaskCanvas::event(QEvent* event) {
     return ImageViewer::event(event);
 }
 
-void MaskCanvas::mousePressEvent(QMouseEvent* event) {
+void PaintCanvas::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !picture())
         return ImageViewer::mousePressEvent(event);
     const QPointF at = view().toImage(event->position());
-    if (m_tool == Tool::Brush) {
+    if (points(event->modifiers())) {
+        point(at, event->modifiers());
+    } else if (m_tool == Tool::Brush) {
         begin(event->modifiers());
         m_brush.begin(picture()->size(), at);
         update();
@@ -133,7 +136,7 @@ void MaskCanvas::mousePressEvent(QMouseEvent* event) {
     }
 }
 
-void MaskCanvas::mouseMoveEvent(QMouseEvent* event) {
+void PaintCanvas::mouseMoveEvent(QMouseEvent* event) {
     m_last = view().toImage(event->position());
     if (m_tool == Tool::Brush)
         m_brush.moveTo(m_last);
@@ -144,7 +147,7 @@ void MaskCanvas::mouseMoveEvent(QMouseEvent* event) {
         ImageViewer::mouseMoveEvent(event);
 }
 
-void MaskCanvas::mouseReleaseEvent(QMouseEvent* event) {
+void PaintCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (m_brush.stroking()) {
         const QImage stroke = m_brush.finish();
         update();
@@ -159,14 +162,14 @@ void MaskCanvas::mouseReleaseEvent(QMouseEvent* event) {
     setCursor(Qt::CrossCursor);
 }
 
-void MaskCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+void PaintCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton && m_tool == Tool::Polygon && !m_corners.isEmpty())
         return closeShape();
     mousePressEvent(event);
 }
 
 /// What a key does to the shape under way.
-bool MaskCanvas::shapeKey(int key) {
+bool PaintCanvas::shapeKey(int key) {
     if (m_corners.isEmpty() && !m_brush.stroking())
         return false;
     switch (key) {
@@ -187,7 +190,9 @@ bool MaskCanvas::shapeKey(int key) {
     }
 }
 
-void MaskCanvas::spaceKey(Qt::KeyboardModifiers keys) {
+void PaintCanvas::spaceKey(Qt::KeyboardModifiers keys) {
+    if (points(keys))
+        return point(*cursorMiddle(), keys);
     if (m_tool != Tool::Brush)
         return addCorner(*cursorMiddle(), keys);
     begin(keys);
@@ -197,7 +202,7 @@ void MaskCanvas::spaceKey(Qt::KeyboardModifiers keys) {
     Q_EMIT stroked(dab, m_adds);
 }
 
-void MaskCanvas::keyPressEvent(QKeyEvent* event) {
+void PaintCanvas::keyPressEvent(QKeyEvent* event) {
     if (!picture() || shapeKey(event->key()))
         return;
     if (event->key() == Qt::Key_Space && cursorPixel())
@@ -211,7 +216,7 @@ void MaskCanvas::keyPressEvent(QKeyEvent* event) {
 }
 
 /// The shape under way, to where the mouse or the cursor is, in points of the widget.
-QPolygonF MaskCanvas::outline() const {
+QPolygonF PaintCanvas::outline() const {
     QPolygonF shape = m_corners;
     if (m_tool == Tool::Rectangle && !shape.isEmpty())
         shape = wholeRectangle(shape[0], m_last);
@@ -222,7 +227,7 @@ QPolygonF MaskCanvas::outline() const {
     return shape;
 }
 
-void MaskCanvas::paintOutline(QPainter& painter) const {
+void PaintCanvas::paintOutline(QPainter& painter) const {
     const QPolygonF shape = outline();
     const double width = std::max(1.0, fontMetrics().lineWidth() * 1.5);
     painter.setBrush(Qt::NoBrush);
@@ -232,15 +237,17 @@ void MaskCanvas::paintOutline(QPainter& painter) const {
     }
 }
 
-void MaskCanvas::paintOver(QPainter& painter) const {
+void PaintCanvas::paintOver(QPainter& painter) const {
     painter.save();
     const Size size = picture()->size();
+    painter.setOpacity(m_veilOpacity);
     if (!m_veil.isNull())
         painter.drawImage(QRectF(view().origin(), QSizeF(size.width, size.height) * view().scale()), m_veil);
+    painter.setOpacity(1);
     painter.setRenderHint(QPainter::Antialiasing);
     paintOutline(painter);
     if (m_tool == Tool::Brush)
-        m_brush.paint(painter, view(), m_adds ? veilColor() : QColor(255, 255, 255, 120), cursorMiddle());
+        m_brush.paint(painter, view(), m_adds ? m_tint : QColor(255, 255, 255, 120), cursorMiddle());
     painter.restore();
 }
 
