@@ -1,8 +1,11 @@
 #include "core/base/error.h"
+#include "core/io/image_file.h"
+#include "core/session/batch/batch.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
+#include "ui/compare/example_sweeps.h"
 #include "ui/compare/sweep_dialog.h"
 #include "ui/compare/wipe_viewer.h"
 #include "ui/inspector/inspector.h"
@@ -20,6 +23,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace texloom;
@@ -81,6 +85,37 @@ class CompareTest : public QObject {
 
 private Q_SLOTS:
     void initTestCase() { m_exemplar = writeTexture(m_folder, QStringLiteral("weave.png"), {64, 64}); }
+
+    void everyShippedSweepCanBeRunAsItStands() {
+        const QStringList files = ExampleSweeps::files();
+        QVERIFY(files.size() >= 5);
+        for (const QString& path : files) {
+            const auto file = toPath(path);
+            const Batch batch = Batch::fromJson(readText(file), file.parent_path());
+            QVERIFY2(!batch.title.empty() && !batch.summary.empty(), qPrintable(path));
+            for (const BatchItem& item : batch.items) {
+                QVERIFY2(item.problem == Message(), qPrintable(translated(item.problem)));
+                planRun(loadRecipe(item.whole()));
+            }
+        }
+    }
+
+    void aShippedSweepShowsItsRunsBesideWhatTheyLearnFrom() {
+        MainWindow window;
+        window.show();
+        child<QAction>(window, "sweep-ashikhmin-jumps")->trigger();
+        const CompareView* const view = window.compare();
+        QTRY_COMPARE(view->items().size(), 5U);
+        QTRY_VERIFY(view->isVisible());
+        QCOMPARE(view->items()[0].label, QStringLiteral("grass_dry_gray"));
+        QCOMPARE(view->items()[2].label, QStringLiteral("Jump 0.01"));
+        const auto made = [view] {
+            return std::all_of(view->items().begin() + 1, view->items().end(),
+                               [](const CompareItem& item) { return !item.key.empty(); });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(made(), kPatience);
+        QVERIFY2(window.store()->entries().empty(), "what is open stays as it is");
+    }
 
     void linkedViewsMoveTogetherAndKeepTheirOffsets() {
         Fixture fixture;

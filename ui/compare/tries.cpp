@@ -5,6 +5,7 @@
 #include "ui/common/shortcuts.h"
 #include "ui/common/text.h"
 #include "ui/compare/comparisons.h"
+#include "ui/compare/example_sweeps.h"
 #include "ui/compare/grid_run.h"
 #include "ui/compare/methods_dialog.h"
 #include "ui/compare/sweep_dialog.h"
@@ -53,6 +54,8 @@ Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons
     : QObject(window), m_desk(desk), m_store(store), m_comparisons(comparisons), m_input(std::move(input)),
       m_window(window), m_grid(new GridRun(desk, comparisons->view(), this)), m_all(new QAction(window)),
       m_some(new QAction(window)), m_sweep(new QAction(window)) {
+    auto* const examples = new ExampleSweeps(window);
+    m_examples = examples;
     m_all->setText(tr("Try &all methods"));
     m_all->setObjectName(QStringLiteral("tryAll"));
     m_all->setIcon(icon(QStringLiteral("grid")));
@@ -66,6 +69,13 @@ Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons
     connect(m_all, &QAction::triggered, this, &Tries::tryAll);
     connect(m_some, &QAction::triggered, this, &Tries::trySome);
     connect(m_sweep, &QAction::triggered, this, &Tries::startSweep);
+    connect(examples, &ExampleSweeps::failed, this, &Tries::failed);
+    connect(examples, &ExampleSweeps::chosen, this,
+            [this](const QString& title, const std::vector<GridEntry>& entries,
+                   const std::vector<CompareItem>& first) {
+                m_comparisons->leaveFor();
+                m_grid->start(entries, first, {title, 0, false, false});
+            });
 }
 
 void Tries::updateActions() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QAction;
+class QMenu;
 class QWidget;
 
 namespace texloom::ui {
@@ -31,10 +32,15 @@ public:
     QAction* allAction() const { return m_all; }
     QAction* someAction() const { return m_some; }
     QAction* sweepAction() const { return m_sweep; }
+    QMenu* exampleMenu() const { return m_examples; }
     /// Enables the actions as there is an exemplar to run methods on, and a run that can start.
     void updateActions();
     /// Makes a preview with every method and its default settings, the quickest first.
     void tryAll();
+
+Q_SIGNALS:
+    /// Something could not be read; the sentence says why.
+    void failed(const QString& sentence);
 
 private:
     void trySome();
@@ -50,6 +56,7 @@ private:
     QAction* m_all;
     QAction* m_some;
     QAction* m_sweep;
+    QMenu* m_examples;
 };
 
 } // namespace texloom::ui

@@ -6,6 +6,7 @@
 #include "core/session/session.h"
 #include "ui/common/own_folders.h"
 #include "ui/common/text.h"
+#include "ui/exemplar/resource_folder.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -36,27 +37,10 @@ const QStringList& pictureNames() {
     return names;
 }
 
-/// The folder of bundled exemplars, or empty.
-QString bundleFolder() {
-    QStringList candidates;
-    const QString named = qEnvironmentVariable("TEXLOOM_RESOURCES");
-    if (!named.isEmpty())
-        candidates += named + QStringLiteral("/exemplars");
-    QDir folder(QCoreApplication::applicationDirPath());
-    candidates += folder.filePath(QStringLiteral("../share/texloom/exemplars"));
-    do
-        candidates += folder.filePath(QStringLiteral("resources/exemplars"));
-    while (folder.cdUp());
-    for (const QString& candidate : candidates)
-        if (QFileInfo(candidate).isDir())
-            return QDir::cleanPath(candidate);
-    return {};
-}
-
 } // namespace
 
 QStringList bundledExemplars() {
-    const QString folder = bundleFolder();
+    const QString folder = resourceFolder(QStringLiteral("exemplars"));
     if (folder.isEmpty())
         return {};
     QStringList found;

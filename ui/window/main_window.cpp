@@ -282,6 +282,7 @@ void MainWindow::connectResults() {
     });
     connect(m_comparisons, &Comparisons::useWanted, this, &MainWindow::restoreResult);
     connect(m_comparisons, &Comparisons::failed, this, &MainWindow::fail);
+    connect(m_tries, &Tries::failed, this, &MainWindow::fail);
     connect(m_comparisons, &Comparisons::told, this,
             [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); });
     connect(m_export, &ResultExport::failed, this, &MainWindow::fail);

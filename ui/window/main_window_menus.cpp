@@ -64,6 +64,7 @@ QMenu* MainWindow::makeSynthesisMenu() {
     synthesis->addActions({m_actions.stop, m_actions.cancelRun});
     synthesis->addSeparator();
     synthesis->addActions({m_tries->allAction(), m_tries->someAction(), m_tries->sweepAction()});
+    synthesis->addMenu(m_tries->exampleMenu());
     synthesis->addSeparator();
     synthesis->addMenu(makePresetMenu());
     synthesis->addAction(m_actions.resetParameters);

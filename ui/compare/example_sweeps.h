@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/compare/compare_item.h"
+#include "ui/compare/grid_run.h"
+
+#include <QMenu>
+#include <QString>
+
+#include <vector>
+
+namespace texloom::ui {
+
+/// The menu of the sweeps that come with the program: batches that show what a setting does.
+class ExampleSweeps : public QMenu {
+    Q_OBJECT
+
+public:
+    explicit ExampleSweeps(QWidget* parent = nullptr);
+
+    /// The shipped batches, as paths; empty if their folder is not there.
+    static QStringList files();
+
+Q_SIGNALS:
+    /// One was chosen. @param first the pictures that its runs learn from.
+    void chosen(const QString& title, const std::vector<texloom::ui::GridEntry>& entries,
+                const std::vector<texloom::ui::CompareItem>& first);
+    void failed(const QString& sentence);
+
+private:
+    void fill();
+    void start(const QString& path);
+};
+
+} // namespace texloom::ui
