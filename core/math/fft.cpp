@@ -1,13 +1,17 @@
 #include "core/math/fft.h"
 
+#include "core/math/line_transform.h"
+
 #include <fftw3.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <new>
+#include <numbers>
 #include <tuple>
 #include <type_traits>
 
@@ -15,7 +19,17 @@ namespace texloom {
 
 namespace {
 
-enum class Kind { RealForward, RealBackward, Forward, Backward, BackwardApart };
+enum class Kind {
+    RealForward,
+    RealBackward,
+    Forward,
+    Backward,
+    BackwardApart,
+    Cosine,
+    CosineBackward,
+    HalfComplex,
+    HalfComplexBackward
+};
 
 /// A batch of one-dimensional transforms: length, how many, and where they lie.
 struct Batch {
@@ -30,6 +44,11 @@ struct Batch {
 
 fftwf_complex* raw(std::complex<float>* data) {
     return reinterpret_cast<fftwf_complex*>(data);
+}
+
+fftwf_plan makeRealPlan(const Batch& b, float* reals, fftwf_r2r_kind kind) {
+    return fftwf_plan_many_r2r(1, &b.length, b.count, reals, nullptr, b.inStride, b.inDistance, reals,
+                               nullptr, b.outStride, b.outDistance, &kind, FFTW_ESTIMATE);
 }
 
 /// ESTIMATE plans read nothing from the arrays and depend on their alignment alone, so that one plan serves
@@ -53,6 +72,14 @@ fftwf_plan makePlan(const Batch& b) {
         return fftwf_plan_many_dft(1, &b.length, b.count, raw(in.data()), nullptr, b.inStride, b.inDistance,
                                    raw(out.data()), nullptr, b.outStride, b.outDistance, FFTW_BACKWARD,
                                    FFTW_ESTIMATE);
+    case Kind::Cosine:
+        return makeRealPlan(b, reals, FFTW_REDFT10);
+    case Kind::CosineBackward:
+        return makeRealPlan(b, reals, FFTW_REDFT01);
+    case Kind::HalfComplex:
+        return makeRealPlan(b, reals, FFTW_R2HC);
+    case Kind::HalfComplexBackward:
+        return makeRealPlan(b, reals, FFTW_HC2R);
     case Kind::Forward:
     case Kind::Backward:
         break;
@@ -202,6 +229,24 @@ void ComplexFft2d::backward(Complex* spectrum, const std::vector<bool>& filled, 
             {Kind::BackwardApart, m_size.width, count, columnStride, 1, 1, static_cast<int>(m_rowStride)});
         fftwf_execute_dft(plan, raw(spectrum + row), raw(image + row * m_rowStride));
     }
+}
+
+void LineTransform::forward(float* lines, int count, std::ptrdiff_t stride) const {
+    const int distance = static_cast<int>(stride);
+    const Kind kind = m_closes ? Kind::HalfComplex : Kind::Cosine;
+    fftwf_execute_r2r(planFor({kind, m_length, count, 1, distance, 1, distance}), lines, lines);
+}
+
+void LineTransform::backward(float* lines, int count, std::ptrdiff_t stride) const {
+    const int distance = static_cast<int>(stride);
+    const Kind kind = m_closes ? Kind::HalfComplexBackward : Kind::CosineBackward;
+    fftwf_execute_r2r(planFor({kind, m_length, count, 1, distance, 1, distance}), lines, lines);
+}
+
+double LineTransform::secondDifference(int k) const {
+    // −4 sin², which does not cancel as 2 cos − 2 does.
+    const double half = std::sin(std::numbers::pi * k / (m_closes ? m_length : 2.0 * m_length));
+    return -4 * half * half;
 }
 
 } // namespace texloom
