@@ -14,9 +14,8 @@ namespace {
 /// The joints of a canvas, seen as steps between neighbouring pixels.
 class Steps {
 public:
-    Steps(const Canvas& canvas, const Request& request, JobContext& context)
-        : m_canvas(canvas), m_request(request), m_size(canvas.image.size()),
-          m_joints(static_cast<std::size_t>(m_size.area()), 0) {
+    Steps(Canvas& canvas, const Request& request, JobContext& context)
+        : m_canvas(canvas), m_request(request), m_size(canvas.image.size()), m_joints(canvas.joints) {
         context.parallel(0, m_size.height, [this](int y) {
             const int below = next(y, m_size.height);
             for (int x = 0; x < m_size.width; ++x) {
@@ -92,7 +91,7 @@ private:
     const Canvas& m_canvas;
     const Request& m_request;
     Size m_size;
-    std::vector<std::uint8_t> m_joints;
+    std::vector<std::uint8_t>& m_joints;
 };
 
 /// The mean of a channel over all exemplars.
@@ -115,14 +114,14 @@ void levelJoints(Canvas& canvas, const Request& request, double reach, double we
     const Size size = canvas.image.size();
     const GridPoisson poisson(size, request.wrap, reach);
     const Steps steps(canvas, request, context);
-    Image change(size, 1);
-    const PlaneSpan plane = change.plane(0);
+    const PlaneSpan plane = canvas.change.plane(0);
     for (int c = 0; c < canvas.image.channels(); ++c) {
         context.parallel(0, size.height, [&](int y) {
             for (int x = 0; x < size.width; ++x)
                 plane(x, y) = steps.divergence(x, y, c);
         });
         context.progress((c + 0.3) / canvas.image.channels());
+        context.preview(canvas.image);
         poisson.solve(plane, context);
         const ImageView pixels = canvas.image.view().channelRange(c, 1);
         const auto lift = static_cast<float>(meanOf(request, c, context) -
@@ -138,8 +137,7 @@ void levelJoints(Canvas& canvas, const Request& request, double reach, double we
 }
 
 std::uint64_t levellingBytes(Size size, int threads) {
-    return Image::bytesFor(size, 1) + GridPoisson::bytesFor(size, threads) +
-           static_cast<std::uint64_t>(size.area());
+    return GridPoisson::bytesFor(size, threads);
 }
 
 } // namespace texloom::random_mosaic

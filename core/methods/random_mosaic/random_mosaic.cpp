@@ -160,7 +160,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const double overlap = overlapOf(request, settings);
     Estimate need;
     need.bytes =
-        Canvas::bytesFor(made, request.channels()) +
+        Canvas::bytesFor(made, request.channels(), settings.stitch == Stitch::Poisson) +
         static_cast<std::uint64_t>(columns * rows * 96 + 32.0 * (request.size.width + request.size.height) +
                                    (overlap > 0 ? 4 * columns * (request.size.height + rows * overlap) +
                                                       8 * rows * request.size.width +
@@ -168,7 +168,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
                                                 : 0)) +
         (4U << 20);
     if (needsWhole(settings) && request.region)
-        need.bytes += Canvas::bytesFor(request.part().size, request.channels());
+        need.bytes += Canvas::bytesFor(request.part().size, request.channels(), false);
     if (settings.stitch == Stitch::Poisson)
         need.bytes += levellingBytes(made, threads);
     const auto pixels = static_cast<double>(made.area());
@@ -186,13 +186,14 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     const Region part = whole ? Region{0, 0, request.size} : request.part();
     const Settings ground = groundOf(request, settings);
     const int overlap = overlapOf(request, settings);
+    // Memory comes first: no one waits for a large output's to be cleared once the work has begun.
+    Canvas canvas(part.size, request, level);
     context.stage(0.1, TR("Shuffling pieces"));
     const Layout layout(request, ground, overlap / 2 + 1, context.random());
     Joints joints(layout, request,
                   std::min({overlap, layout.columns().shortest(), layout.rows().shortest()}));
     if (settings.stitch == Stitch::Cut)
         joints.cut(part, context);
-    Canvas canvas(part.size, request);
     context.stage(chaos || level ? 0.3 : 0.9, TR("Laying pieces"));
     Layer(canvas, request, part, settings.stitch == Stitch::Feather).lay(layout, joints, context);
     int pieces = layout.columns().count() * layout.rows().count();

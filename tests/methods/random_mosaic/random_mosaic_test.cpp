@@ -118,7 +118,7 @@ TEST(RandomMosaic, piecesInTheirPlacesNeedNoLevelling) {
     const Layout layout = Layout::identity(request, settings);
     for (const double reach : {0.0, 9.0}) {
         Job<Image> job({0, 2, false}, [&](JobContext& context) {
-            Canvas canvas({70, 53}, request);
+            Canvas canvas({70, 53}, request, true);
             for (int row = 0; row < layout.rows().count(); ++row)
                 for (int column = 0; column < layout.columns().count(); ++column)
                     for (int y = 0; y < layout.rows().length(row); ++y)
