@@ -102,6 +102,8 @@ std::vector<Axis> axesFrom(const JsonField& field) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             if (name == "size")
                 list.at(i).needArray(2, 2);
+            else if (name == "region")
+                list.at(i).needArray(4, 4);
             else
                 list.at(i).value();
             axes.back().values.push_back(list.at(i).json());
@@ -138,10 +140,14 @@ Run runFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
     return run;
 }
 
-/// A value as it stands in names: 32, 0.25, smooth-cut, 512x256.
+/// A value as it stands in names: 32, 0.25, smooth-cut, 512x256; regions as 4096x0x512x256, place and size.
 std::string nameText(const Json& value) {
-    if (value.is_array())
-        return fmt::format("{}x{}", value[0].dump(), value[1].dump());
+    if (value.is_array()) {
+        std::string text;
+        for (const Json& number : value)
+            text += (text.empty() ? "" : "x") + number.dump();
+        return text;
+    }
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -157,6 +163,12 @@ void set(Recipe& recipe, const std::string& name, const Json& value) {
     }
     if (name == "size") {
         recipe.size = {field.at(std::size_t{0}).whole(), field.at(std::size_t{1}).whole()};
+        return;
+    }
+    if (name == "region") {
+        recipe.region = Region{field.at(std::size_t{0}).whole(),
+                               field.at(std::size_t{1}).whole(),
+                               {field.at(std::size_t{2}).whole(), field.at(std::size_t{3}).whole()}};
         return;
     }
     const std::size_t stop = name.find('.');

@@ -32,12 +32,12 @@ struct BatchItem {
 };
 
 /// Many recipes in one file, in their order. The JSON text is
-/// `{"batch": 1, "title": …, "summary": …, "runs": [{"recipe": …, "output": …, "sweep": {…}, "seeds": "held",
-/// …}]}`: a recipe is the name of a file or is written out in place; names of outputs are templates (see
-/// expandName()) of $name, $method, $seed, $w, $h, $size, $index and each swept word; a sweep gives lists of
-/// values to parameters
-/// ("patch", or "METHOD.name" for methods that follow), "seed" and "size", of which all combinations are
-/// made, the last one fastest; with "seeds": "varied" each combination has a seed of its own.
+/// `{"batch": 1, "title": …, "summary": …, "runs": [{"title": …, "recipe": …, "output": …, "sweep": {…},
+/// "seeds": "held", …}]}`: a recipe is the name of a file or is written out in place; names of outputs are
+/// templates (see expandName()) of $name, $method, $seed, $w, $h, $size, $index and each swept word; a sweep
+/// gives lists of values to parameters ("patch", or "METHOD.name" for methods that follow), "seed", "size" and
+/// "region" ([x, y, width, height]: parts of an output that may be larger than memory), of which all
+/// combinations are made, the last one fastest; with "seeds": "varied" each combination has a seed of its own.
 struct Batch {
     /// Version of the format that this build writes and the newest it reads.
     static constexpr int kFormat = 1;

@@ -79,6 +79,16 @@ TEST(Batch, SweepsThroughEveryCombination) {
     EXPECT_EQ(std::get<int>(batch.items[2].recipe.steps.front().parameters.at("patch")), 16);
 }
 
+TEST(Batch, SweepsOverPartsOfAnOutput) {
+    const Batch batch = sweep(R"({"region": [[0, 0, 32, 20], [32, 0, 32, 20]], "size": [[64, 20]]})");
+    ASSERT_EQ(batch.items.size(), 2U);
+    EXPECT_EQ(batch.items[1].recipe.region, (Region{32, 0, {32, 20}}));
+    EXPECT_EQ(batch.items[1].recipe.size, (Size{64, 20}));
+    EXPECT_EQ(batch.items[1].cell, "region=32x0x32x20, size=64x20");
+    EXPECT_THROW(sweep(R"({"region": [[0, 0, 32]]})"), UsageError);
+    EXPECT_NE(sweep(R"({"region": [[0, 0, 32, 0.5]]})").items.front().problem.text(), "");
+}
+
 TEST(Batch, VariesTheSeedsOfASweepWhenAsked) {
     const Batch batch = sweep(R"({"patch": [8, 16, 24]})", R"(, "seeds": "varied")");
     for (std::size_t i = 0; i < 3; ++i)
