@@ -6,6 +6,8 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/color/color_pipeline.h"
+#include "core/image/normal_map.h"
+#include "core/image/stmap.h"
 #include "core/io/json_field.h"
 #include "core/io/map_file.h"
 #include "core/methods/registry.h"
@@ -427,6 +429,22 @@ void runRecipe(const RunOptions& options) {
     runInput(std::move(input), out);
 }
 
+namespace {
+
+/// Files of exemplars under a map whose places lie between pixels; normal maps' vectors are turned.
+Image laidOut(const Image& stmap, const std::vector<ExemplarFile>& files,
+              const std::vector<ImageView>& images) {
+    Image image = appliedStMap(stmap, images, checkInterrupt);
+    const ExemplarFile& first = files.front();
+    if (isNormal(first.role))
+        turnNormals(
+            image, *first.image, first.role,
+            [&](int x, int y) { return stMapJacobian(stmap, first.image->size(), x, y); }, checkInterrupt);
+    return image;
+}
+
+} // namespace
+
 void applyMap(const ApplyOptions& options) {
     std::vector<ExemplarFile> files;
     std::vector<ImageView> images;
@@ -440,16 +458,18 @@ void applyMap(const ApplyOptions& options) {
     std::vector<fs::path> sources = options.exemplars;
     sources.push_back(options.map);
     checkOnlyOutput(sources, options.output, options.overwrite);
-    const PositionMap map = readPositionMap(options.map, sizes);
+    const std::optional<Image> between = readFractionalMap(options.map, sizes);
+    const Image image =
+        between ? laidOut(*between, files, images) : readPositionMap(options.map, sizes).apply(images);
     checkInterrupt();
     WriteOptions write;
     write.depth = depthLike(files.front().info, options.output);
     write.space = files.front().space;
     write.channelNames = files.front().info.channelNames;
     write.check = checkInterrupt;
-    writeImage(options.output, map.apply(images), write);
+    writeImage(options.output, image, write);
     if (!options.quiet)
-        fmt::print("{}: {} × {} px\n", options.output.string(), map.width(), map.height());
+        fmt::print("{}: {} × {} px\n", options.output.string(), image.width(), image.height());
 }
 
 } // namespace texloom::cli

@@ -34,32 +34,22 @@ Eigen::Matrix2d nearestTurn(const Eigen::Matrix2d& map) {
     return turn * mirror;
 }
 
-} // namespace
-
-Image placedNormals(const ImageView& normals, MapRole role, const Warp& warp,
-                    const std::function<void()>& check) {
-    Image placed = resampled(normals, warp, check);
-    const Code code(normals);
+void turn(Image& normals, const Code& code, MapRole role,
+          const std::function<Eigen::Matrix2d(int x, int y)>& jacobian, const std::function<void()>& check) {
     const float up = role == MapRole::NormalDx ? 1.0F : -1.0F; // the image's y points down
-    for (int y = 0; y < placed.height(); ++y) {
+    for (int y = 0; y < normals.height(); ++y) {
         check();
-        for (int x = 0; x < placed.width(); ++x) {
-            const Eigen::Matrix2d turn = nearestTurn(warp.jacobian({x + 0.5, y + 0.5}).inverse());
-            const Eigen::Vector2d vector(code.read(placed(x, y, 0)), up * code.read(placed(x, y, 1)));
-            const Eigen::Vector2d turned = turn * vector;
-            placed(x, y, 0) = code.write(static_cast<float>(turned.x()));
-            placed(x, y, 1) = code.write(up * static_cast<float>(turned.y()));
+        for (int x = 0; x < normals.width(); ++x) {
+            const Eigen::Matrix2d map = nearestTurn(jacobian(x, y).inverse());
+            const Eigen::Vector2d vector(code.read(normals(x, y, 0)), up * code.read(normals(x, y, 1)));
+            const Eigen::Vector2d turned = map * vector;
+            normals(x, y, 0) = code.write(static_cast<float>(turned.x()));
+            normals(x, y, 1) = code.write(up * static_cast<float>(turned.y()));
         }
     }
-    if (!warp.exact())
-        renormalize(placed);
-    return placed;
 }
 
-void renormalize(Image& normals) {
-    if (normals.channels() < 3)
-        return;
-    const Code code(normals);
+void normalise(Image& normals, const Code& code) {
     for (int y = 0; y < normals.height(); ++y)
         for (int x = 0; x < normals.width(); ++x) {
             Eigen::Vector3f vector(code.read(normals(x, y, 0)), code.read(normals(x, y, 1)),
@@ -69,6 +59,38 @@ void renormalize(Image& normals) {
             for (int c = 0; c < 3; ++c)
                 normals(x, y, c) = code.write(vector[c]);
         }
+}
+
+} // namespace
+
+Image placedNormals(const ImageView& normals, MapRole role, const Warp& warp,
+                    const std::function<void()>& check) {
+    Image placed = resampled(normals, warp, check);
+    turn(
+        placed, Code(normals), role,
+        [&](int x, int y) {
+            return warp.jacobian({x + 0.5, y + 0.5});
+        },
+        check);
+    if (!warp.exact())
+        renormalize(placed);
+    return placed;
+}
+
+void turnNormals(Image& normals, const ImageView& stored, MapRole role,
+                 const std::function<Eigen::Matrix2d(int x, int y)>& jacobian,
+                 const std::function<void()>& check) {
+    if (normals.channels() < 3)
+        return;
+    const Code code(stored);
+    turn(normals, code, role, jacobian, check);
+    normalise(normals, code);
+}
+
+void renormalize(Image& normals) {
+    if (normals.channels() < 3)
+        return;
+    normalise(normals, Code(normals));
 }
 
 void flipGreen(Image& normals) {

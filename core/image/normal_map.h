@@ -14,6 +14,13 @@ namespace texloom {
 Image placedNormals(
     const ImageView& normals, MapRole role, const Warp& warp, const std::function<void()>& check = [] {});
 
+/// Turns each vector of a normal map whose pixels were moved, and normalises it. @param stored the map before
+/// it was moved, which says how vectors are stored. @param jacobian the partial derivatives of the place that
+/// a pixel comes from, as columns; not singular.
+void turnNormals(
+    Image& normals, const ImageView& stored, MapRole role,
+    const std::function<Eigen::Matrix2d(int x, int y)>& jacobian, const std::function<void()>& check = [] {});
+
 /// Normalises every vector of a normal map, as blending leaves them shorter. Vectors of length 0 are made to
 /// point up.
 void renormalize(Image& normals);

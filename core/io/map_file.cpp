@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/stmap.h"
 #include "core/io/image_file.h"
 
 #include <fmt/format.h>
@@ -179,6 +180,16 @@ PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemp
             map.at(x, y) = format == MapFormat::StMap ? stMapSource(path, image, sizes, x, y)
                                                       : exactSource(path, image, sizes, x, y);
     return map;
+}
+
+std::optional<Image> readFractionalMap(const fs::path& path, const std::vector<Size>& exemplarSizes) {
+    LoadedImage file = readImage(path, {kLargestFilePixels, {}, true});
+    if (file.info.format != "openexr" || !textOf(file.info, kSizesAttribute).empty())
+        return std::nullopt;
+    checkMapFile(path, MapFormat::StMap, file.info);
+    if (addressesPixels(file.image, exemplarSizes))
+        return std::nullopt;
+    return std::move(file.image);
 }
 
 std::string mapConvention(const fs::path& path) {

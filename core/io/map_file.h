@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,12 @@ void writePositionMap(const std::filesystem::path& path, const PositionMap& map,
 /// say them.
 /// @throws Error if it is no such file, addresses pixels outside the exemplars, or lies between pixels.
 PositionMap readPositionMap(const std::filesystem::path& path, const std::vector<Size>& exemplarSizes = {});
+
+/// Reads an STMap whose places lie between pixels (see kStMapPort), such as an anamorphosis gives; nothing if
+/// the file is none, so that readPositionMap() is for it. @param exemplarSizes of the images it will be
+/// applied to. @throws Error if it cannot be read
+std::optional<Image> readFractionalMap(const std::filesystem::path& path,
+                                       const std::vector<Size>& exemplarSizes);
 
 /// One sentence that states the convention of a map file, for sidecars.
 std::string mapConvention(const std::filesystem::path& path);

@@ -313,7 +313,7 @@ ExportOptions ExportDialog::options() const {
         if (row.box->isChecked()) {
             const std::string extension = row.format != nullptr
                                               ? row.format->currentData().toString().toStdString()
-                                              : usualExtension(row.output.port->kind);
+                                              : usualExtension(*row.output.port);
             options.outputs[row.output.port->id] = besideIt(row.output.port->id.c_str(), extension.c_str());
         }
     return options;

@@ -90,8 +90,7 @@ void writeResult(const Result& result, const ExportOptions& options) {
 void addOutputSteps(const Result& result, const ExportOptions& options, std::vector<Step>& steps) {
     for (const OutputFile& output : outputFiles(result, options.outputs)) {
         const AssetKind kind = output.port->kind;
-        AssetWriteOptions write = outputOptions(result, output);
-        write.depth = options.depth;
+        AssetWriteOptions write = outputOptions(result, output, options.depth);
         write.check = options.check;
         checkAssetFile(kind, output.path);
         for (const fs::path& file : filesFor(kind, *output.asset, output.path, write))

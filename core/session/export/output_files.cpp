@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/stmap.h"
 #include "core/io/model_file.h"
 
 #include <fmt/format.h>
@@ -53,6 +54,10 @@ const Port* outputPort(const RunPlan& plan, std::string_view id) {
     return nullptr;
 }
 
+std::string usualExtension(const Port& port) {
+    return port.id == kStMapPort ? ".exr" : usualExtension(port.kind);
+}
+
 void checkOutput(const RunPlan& plan, const std::string& id, const fs::path& file) {
     const Port* const port = outputPort(plan, id);
     std::vector<std::string> ids;
@@ -67,6 +72,9 @@ void checkOutput(const RunPlan& plan, const std::string& id, const fs::path& fil
                                      : message("{} gives no output {}; there are {}.",
                                                Message(plan.lastMethod().info().title), id, listOf(ids)));
     checkAssetFile(port->kind, file);
+    if (id == kStMapPort && file.extension() != ".exr")
+        failUsage("{} cannot hold an STMap, which needs 32-bit floats; its name ends in .exr.",
+                  file.string());
 }
 
 std::vector<OutputFile> outputFiles(const Result& result, const std::map<std::string, fs::path>& wanted) {
@@ -96,11 +104,13 @@ std::optional<Asset> assetFor(const std::shared_ptr<const Result>& result, const
     return std::nullopt;
 }
 
-AssetWriteOptions outputOptions(const Result& result, const OutputFile& output) {
+AssetWriteOptions outputOptions(const Result& result, const OutputFile& output, Depth depth) {
     AssetWriteOptions write;
     const std::vector<RecipeExemplar>& exemplars = result.plan.recipe.exemplars;
-    const bool data = output.port->kind == AssetKind::Mask || result.plan.recipe.space() == "raw";
+    const bool stmap = output.port->id == kStMapPort;
+    const bool data = output.port->kind == AssetKind::Mask || stmap || result.plan.recipe.space() == "raw";
     write.space = data ? "raw" : "srgb";
+    write.depth = stmap ? Depth::Float : depth;
     write.size = result.synthesis.image.size();
     write.mostVoxels = kMostVoxels;
     write.recipe = result.plan.recipe.toJson(output.path.has_parent_path() ? output.path.parent_path() : ".");

@@ -26,6 +26,10 @@ struct OutputFile {
 /// The port that an output of a run comes from, that of the last method to have it; null if none has.
 const Port* outputPort(const RunPlan& plan, std::string_view id);
 
+/// The extension that files of an output have unless someone wants another: .exr of an STMap, else its
+/// kind's.
+std::string usualExtension(const Port& port);
+
 /// Checks before a run that it gives this output and that the file's name suits it. @throws Error, UsageError
 void checkOutput(const RunPlan& plan, const std::string& id, const std::filesystem::path& file);
 
@@ -39,8 +43,9 @@ std::vector<OutputFile> outputFiles(const Result& result,
 /// kind. None if it has no such thing. What is found keeps the result in memory.
 std::optional<Asset> assetFor(const std::shared_ptr<const Result>& result, const Port& port);
 
-/// How an output is exported: in the result's colours, with its recipe.
-AssetWriteOptions outputOptions(const Result& result, const OutputFile& output);
+/// How an output is exported: in the result's colours, with its recipe; an STMap as floats that nothing
+/// converts. @param depth of pictures.
+AssetWriteOptions outputOptions(const Result& result, const OutputFile& output, Depth depth = Depth::Bits8);
 
 /// All further outputs as a list in JSON, with the SHA-1 of models, for reports.
 std::string outputsReport(const Result& result);

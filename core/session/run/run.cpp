@@ -5,6 +5,7 @@
 #include "core/analysis/seam.h"
 #include "core/base/text.h"
 #include "core/image/normal_map.h"
+#include "core/image/stmap.h"
 
 #include <fmt/format.h>
 
@@ -52,8 +53,23 @@ std::vector<ImageView> exemplarViews(const Request& request) {
     return views;
 }
 
+/// Makes vectors of a normal map of what a method made of its channels: turned where the method moved pixels.
+void mendNormals(Image& normals, const ExemplarFile& companion, const Result& result, const RunPlan& plan,
+                 const std::function<void()>& check) {
+    const std::string port(kStMapPort);
+    const Image* const stmap =
+        plan.lastMethod().info().output(port) != nullptr ? result.synthesis.outputs.image(port) : nullptr;
+    if (stmap == nullptr)
+        return renormalize(normals); // methods blend vectors as they blend colours
+    const bool initial = plan.steps.size() > 1 || plan.request.initial() != nullptr;
+    const Size from = initial ? plan.request.size : companion.image->size();
+    turnNormals(
+        normals, *companion.image, companion.role,
+        [&](int x, int y) { return stMapJacobian(*stmap, from, x, y); }, check);
+}
+
 /// Splits the companions' channels off the image.
-void unstack(Result& result, const RunPlan& plan) {
+void unstack(Result& result, const RunPlan& plan, const std::function<void()>& check) {
     if (plan.request.companionChannels == 0)
         return;
     const Image made = std::move(result.synthesis.image);
@@ -61,8 +77,8 @@ void unstack(Result& result, const RunPlan& plan) {
     result.synthesis.image = Image(made.view().channelRange(0, first));
     for (const ExemplarFile& companion : plan.companions.front()) {
         result.companions.emplace_back(made.view().channelRange(first, companion.image->channels()));
-        if (isNormal(companion.role)) // methods blend vectors as they blend colours
-            renormalize(result.companions.back());
+        if (isNormal(companion.role))
+            mendNormals(result.companions.back(), companion, result, plan, check);
         first += companion.image->channels();
     }
 }
@@ -251,7 +267,7 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
         result.synthesis.outputs = kept;
     }
     result.synthesis.notes.insert(result.synthesis.notes.begin(), plan.notes.begin(), plan.notes.end());
-    unstack(result, plan);
+    unstack(result, plan, [&context] { context.check(); });
     for (const StageTime& stage : context.stageTimes())
         result.seconds += stage.seconds;
     context.stage(0, TR("Judging the result"));

@@ -1,0 +1,185 @@
+#include "core/base/error.h"
+#include "core/image/stmap.h"
+#include "core/job/job.h"
+#include "core/methods/method.h"
+#include "core/session/run/run.h"
+#include "tests/support/textures.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace texloom::test {
+namespace {
+
+const char* const kKinds[] = {"affine", "parabola", "sinusoid", "turbulence"};
+
+Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
+    Request request;
+    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
+    request.size = output;
+    request.wrap = wrap;
+    request.seed = seed;
+    return request;
+}
+
+Synthesis made(const Request& request, const Values& settings) {
+    const Method& method = findMethod("anamorphosis");
+    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
+    method.check(request, complete);
+    Job<Synthesis> job({request.seed, 2, false},
+                       [&](JobContext& context) { return method.run(request, complete, context); });
+    Outcome<Synthesis> outcome = job.take();
+    if (const auto* failure = std::get_if<Failure>(&outcome))
+        throw Error(failure->message);
+    return std::get<Synthesis>(std::move(outcome));
+}
+
+Values with(const char* kind, double amplitude) {
+    return {{"kind", std::string(kind)}, {"amplitude", amplitude}, {"scale", 12.0}};
+}
+
+TEST(AnamorphosisMethod, withoutAmplitudeIsTheIdentityBitForBit) {
+    const Image exemplar = noise({61, 43}, 3);
+    for (const char* kind : kKinds)
+        for (const char* interpolation : {"cubic", "linear", "nearest"})
+            for (const char* axis : {"x", "y"}) {
+                Values settings = with(kind, 0);
+                settings["interpolation"] = std::string(interpolation);
+                settings["axis"] = std::string(axis);
+                EXPECT_TRUE(samePixels(made(requestFor(exemplar, {61, 43}), settings).image, exemplar));
+                settings["border"] = std::string("repeat");
+                EXPECT_TRUE(
+                    samePixels(made(requestFor(exemplar, {61, 43}, {true, true}), settings).image, exemplar));
+            }
+}
+
+TEST(AnamorphosisMethod, itsMapGivesTheImage) {
+    const Image exemplar = blobs({80, 64}, 2);
+    for (const char* kind : kKinds)
+        for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+            const Synthesis result = made(requestFor(exemplar, {150, 110}, wrap), with(kind, 0.7));
+            const ImageView view = exemplar;
+            const Image again = appliedStMap(*result.outputs.image(kStMapPort), {&view, 1});
+            double squares = 0;
+            for (int c = 0; c < 2; ++c)
+                for (int y = 0; y < 110; ++y)
+                    for (int x = 0; x < 150; ++x) {
+                        const double apart = static_cast<double>(again(x, y, c) - result.image(x, y, c));
+                        squares += apart * apart;
+                    }
+            // Samples within pixels lie where differences say, and not the map itself.
+            EXPECT_LT(std::sqrt(squares / (150 * 110 * 2)), 2e-3) << kind;
+        }
+}
+
+TEST(AnamorphosisMethod, aStraightSlopeComesOutAsTheMapSays) {
+    // What is x in the exemplar is the map's x in the result: cubics reproduce straight lines.
+    Image exemplar({100, 20}, 1);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 100; ++x)
+            exemplar(x, y, 0) = static_cast<float>((x + 0.5) / 100);
+    for (const char* kind : kKinds) {
+        const Synthesis result = made(requestFor(exemplar, {100, 20}), with(kind, 0.6));
+        const Image& map = *result.outputs.image(kStMapPort);
+        for (int y = 0; y < 20; ++y)
+            for (int x = 0; x < 100; ++x)
+                if (map(x, y, 0) > 0.04F && map(x, y, 0) < 0.96F) {
+                    ASSERT_NEAR(result.image(x, y, 0), map(x, y, 0), 1e-3) << kind;
+                }
+    }
+}
+
+TEST(AnamorphosisMethod, anImageToStartFromIsWhatIsDeformed) {
+    const Image initial = blobs({90, 70}, 1, 5);
+    Request request = requestFor(noise({40, 40}, 1), {90, 70}, {true, false});
+    request.inputs.set(kInitialPort, std::make_shared<const Image>(initial));
+    EXPECT_TRUE(samePixels(made(request, with("sinusoid", 0)).image, initial));
+    EXPECT_FALSE(samePixels(made(request, with("sinusoid", 0.5)).image, initial));
+}
+
+TEST(AnamorphosisMethod, saysWhatItLoweredTheAmplitudeTo) {
+    const Synthesis result = made(requestFor(noise({64, 64}, 1), {64, 64}), with("turbulence", 0.95));
+    ASSERT_EQ(result.notes.size(), 1U);
+    EXPECT_THAT(result.notes.front().text(), testing::HasSubstr("0.95"));
+    EXPECT_LT(result.figures.front().value, 0.95);
+    EXPECT_GT(result.figures.back().value, 0.1);
+    EXPECT_TRUE(made(requestFor(noise({64, 64}, 1), {64, 64}), with("parabola", 0.95)).notes.empty());
+}
+
+TEST(AnamorphosisMethod, normalsOfCompanionMapsAreTurnedWithTheSurface) {
+    // All vectors lean to the right; each must lean as the rotation in the inverse Jacobian has it.
+    const Size size{90, 80};
+    Image normals(size, 3);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            normals(x, y, 0) = 0.5F + 0.5F * 0.6F;
+            normals(x, y, 1) = 0.5F;
+            normals(x, y, 2) = 0.5F + 0.5F * 0.8F;
+        }
+    RunInput input;
+    input.steps.front() = {"anamorphosis", with("turbulence", 0.9)};
+    RunExemplar& exemplar = input.exemplars.emplace_back();
+    exemplar.image.path = "made up";
+    exemplar.image.image = std::make_shared<const Image>(blobs(size, 3));
+    exemplar.companions.push_back(exemplar.image);
+    exemplar.companions.front().image = std::make_shared<const Image>(normals);
+    exemplar.companions.front().role = MapRole::NormalGl;
+    input.size = size;
+    input.seed = 5;
+    const auto job = startRun(planRun(input), false);
+    const auto result = std::get<Result>(job->take());
+    const Image& stmap = *result.synthesis.outputs.image(kStMapPort);
+    double largest = 0;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Eigen::Matrix2d inverse = stMapJacobian(stmap, size, x, y).inverse();
+            const Eigen::JacobiSVD<Eigen::Matrix2d> svd(inverse, Eigen::ComputeFullU | Eigen::ComputeFullV);
+            const Eigen::Vector2d leans = svd.matrixU() * svd.matrixV().transpose() * Eigen::Vector2d(0.6, 0);
+            const Image& made = result.companions.front();
+            ASSERT_NEAR(made(x, y, 0), 0.5 + 0.5 * leans.x(), 1e-4);
+            ASSERT_NEAR(made(x, y, 1), 0.5 - 0.5 * leans.y(), 1e-4); // green points up, rows go down
+            ASSERT_NEAR(made(x, y, 2), 0.9, 1e-4);
+            largest = std::max(largest, std::abs(leans.y()));
+        }
+    EXPECT_GT(largest, 0.05);
+}
+
+TEST(StMap, jacobianHoldsWhereTheExemplarIsMirroredOrRepeated) {
+    // A shear and a stretch, whose places are folded into an exemplar of 32 × 32 px.
+    const Size exemplar{32, 32};
+    for (const bool mirrors : {true, false}) {
+        Image map({120, 90}, 4);
+        const auto folded = [mirrors](double at) {
+            const double period = mirrors ? 64 : 32, place = at - period * std::floor(at / period);
+            return mirrors && place > 32 ? 64 - place : place;
+        };
+        for (int y = 0; y < 90; ++y)
+            for (int x = 0; x < 120; ++x) {
+                map(x, y, 0) = static_cast<float>(folded(1.3 * x + 0.4 * y) / 32);
+                map(x, y, 1) = static_cast<float>(1 - folded(0.8 * y) / 32);
+                map(x, y, 3) = 1;
+            }
+        for (int y = 1; y < 89; ++y)
+            for (int x = 1; x < 119; ++x) {
+                constexpr double kTurns = 1e-3; // where it turns round there are two answers
+                if (std::min(32 - folded(1.3 * x + 0.4 * y), 32 - folded(0.8 * y)) < kTurns ||
+                    std::min(folded(1.3 * x + 0.4 * y), folded(0.8 * y)) < kTurns)
+                    continue;
+                const Eigen::Matrix2d jacobian = stMapJacobian(map, exemplar, x, y);
+                const double across = mirrors && std::fmod(1.3 * x + 0.4 * y, 64) > 32 ? -1 : 1;
+                const double down = mirrors && std::fmod(0.8 * y, 64) > 32 ? -1 : 1;
+                ASSERT_NEAR(jacobian(0, 0), 1.3 * across, 1e-3);
+                ASSERT_NEAR(jacobian(0, 1), 0.4 * across, 1e-3);
+                ASSERT_NEAR(jacobian(1, 1), 0.8 * down, 1e-3);
+                ASSERT_NEAR(jacobian(1, 0), 0, 1e-3);
+            }
+    }
+}
+
+} // namespace
+} // namespace texloom::test
