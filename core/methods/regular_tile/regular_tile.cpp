@@ -4,10 +4,14 @@
 #include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/methods/regular_tile/settings.h"
+#include "core/methods/regular_tile/tile_family.h"
 #include "core/methods/regular_tile/tile_search.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace texloom::regular_tile {
 
@@ -48,6 +52,89 @@ Lattice withLength(const Lattice& lattice, Size exemplar) {
     return longer;
 }
 
+/// Of the zone in which tiles on either side of an edge fade into each other: the neighbour's step, 0 if the
+/// place is outside, and its weight. @param at from 0 to 1 over the tile. @param half of the zone's width
+struct Fade {
+    int step = 0;
+    double weight = 0;
+
+    Fade(double at, double half) {
+        if (at < half) {
+            step = -1;
+            weight = 0.5 * (half - at) / half;
+        } else if (at > 1 - half) {
+            step = 1;
+            weight = 0.5 * (at - (1 - half)) / half;
+        }
+    }
+};
+
+/// Tiles of an output that vary: each is drawn by its place alone, which on an axis that wraps counts but
+/// once.
+class VariedTiles {
+public:
+    VariedTiles(const Request& request, const Settings& settings, const TileFamily& family,
+                const Lattice& lattice, const Random& random)
+        : m_size(request.size), m_wrap(request.wrap), m_draw(settings.draw), m_family(family),
+          m_lattice(lattice), m_random(random),
+          m_half1(std::min(0.5, settings.feather * lattice.v2.length() / lattice.area())),
+          m_half2(std::min(0.5, settings.feather * lattice.v1.length() / lattice.area())),
+          m_pixel(static_cast<std::size_t>(request.channels())) {}
+
+    /// The channels of a pixel of the output.
+    const std::vector<float>& at(int x, int y) {
+        const Vec2 place = m_lattice.coordinates({x + 0.5, y + 0.5});
+        const int a = static_cast<int>(std::floor(place.x)), b = static_cast<int>(std::floor(place.y));
+        const Fade along1(place.x - a, m_half1), along2(place.y - b, m_half2);
+        std::fill(m_pixel.begin(), m_pixel.end(), 0.0F);
+        for (const auto& [da, wa] : {std::pair(0, 1 - along1.weight), {along1.step, along1.weight}})
+            for (const auto& [db, wb] : {std::pair(0, 1 - along2.weight), {along2.step, along2.weight}})
+                if (wa * wb > 0) {
+                    const Copy& copy = copyAt(a + da, b + db);
+                    m_family.add(copy.coefficients, x - copy.x, y - copy.y, static_cast<float>(wa * wb),
+                                 m_pixel.data());
+                }
+        return m_pixel;
+    }
+
+private:
+    struct Copy {
+        int x = 0, y = 0; ///< the pixel of its corner
+        std::vector<float> coefficients;
+    };
+
+    /// The multiples of `length` by which a coordinate on an axis that wraps is beyond the output.
+    static double beyond(double at, int length, bool wraps) {
+        constexpr double kRounding = 1e-6;
+        return wraps ? length * std::floor(at / length + kRounding) : 0;
+    }
+
+    const Copy& copyAt(int a, int b) {
+        const auto [known, added] = m_copies.try_emplace({a, b});
+        if (!added)
+            return known->second;
+        const Vec2 corner = m_lattice.at(a, b);
+        const Vec2 off{beyond(corner.x, m_size.width, m_wrap.x), beyond(corner.y, m_size.height, m_wrap.y)};
+        const Vec2 own = m_lattice.coordinates(corner - off);
+        const int ownA = static_cast<int>(std::lround(own.x)), ownB = static_cast<int>(std::lround(own.y));
+        const Vec2 ownCorner = m_lattice.at(ownA, ownB);
+        known->second = {static_cast<int>(std::lround(ownCorner.x) + std::lround(off.x)),
+                         static_cast<int>(std::lround(ownCorner.y) + std::lround(off.y)),
+                         m_family.drawn(m_draw, ownA, ownB, m_random)};
+        return known->second;
+    }
+
+    Size m_size;
+    Wrap m_wrap;
+    Draw m_draw;
+    const TileFamily& m_family;
+    Lattice m_lattice;
+    const Random& m_random;
+    double m_half1, m_half2;
+    std::vector<float> m_pixel;
+    std::map<std::pair<int, int>, Copy> m_copies;
+};
+
 class Repeater {
 public:
     Repeater(const Request& request, const Settings& settings, JobContext& context)
@@ -59,14 +146,18 @@ public:
         findLattice();
         m_context.stage(0.3, TR("Looking for the tile"));
         findTile();
+        if (m_settings.colour == Colour::Varied)
+            findFamily();
         m_context.stage(0.4, TR("Repeating the tile"));
         repeat();
-        m_result.mapKind = MapKind::Exact;
+        m_result.mapKind = m_family ? MapKind::Estimated : MapKind::Exact;
         m_result.figures = {{TR("Tile, first vector right"), m_lattice.v1.x},
                             {TR("Tile, first vector down"), m_lattice.v1.y},
                             {TR("Tile, second vector right"), m_lattice.v2.x},
                             {TR("Tile, second vector down"), m_lattice.v2.y},
                             {TR("Mean squared difference where tiles join"), m_joint}};
+        if (m_family)
+            describeFamily();
         return std::move(m_result);
     }
 
@@ -80,6 +171,7 @@ private:
         if (m_lattice.free())
             m_lattice = likestRectangle(m_exemplar, check);
         m_lattice = withLength(m_lattice, m_exemplar.size());
+        m_own = m_lattice;
         if (!m_request.wrap.x && !m_request.wrap.y)
             return;
         const WrappedLattice closing = wrapped(m_lattice, m_request.size, m_request.wrap);
@@ -133,6 +225,23 @@ private:
             forbidTiles(costs, mask->view().plane(0), m_lattice, [this] { m_context.check(); });
     }
 
+    void findFamily() {
+        const Image* const mask = m_request.exemplars.front().mask();
+        m_family.emplace(m_exemplar, mask ? mask->view().plane(0) : PlaneView{}, m_own, m_lattice, m_tile,
+                         m_settings.feather, m_settings.bases, m_context);
+        if (m_family->tiles() == 1)
+            m_result.notes.push_back(message("{} holds only one whole tile, so that nothing varies; a larger "
+                                             "exemplar or a smaller tile shows how tiles differ.",
+                                             m_request.exemplars.front().name));
+    }
+
+    void describeFamily() {
+        m_result.figures.push_back({TR("Whole tiles"), static_cast<double>(m_family->tiles())});
+        m_result.figures.push_back({TR("Principal components"), static_cast<double>(m_family->bases())});
+        m_result.figures.push_back({TR("Share of the variance in them"), m_family->share()});
+        m_result.pictures.push_back({TR("Mean tile and components"), m_family->picture()});
+    }
+
     void repeat() {
         m_result.image = Image(m_part.size, m_exemplar.channels);
         m_result.map = PositionMap(m_part.size, m_request.exemplarSizes());
@@ -140,8 +249,13 @@ private:
         m_context.parallelAfter(
             strips, [](int) { return std::vector<int>{}; },
             [this](int strip) {
-                for (int y = strip * kStrip; y < std::min((strip + 1) * kStrip, m_part.size.height); ++y)
-                    repeatRow(y);
+                std::optional<VariedTiles> varied;
+                if (m_family)
+                    varied.emplace(m_request, m_settings, *m_family, m_lattice, m_context.random());
+                for (int y = strip * kStrip; y < std::min((strip + 1) * kStrip, m_part.size.height); ++y) {
+                    m_context.check();
+                    repeatRow(y, varied ? &*varied : nullptr);
+                }
             },
             [&](int done) {
                 m_context.progress(double(done) / strips);
@@ -149,12 +263,15 @@ private:
             });
     }
 
-    void repeatRow(int row) {
+    void repeatRow(int row, VariedTiles* varied) {
         for (int x = 0; x < m_part.size.width; ++x) {
             const Source source = sourceOf(m_part.x + x, m_part.y + row);
             m_result.map.at(x, row) = source;
+            const std::vector<float>* const pixel =
+                varied ? &varied->at(m_part.x + x, m_part.y + row) : nullptr;
             for (int c = 0; c < m_exemplar.channels; ++c)
-                m_result.image(x, row, c) = m_exemplar(source.x, source.y, c);
+                m_result.image(x, row, c) =
+                    pixel ? (*pixel)[static_cast<std::size_t>(c)] : m_exemplar(source.x, source.y, c);
         }
     }
 
@@ -174,8 +291,9 @@ private:
     JobContext& m_context;
     ImageView m_exemplar;
     Region m_part;
-    Lattice m_lattice;
+    Lattice m_own, m_lattice; ///< of the exemplar, and of the output, which differs where that wraps
     Tile m_tile;
+    std::optional<TileFamily> m_family;
     double m_joint = 0;
     Synthesis m_result;
 };
@@ -194,11 +312,14 @@ void check(const Request& request, const Settings& settings) {
                   numberText(settings.tileY), exemplar.name, size.width, size.height);
 }
 
-Estimate estimate(const Request& request, const Settings&, int) {
+Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size exemplar = request.exemplars.front().image->size(), output = request.part().size;
     Estimate need;
     need.bytes = Image::bytesFor(output, request.channels()) + PositionMap::bytesFor(output) +
                  latticeBytesFor(exemplar, request.channels());
+    if (settings.colour == Colour::Varied)
+        need.bytes += TileFamily::bytesFor(exemplar, request.channels()) +
+                      static_cast<std::uint64_t>(threads) * static_cast<std::uint64_t>(output.width) * 1024;
     need.seconds =
         latticeSecondsFor(exemplar) + 1e-8 * static_cast<double>(output.area()) * (1 + request.channels());
     return need;
@@ -206,6 +327,31 @@ Estimate estimate(const Request& request, const Settings&, int) {
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     return Repeater(request, settings, context).run();
+}
+
+std::vector<Param> colourFields() {
+    const auto varied = std::string("varied");
+    return {
+        field(&Settings::colour, "colour", TR("Colours"))
+            .choices({{"one", TR("All tiles alike")}, {varied, TR("Varied")}})
+            .help(TR("All tiles alike are copies of one; varied ones differ as the exemplar's tiles differ "
+                     "from their mean, and are a little softer.")),
+        field(&Settings::bases, "bases", TR("Components"))
+            .range(0, 64)
+            .when("colour", varied)
+            .help(TR("In how many principal components tiles vary, at most: more show finer differences, 0 "
+                     "repeats the mean tile.")),
+        field(&Settings::draw, "draw", TR("Drawn"))
+            .choices({{"normal", TR("Normally")}, {"resample", TR("From the exemplar’s tiles")}})
+            .when("colour", varied)
+            .help(TR("How much of each component a tile gets: normally distributed, which makes what the "
+                     "exemplar does not show, or as much as some tile of the exemplar has.")),
+        field(&Settings::feather, "feather", TR("Soft edge"))
+            .range(0, 128)
+            .unit("px")
+            .when("colour", varied)
+            .help(TR("How far into each other neighbouring tiles fade, up to half a tile: more hides their "
+                     "edges, less is sharper."))};
 }
 
 std::vector<Param> params() {
@@ -242,6 +388,8 @@ std::vector<Param> params() {
                       .group(TR("Advanced"))
                       .help(TR("How much worse than the best a tile may join itself and still be drawn: "
                                "larger gives more variety between seeds.")));
+    for (Param& param : colourFields())
+        all.push_back(std::move(param));
     return all;
 }
 
@@ -253,7 +401,7 @@ const Method self = method<Settings>(
      .summary = TR(
          "Finds the lattice of a regular texture and repeats the one tile that joins itself best: strictly "
          "regular, without the variety of near-regular synthesis."),
-     .citation = "López Recas, diploma thesis 2011, section 4.1",
+     .citation = "López Recas, diploma thesis 2011, section 4.1; Liu, Lin & Hays, SIGGRAPH 2004",
      .category = Category::NearRegular,
      .takes = {ports::exemplar(), ports::mask()},
      .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
