@@ -6,6 +6,7 @@
 #include "core/methods/method.h"
 #include "core/methods/near_regular/filler.h"
 #include "core/methods/near_regular/preparation.h"
+#include "core/methods/near_regular/tile_stitcher.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +105,8 @@ void check(const Request& request, const Settings& settings) {
                   exemplar.name, size.width, size.height, settings.block, most);
     const int least = settings.block > 0 ? settings.block : kSmallestBlock;
     const int patch = std::min(patchFor(settings, least) - 1, size.shorterSide());
-    if (exemplar.mask() && !leavesWholePatch(exemplar.mask()->view().plane(0), patch))
+    if (settings.unit == Unit::Blocks && exemplar.mask() &&
+        !leavesWholePatch(exemplar.mask()->view().plane(0), patch))
         failUsage("The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.",
                   patch);
     const auto checkWrap = [](bool wraps, int length, const char* side) {
@@ -135,6 +137,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const double block = blockFor(settings, exemplar, {});
     const double gaps = 0.5 * static_cast<double>(part.area()) / (block * block) + 4;
     const auto pixels = static_cast<double>(exemplar.area());
+    if (settings.unit == Unit::Tiles)
+        need.bytes += TileStitcher::bytesFor(request.size, exemplar, channels);
     need.seconds = latticeSecondsFor(exemplar) + 4e-8 * static_cast<double>(part.area()) +
                    gaps * pixels * (3e-9 + 7e-11 * std::log2(pixels) * (channels + 1));
     return need;
@@ -267,9 +271,10 @@ void describe(const std::string& exemplar, const Settings& settings, const Plan&
     const Vec2 extent = plan.from.extent();
     if (plan.from.keepsOrder(plan.exemplar.size()))
         result.notes.push_back(orderedRows(exemplar, plan));
-    else if (!plan.from.free() && std::max(extent.x, extent.y) > plan.block)
+    else if (settings.unit == Unit::Blocks && !plan.from.free() && std::max(extent.x, extent.y) > plan.block)
         result.notes.push_back(longTiles(settings, plan));
-    result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
+    if (settings.unit == Unit::Blocks)
+        result.figures.push_back({TR("Block"), static_cast<double>(plan.block)});
     result.figures.push_back({TR("Lattice, first vector right"), plan.from.v1.x});
     result.figures.push_back({TR("Lattice, first vector down"), plan.from.v1.y});
     result.figures.push_back({TR("Lattice, second vector right"), plan.from.v2.x});
@@ -289,11 +294,16 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     plan.to = closing(plan.from, request, result.notes);
     plan.block = std::min(blockFor(settings, plan.exemplar.size(), plan.from),
                           largestBlock(settings, plan.exemplar.size()));
-    plan.block = fittingMask(settings, plan);
+    if (settings.unit == Unit::Blocks)
+        plan.block = fittingMask(settings, plan);
     plan.border = borderFor(settings, plan.block);
     describe(exemplar.name, settings, plan, result);
-    Filler(request, settings, plan, context).fill(result, 0.9);
-    result.mapKind = settings.join == Join::Cut && !sampled.even ? MapKind::Exact : MapKind::Dominant;
+    const bool cut = settings.join == Join::Cut || settings.unit == Unit::Tiles;
+    if (settings.unit == Unit::Tiles)
+        TileStitcher(request, settings, plan, context).fill(result, 0.9);
+    else
+        Filler(request, settings, plan, context).fill(result, 0.9);
+    result.mapKind = cut && !sampled.even ? MapKind::Exact : MapKind::Dominant;
     if (sampled.change) {
         mapBack(result.map, *sampled.change, exemplar.image->size(), context);
         result.mapKind = MapKind::Estimated;
@@ -320,11 +330,17 @@ std::vector<Param> params() {
             .help(TR("Row of the exemplar's lattice that lies at the output's top: moves the pattern up or "
                      "down.")));
     all.push_back(
+        field(&Settings::unit, "unit", TR("Unit"))
+            .choices({{"blocks", TR("Blocks")}, {"tiles", TR("Whole tiles")}})
+            .help(TR("Blocks are drawn at random along the lattice and make new tiles of parts of several; "
+                     "whole tiles are stitched one after another, each to fit those before.")));
+    all.push_back(
         field(&Settings::block, "block", TR("Block size"))
             .range(0, 1024)
             .unit("px")
             .help(TR("Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger "
-                     "keeps larger stretches, smaller varies more.")));
+                     "keeps larger stretches, smaller varies more. Whole tiles take it where rows do not "
+                     "repeat.")));
     all.push_back(
         field(&Settings::border, "border", TR("Border"))
             .range(0, 512)
@@ -340,6 +356,7 @@ std::vector<Param> params() {
     all.push_back(
         field(&Settings::join, "join", TR("Join"))
             .choices({{"cut", TR("Minimum-error cut")}, {"blend", TR("Linear blending")}})
+            .when("unit", std::string("blocks"))
             .help(TR("A cut keeps every pixel as it is in the exemplar; blending mixes a band along the "
                      "blocks' edges, as in the source.")));
     all.push_back(
@@ -378,7 +395,7 @@ const Method self = method<Settings>(
      .summary = TR(
          "Finds the lattice of bricks, tiles or weave and samples blocks at random along it, then fills the "
          "gaps with patches that fit: keeps the courses and varies what lies in them."),
-     .citation = "López Recas, diploma thesis 2011, chapters 3 to 5",
+     .citation = "López Recas, diploma thesis 2011, chapters 3 to 5; Liu, Tsin & Lin, IJCV 2005",
      .category = Category::NearRegular,
      .takes = {ports::exemplar(), ports::mask()},
      .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},

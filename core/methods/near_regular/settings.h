@@ -13,8 +13,13 @@ enum class Join { Cut, Blend };
 /// Whether slow changes of light are removed from the exemplar first; automatic: where patches would show.
 enum class EvenLight { Automatic, Yes, No };
 
+/// What is copied: square blocks whose size the lattice does not bound, or whole tiles with an overlap (Liu,
+/// Tsin & Lin 2005).
+enum class Unit { Blocks, Tiles };
+
 /// Parameters of constrained random sampling and gap filling (López Recas 2011, section 4.2).
 struct Settings : LatticeSettings {
+    Unit unit = Unit::Blocks;
     double originX = 0,
            originY = 0; ///< the exemplar's point that lies at the output's top left, in its lattice
     int block = 0;      ///< side of the blocks in pixels; 0: chosen from the exemplar and its lattice
