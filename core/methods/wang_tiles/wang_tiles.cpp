@@ -3,6 +3,7 @@
 #include "core/match/whole_patches.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/wang_tiles/set_outputs.h"
 #include "core/methods/wang_tiles/tiling.h"
 
 #include <algorithm>
@@ -204,25 +205,6 @@ private:
     std::map<std::pair<int, int>, TileSet> m_sets; ///< by the size of their tiles
 };
 
-/// All tiles side by side. Those of a full set match, also round the sheet.
-Image sheet(const Request& request, const Settings& settings, const Maker& maker, JobContext& context) {
-    const std::vector<Edges>& edges = maker.edges();
-    const int inRow = settings.set == Set::Full ? settings.colours * settings.colours : 2 * settings.colours;
-    const int side = settings.tile, count = static_cast<int>(edges.size());
-    Image image({inRow * side, count / inRow * side}, request.resultChannels());
-    context.parallel(0, image.height(), [&](int y) {
-        for (int x = 0; x < image.width(); ++x) {
-            const auto cell = static_cast<std::size_t>(y / side) * static_cast<std::size_t>(inRow) +
-                              static_cast<std::size_t>(x / side);
-            const Edges& tile = edges[cell];
-            const Source source = maker.tiles().source(tile, x % side, y % side);
-            for (int c = 0; c < image.channels(); ++c)
-                image(x, y, c) = (*request.exemplars[source.exemplar].image)(source.x, source.y, c);
-        }
-    });
-    return image;
-}
-
 void check(const Request& request, const Settings& settings) {
     const int side = sampleSide(settings);
     for (const Exemplar& exemplar : request.exemplars) {
@@ -250,9 +232,9 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const auto side = static_cast<double>(settings.tile);
     Estimate need;
     need.bytes = Image::bytesFor(part, request.channels()) + PositionMap::bytesFor(part) +
-                 static_cast<std::uint64_t>(tiles * side * side * 4 * request.resultChannels()) +
-                 6 * TileSet::bytesFor(settings) + static_cast<std::uint64_t>(threads * side * side * 8) +
-                 (4U << 20) + static_cast<std::uint64_t>(part.width + part.height) * 16;
+                 setBytesFor(settings, request.resultChannels()) + 6 * TileSet::bytesFor(settings) +
+                 static_cast<std::uint64_t>(threads * side * side * 8) + (4U << 20) +
+                 static_cast<std::uint64_t>(part.width + part.height) * 16;
     for (const Exemplar& exemplar : request.exemplars)
         if (exemplar.mask())
             need.bytes +=
@@ -277,7 +259,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     context.stage(0.5, TR("Laying tiles"));
     Layer(request, settings, maker, context).run(result);
     context.stage(0.1, TR("Drawing the tile set"));
-    result.pictures.push_back({TR("Tile set"), sheet(request, settings, maker, context)});
+    addSet(request, settings, maker.tiles(), maker.edges(), context, result);
     result.figures = {{TR("Tiles"), static_cast<double>(maker.edges().size())},
                       {TR("Draws of samples"), static_cast<double>(maker.tries())},
                       {TR("Error of the worst cut"), error}};
@@ -288,6 +270,13 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                     error, numberText(settings.threshold)));
     context.progress(1);
     return result;
+}
+
+std::vector<Port> given() {
+    std::vector<Port> all = {ports::inParts(ports::wrappingImage()), ports::map()};
+    for (Port& port : setPorts())
+        all.push_back(std::move(port));
+    return all;
 }
 
 } // namespace
@@ -302,7 +291,7 @@ const Method self = method<Settings>(
      .citation = "Cohen, Shade, Hiller & Deussen, SIGGRAPH 2003; Wei, Graphics Hardware 2004",
      .category = Category::Patches,
      .takes = {ports::weighedExemplars(), ports::mask()},
-     .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
+     .gives = given()},
     {field(&Settings::tile, "tile", TR("Tile size"))
          .range(4, 1024)
          .unit("px")

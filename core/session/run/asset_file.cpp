@@ -3,8 +3,9 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/color_pipeline.h"
+#include "core/io/image_file.h"
 #include "core/io/map_file.h"
-#include "core/io/model_file.h"
+#include "core/io/model_json.h"
 #include "core/volume/mesh_file.h"
 #include "core/volume/volume_file.h"
 
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::array<const char*, 6> kKindIds = {"image", "mask", "map", "model", "volume", "mesh"};
 constexpr const char* kModelExtension = ".safetensors";
+constexpr const char* kTableExtension = ".json"; ///< of models for other programs
 
 /// Lets work that wants a job's context run on this thread, as long as `check` does not throw.
 template <class Work> auto inPlace(const std::function<void()>& check, const Work& work) {
@@ -148,6 +150,8 @@ struct Writer {
         writePositionMap(path, map, options.recipe, options.check);
     }
     void operator()(const Model& model) const {
+        if (path.extension() == kTableExtension)
+            return writeText(path, jsonOf(model));
         if (!model.recipe.empty() || options.recipe.empty())
             return writeModel(path, model);
         Model told = model;
@@ -249,7 +253,7 @@ void checkAssetFile(AssetKind kind, const fs::path& path) {
     switch (kind) {
     case AssetKind::Model:
     case AssetKind::Mesh:
-        if (extension != usual)
+        if (extension != usual && (kind != AssetKind::Model || extension != kTableExtension))
             failUsage("{}: {} is written as {}; give the file that extension.", path.string(), kindText(kind),
                       usual);
         break;

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/io/model_file.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/wang_tiles/tiling.h"
@@ -215,6 +216,48 @@ TEST(WangTiles, pictureOfTheSetHoldsAllTiles) {
     const Synthesis compact = made(requestFor(blobs({96, 96}, 3), {64, 64}),
                                    {{"tile", 20}, {"colours", 3}, {"set", std::string("compact")}});
     EXPECT_EQ(compact.pictures.front().image.size(), (Size{120, 60}));
+}
+
+TEST(WangTiles, theSetIsGivenAsSheetTilesMapAndTable) {
+    for (const char* set : {"full", "compact"}) {
+        const Request request = requestFor(blobs({96, 96}, 3), {64, 64});
+        const Synthesis result = made(request, {{"tile", 20}, {"colours", 3}, {"set", std::string(set)}});
+        const Image& sheet = *result.outputs.image("tile-sheet");
+        EXPECT_TRUE(samePixels(sheet, result.pictures.front().image));
+        const auto map = result.outputs.first<PositionMap>("tile-sheet-map");
+        EXPECT_TRUE(samePixels(map->apply(*request.exemplars.front().image), sheet));
+        const auto table = result.outputs.first<Model>("tile-table");
+        const std::vector<Asset>& tiles = result.outputs.at("tile");
+        const auto count = static_cast<std::int64_t>(tiles.size());
+        ASSERT_EQ(count, std::string(set) == "full" ? 81 : 18);
+        const auto& edges = table->values<std::int64_t>("edges", {count, 4});
+        const auto& places = table->values<std::int64_t>("places", {count, 2});
+        const auto& numbers = table->values<std::int64_t>("numbers", {3, 3, 3, 3});
+        const auto tile = [&](std::int64_t i) -> const Image& {
+            return *std::get<std::shared_ptr<const Image>>(tiles[static_cast<std::size_t>(i)]);
+        };
+        const auto edge = [&](std::int64_t i, int side) {
+            return edges[static_cast<std::size_t>(4 * i + side)];
+        };
+        EXPECT_EQ(std::count(numbers.begin(), numbers.end(), -1), 81 - count);
+        for (std::int64_t i = 0; i < count; ++i) {
+            EXPECT_EQ(numbers[static_cast<std::size_t>(((edge(i, 0) * 3 + edge(i, 1)) * 3 + edge(i, 2)) * 3 +
+                                                       edge(i, 3))],
+                      i);
+            const auto x = static_cast<int>(places[static_cast<std::size_t>(2 * i)]);
+            const auto y = static_cast<int>(places[static_cast<std::size_t>(2 * i + 1)]);
+            EXPECT_TRUE(samePixels(tile(i), Image(sheet.view().crop(x, y, {20, 20}))));
+            // What lies at an edge of one colour is the same in every tile: equal colours are equal bits.
+            for (std::int64_t k = 0; k < i; ++k) {
+                if (edge(i, 0) == edge(k, 0)) {
+                    EXPECT_EQ(tile(i)(10, 0, 1), tile(k)(10, 0, 1));
+                }
+                if (edge(i, 3) == edge(k, 3)) {
+                    EXPECT_EQ(tile(i)(0, 10, 2), tile(k)(0, 10, 2));
+                }
+            }
+        }
+    }
 }
 
 TEST(WangTiles, tilesThatAreTooLargeAreRefused) {
