@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace texloom::fourier_mask {
 
 namespace {
+
+constexpr const char* kRegularPort = "regular-part";
 
 /// Below this share of the variance there is hardly a regular part.
 constexpr double kLeastShare = 0.05;
@@ -50,7 +53,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     Estimate need;
     need.bytes = 2 * quilt.bytes + PatchQuilter::mapBytesFor(request.size, settings.patch) +
                  findWavesBytes(exemplar, channels, settings.waveOptions()) +
-                 Image::bytesFor(exemplar, channels) + Image::bytesFor(request.size, channels) + (4U << 20);
+                 Image::bytesFor(exemplar, channels) + 3 * Image::bytesFor(request.size, channels) +
+                 (4U << 20);
     const auto pixels = static_cast<double>(exemplar.area());
     need.seconds = 2 * quilt.seconds + pixels * channels * (1e-6 + 1.5e-7 * settings.waves) +
                    static_cast<double>(request.size.area()) * channels * settings.waves * 2e-9;
@@ -89,8 +93,9 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                       {TR("Drift over the output, in cycles"), driftOf(model, request.size)},
                       {TR("Largest move to close, in cycles"), move},
                       {TR("Mean error along a cut"), *quilt.meanCutError}};
-    result.pictures.push_back(
-        {TR("Regular part"), Image(regular.view().channelRange(0, request.resultChannels()))});
+    Image part(regular.view().channelRange(0, request.resultChannels()));
+    result.outputs.add(kRegularPort, std::make_shared<const Image>(part));
+    result.pictures.push_back({TR("Regular part"), std::move(part)});
     if (model.share < kLeastShare)
         result.notes.push_back(message("Only {:.1f} % of {} is regular, so hardly anything guides the "
                                        "patches; lower the threshold, or use image quilting.",
@@ -110,7 +115,12 @@ const Method self = method<Settings>(
      .citation = "Nicoll, Meseth, Müller & Klein, Eurographics 2005; Efros & Freeman, SIGGRAPH 2001",
      .category = Category::NearRegular,
      .takes = {ports::exemplar(), ports::mask(), ports::initial()},
-     .gives = {ports::wrappingImage(), ports::map()}},
+     .gives = {ports::wrappingImage(), ports::map(),
+               Port{.id = kRegularPort,
+                    .title = TR("Regular part"),
+                    .help =
+                        TR("The waves alone, of the output's size: the texture without its irregularities."),
+                    .kind = AssetKind::Image}}},
     {field(&Settings::threshold, "threshold", TR("Threshold"))
          .range(0.01, 1)
          .help(TR("Peaks of the spectrum this high, over the highest, count as waves: smaller finds more of "
