@@ -86,6 +86,7 @@ def shipped(root):
         for path in sorted((root / "resources" / folder).glob("*.json")):
             file = json.loads(path.read_text(encoding="utf-8"))
             yield from (file["title"], file["summary"])
+            yield from (run["title"] for run in file.get("runs", []) if "title" in run)
 
 
 def texts(root):

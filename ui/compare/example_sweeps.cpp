@@ -21,9 +21,11 @@ Batch batchIn(const QString& path) {
     return Batch::fromJson(readText(file), file.parent_path());
 }
 
-/// "Window 5 px", or the method's title where nothing is varied.
+/// "Window 5 px"; where nothing is varied, the run's title or the method's.
 QString labelOf(const BatchItem& item) {
     const Method& method = findMethod(item.recipe.steps.front().method);
+    if (item.cell.empty() && !item.title.empty())
+        return translated(item.title);
     if (item.cell.empty())
         return translated(method.info().title);
     QStringList parts;

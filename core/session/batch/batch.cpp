@@ -46,7 +46,7 @@ struct Run {
     Read read;
     std::vector<Axis> axes;
     bool variedSeeds = false;
-    std::string output, report, depth, space;
+    std::string title, output, report, depth, space;
     std::vector<std::string> maps;
     bool sidecar = true;
 
@@ -114,12 +114,14 @@ std::vector<Axis> axesFrom(const JsonField& field) {
 
 Run runFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
     field.needObject();
-    field.only({"recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
+    field.only(
+        {"title", "recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
     Run run;
     run.read = recipeFrom(field.at("recipe"), folder, files);
     run.output = field.at("output").text();
     if (run.output.empty())
         field.at("output").wrong(TR("the name of a file"));
+    run.title = textOr(field, "title", "");
     run.report = textOr(field, "report", "");
     run.depth = choiceOr(field, "depth", {"", "8", "16", "half", "float"});
     run.space = textOr(field, "space", "");
@@ -198,7 +200,7 @@ NameWords wordsFor(const Recipe& recipe, const std::string& name, std::size_t in
 /// The item for one combination of a run's values, `chosen` by axis.
 BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std::size_t>& chosen,
                   std::size_t number, const fs::path& folder) {
-    BatchItem item{run.read.recipe, run.read.exemplars, run.read.problem, {}, {}, {}, {},
+    BatchItem item{run.read.recipe, run.read.exemplars, run.read.problem, run.title, {}, {}, {}, {},
                    run.depth,       run.space,          run.sidecar};
     NameWords swept;
     for (std::size_t i = 0; i < run.axes.size(); ++i) {

@@ -16,8 +16,9 @@ struct BatchItem {
     Recipe recipe; ///< without its exemplars: see whole()
     /// What may be thousands of files is there once for all items of a run.
     std::shared_ptr<const std::vector<RecipeExemplar>> exemplars;
-    Message problem;  ///< why there is no recipe, in one sentence; empty if there is one
-    std::string cell; ///< "patch=32, seed=7": the place in its sweep, or empty
+    Message problem;   ///< why there is no recipe, in one sentence; empty if there is one
+    std::string title; ///< of the run that it belongs to; empty where it says nothing
+    std::string cell;  ///< "patch=32, seed=7": the place in its sweep, or empty
     std::filesystem::path output;
     std::vector<std::filesystem::path> maps;
     std::filesystem::path report; ///< or empty
@@ -35,14 +36,15 @@ struct BatchItem {
 /// `{"batch": 1, "title": …, "summary": …, "runs": [{"title": …, "recipe": …, "output": …, "sweep": {…},
 /// "seeds": "held", …}]}`: a recipe is the name of a file or is written out in place; names of outputs are
 /// templates (see expandName()) of $name, $method, $seed, $w, $h, $size, $index and each swept word; a sweep
-/// gives lists of values to parameters ("patch", or "METHOD.name" for methods that follow), "seed", "size" and
-/// "region" ([x, y, width, height]: parts of an output that may be larger than memory), of which all
-/// combinations are made, the last one fastest; with "seeds": "varied" each combination has a seed of its own.
+/// gives lists of values to parameters ("patch", or "METHOD.name" for methods that follow), "seed", "size"
+/// and "region" ([x, y, width, height]: parts of an output that may be larger than memory), of which all
+/// combinations are made, the last one fastest; with "seeds": "varied" each combination has a seed of its
+/// own.
 struct Batch {
     /// Version of the format that this build writes and the newest it reads.
     static constexpr int kFormat = 1;
 
-    std::string title, summary; ///< what it shows, where it is an example; empty where it says nothing
+    std::string title, summary; ///< what it shows, where it is an example
     std::vector<BatchItem> items;
     std::vector<std::filesystem::path> recipes; ///< files that recipes were read from
 
