@@ -53,13 +53,15 @@ TEST(Batch, ReadsARecipeWithItsOutputs) {
 }
 
 TEST(Batch, MaySayWhatItShowsAndWriteElsewhere) {
-    const std::string runs = R"("runs": [{"recipe": )" + kRecipe + R"(, "output": "out/$name.png"}]})";
+    const std::string runs =
+        R"("runs": [{"title": "Small ones", "recipe": )" + kRecipe + R"(, "output": "out/$name.png"}]})";
     const Batch plain = Batch::fromJson(R"({"batch": 1, )" + runs, "/data");
     EXPECT_EQ(plain.title + plain.summary, "");
     const Batch told = Batch::fromJson(R"({"batch": 1, "title": "Patches", "summary": "Two sizes.", )" + runs,
                                        "/data", "/made");
     EXPECT_EQ(told.title, "Patches");
     EXPECT_EQ(told.summary, "Two sizes.");
+    EXPECT_EQ(told.items.front().title, "Small ones");
     EXPECT_EQ(told.items.front().output, "/made/out/bark.png");
     EXPECT_EQ(told.items.front().whole().exemplars.front().image.path, "/data/bark.png");
 }
