@@ -34,10 +34,6 @@
 <context>
     <name>core</name>
     <message>
-        <source>A cut keeps every pixel as it is in the exemplar; a smoothed one blends across it.</source>
-        <translation>Ein Schnitt lässt jedes Pixel, wie es in der Vorlage ist; ein geglätteter blendet über ihn hinweg.</translation>
-    </message>
-    <message>
         <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks&apos; edges, as in the source.</source>
         <translation>Ein Schnitt lässt jedes Pixel, wie es in der Vorlage ist; Überblenden mischt einen Streifen entlang der Blockkanten, wie in der Quelle.</translation>
     </message>
@@ -776,10 +772,6 @@
     <message>
         <source>Side of the squares that are copied: larger keeps larger structures whole, smaller varies more.</source>
         <translation>Seite der Quadrate, die kopiert werden: größer hält größere Strukturen ganz, kleiner variiert mehr.</translation>
-    </message>
-    <message>
-        <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more.</source>
-        <translation>Seite der Quadrate, die kopiert werden; 0 wählt nach der Vorlage und ihrem Gitter. Größer hält größere Stücke, kleiner variiert mehr.</translation>
     </message>
     <message>
         <source>Similar patches that a Gaussian is learnt from: more join more smoothly and blur more.</source>
@@ -3402,10 +3394,6 @@
         <translation>Zusammenhang</translation>
     </message>
     <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar.</source>
-        <translation>Vergleicht alle Fenster exakt oder nur die nach ihren Hauptkomponenten wahrscheinlichen, in einer Zeit, die mit der Vorlage kaum wächst.</translation>
-    </message>
-    <message>
         <source>Components</source>
         <translation>Komponenten</translation>
     </message>
@@ -3741,6 +3729,818 @@
         <source>{} is not the file any more that the result was made from.</source>
         <translation>{} ist nicht mehr die Datei, aus der das Ergebnis gemacht wurde.</translation>
     </message>
+    <message>
+        <source>+ cuts</source>
+        <translation>+ Schnitte</translation>
+    </message>
+    <message>
+        <source>+ frequencies of atoms</source>
+        <translation>+ Häufigkeiten der Atome</translation>
+    </message>
+    <message>
+        <source>+ low frequencies: all of it</source>
+        <translation>+ tiefe Frequenzen: alles</translation>
+    </message>
+    <message>
+        <source>+ scales</source>
+        <translation>+ Skalen</translation>
+    </message>
+    <message>
+        <source>A hole has no overlaps of even width to blend; choose the stitch cut, smooth-cut, none or poisson.</source>
+        <translation>Ein Loch hat keine gleich breiten Überlappungen, die sich mischen ließen; wählen Sie die Naht cut, smooth-cut, none oder poisson.</translation>
+    </message>
+    <message>
+        <source>A learnt dictionary of this exemplar, so that none is learnt anew.</source>
+        <translation>Ein gelerntes Wörterbuch dieser Vorlage, damit keines neu gelernt wird.</translation>
+    </message>
+    <message>
+        <source>A patch of {} px has {} values, so that it cannot have {} atoms; choose at most {}.</source>
+        <translation>Ein Patch von {} px hat {} Werte und kann deshalb nicht {} Atome haben; wählen Sie höchstens {}.</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer</translation>
+    </message>
+    <message>
+        <source>Affine in two pieces</source>
+        <translation>Affin in zwei Stücken</translation>
+    </message>
+    <message>
+        <source>All constraints of Tartavel, Gousseau and Peyré with their numbers, at the exemplar&apos;s size with its own low frequencies.</source>
+        <translation>Alle Bedingungen von Tartavel, Gousseau und Peyré mit ihren Zahlen, in der Größe der Vorlage mit deren eigenen tiefen Frequenzen.</translation>
+    </message>
+    <message>
+        <source>All tiles alike</source>
+        <translation>Alle Kacheln gleich</translation>
+    </message>
+    <message>
+        <source>All tiles alike are copies of one; varied ones differ as the exemplar&apos;s tiles differ from their mean, and are a little softer.</source>
+        <translation>Gleiche Kacheln sind Kopien einer einzigen; verschiedene weichen ab wie die der Vorlage von ihrem Mittel und sind etwas weicher.</translation>
+    </message>
+    <message>
+        <source>All tiles side by side; those of a full set match, also round the sheet.</source>
+        <translation>Alle Kacheln nebeneinander; die eines vollen Satzes passen zusammen, auch um den Bogen herum.</translation>
+    </message>
+    <message>
+        <source>Along which axes colours are distributed as in the exemplar: principal axes keep how channels go together.</source>
+        <translation>Entlang welcher Achsen die Farben wie in der Vorlage verteilt sind: Hauptachsen erhalten den Zusammenhang der Kanäle.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>An amplitude of {} would fold the picture; it was lowered to {:.3f}, the most that surely does not.</source>
+        <translation>Eine Amplitude von {} würde das Bild falten; sie wurde auf {:.3f} gesenkt, das Größte, das es sicher nicht tut.</translation>
+    </message>
+    <message>
+        <source>Anamorphosis</source>
+        <translation>Anamorphose</translation>
+    </message>
+    <message>
+        <source>Another number draws another deformation of the same kind.</source>
+        <translation>Eine andere Zahl zieht eine andere Verformung derselben Art.</translation>
+    </message>
+    <message>
+        <source>Ashikhmin: pieces that grow</source>
+        <translation>Ashikhmin: Stücke, die wachsen</translation>
+    </message>
+    <message>
+        <source>At scale 1/{} there are {} patches to learn from, so that the dictionary has {} atoms instead of {}.</source>
+        <translation>Auf der Skala 1/{} gibt es {} Patches zum Lernen, so dass das Wörterbuch {} Atome statt {} hat.</translation>
+    </message>
+    <message>
+        <source>Atoms</source>
+        <translation>Atome</translation>
+    </message>
+    <message>
+        <source>Atoms describe how patches differ from the exemplar&apos;s mean colour, rather than from black, as published: of use for maps with values far from 0, and blurrier for pictures.</source>
+        <translation>Atome beschreiben, wie Patches von der mittleren Farbe der Vorlage abweichen statt von Schwarz, wie veröffentlicht: nützlich für Karten mit Werten weit von 0, für Bilder unschärfer.</translation>
+    </message>
+    <message>
+        <source>Atoms in use</source>
+        <translation>Benutzte Atome</translation>
+    </message>
+    <message>
+        <source>Atoms of a patch</source>
+        <translation>Atome eines Patches</translation>
+    </message>
+    <message>
+        <source>Atoms of the dictionary at each scale: more tell more features apart, and take longer to learn.</source>
+        <translation>Atome des Wörterbuchs auf jeder Skala: mehr unterscheiden mehr Merkmale und brauchen länger zum Lernen.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Basic (Peyré 2009)</source>
+        <translation>Grundform (Peyré 2009)</translation>
+    </message>
+    <message>
+        <source>Between pixels: cubic is sharpest, linear never overshoots, the nearest pixel is copied as it is.</source>
+        <translation>Zwischen Pixeln: Kubisch ist am schärfsten, linear schwingt nie über, das nächste Pixel wird kopiert, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Beyond the border</source>
+        <translation>Jenseits des Randes</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>Blocks are drawn at random along the lattice and make new tiles of parts of several; whole tiles are stitched one after another, each to fit those before.</source>
+        <translation>Blöcke werden entlang des Gitters zufällig gezogen und bilden neue Kacheln aus Teilen mehrerer; ganze Kacheln werden eine nach der anderen angefügt, jede passend zu den vorigen.</translation>
+    </message>
+    <message>
+        <source>Both ways</source>
+        <translation>In beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Chaos</source>
+        <translation>Chaos</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones.</source>
+        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: alle, doch wo ein Loch gefüllt wird, die wahrscheinlichen.</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Kubisch</translation>
+    </message>
+    <message>
+        <source>Curve of the map</source>
+        <translation>Kurve der Karte</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
+        <translation>Zerschneidet die Vorlagen in Stücke, mischt sie so, dass jedes einmal vorkommt, und gleicht die Fugen aus. So wiederholen sich große natürliche Texturen wie Stein und Metall nicht; lange Strukturen über Stücke hinweg gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Deformed squares</source>
+        <translation>Verformte Quadrate</translation>
+    </message>
+    <message>
+        <source>Deforming</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Deforms the exemplar lightly and without folds, so that several of it look less alike.</source>
+        <translation>Verformt das Muster leicht und ohne Falten, damit sich mehrere davon weniger gleichen.</translation>
+    </message>
+    <message>
+        <source>Deforms the exemplar, or what another method made of it, lightly and without folds: stretched along one axis, or as if seen through hot air. Hides repetitions a little; what is salient is still known again.</source>
+        <translation>Verformt die Vorlage, oder was ein anderes Verfahren aus ihr gemacht hat, leicht und ohne Falten: entlang einer Achse gestreckt oder wie durch heiße Luft gesehen. Verbirgt Wiederholungen ein wenig; Auffälliges erkennt man wieder.</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>Wörterbuch</translation>
+    </message>
+    <message>
+        <source>Dictionary at scale 1/{}</source>
+        <translation>Wörterbuch auf der Skala 1/{}</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abwärts</translation>
+    </message>
+    <message>
+        <source>Drawing the deformation</source>
+        <translation>Verformung ziehen</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Ziehung</translation>
+    </message>
+    <message>
+        <source>Draws the colours towards the exemplar&apos;s distribution.</source>
+        <translation>Zieht die Farben zur Verteilung der Vorlage hin.</translation>
+    </message>
+    <message>
+        <source>Draws the image towards the exemplar&apos;s Fourier spectrum: brings fine grain back, which few atoms cannot code.</source>
+        <translation>Zieht das Bild zum Fourier-Spektrum der Vorlage hin: bringt feine Körnung zurück, die wenige Atome nicht darstellen können.</translation>
+    </message>
+    <message>
+        <source>Draws what is larger than a patch towards a target, so that no large blotches arise.</source>
+        <translation>Zieht alles, was größer als ein Patch ist, zu einem Ziel hin, damit keine großen Flecken entstehen.</translation>
+    </message>
+    <message>
+        <source>Efros–Leung: the window</source>
+        <translation>Efros–Leung: das Fenster</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Energy of a pixel</source>
+        <translation>Energie eines Pixels</translation>
+    </message>
+    <message>
+        <source>Every tile by itself, in the order of the table.</source>
+        <translation>Jede Kachel für sich, in der Reihenfolge der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Figure 2 of Tartavel, Gousseau and Peyré: Heeger–Bergen, Portilla–Simoncelli, sparse synthesis, and Peyré&apos;s method of 2009.</source>
+        <translation>Abbildung 2 von Tartavel, Gousseau und Peyré: Heeger–Bergen, Portilla–Simoncelli, dünn besetzte Synthese und Peyrés Verfahren von 2009.</translation>
+    </message>
+    <message>
+        <source>Figure 4 of Tartavel, Gousseau and Peyré: from Peyré&apos;s method of 2009, each run adds one constraint to those before it.</source>
+        <translation>Abbildung 4 von Tartavel, Gousseau und Peyré: ausgehend von Peyrés Verfahren von 2009 fügt jeder Lauf den vorigen eine Bedingung hinzu.</translation>
+    </message>
+    <message>
+        <source>Flips pieces and turns them by 180° at random: varies more, but light then comes from several sides, also in companion normal maps.</source>
+        <translation>Spiegelt Stücke und dreht sie um 180°, zufällig: mehr Abwechslung, aber das Licht kommt dann von mehreren Seiten, auch in begleitenden Normalenkarten.</translation>
+    </message>
+    <message>
+        <source>For outputs larger than the exemplar: low frequencies of random phases, lightly held, and one scale more.</source>
+        <translation>Für Ausgaben, die größer als die Vorlage sind: tiefe Frequenzen mit Zufallsphasen, leicht gewichtet, und eine Skala mehr.</translation>
+    </message>
+    <message>
+        <source>Frequencies of atoms</source>
+        <translation>Häufigkeiten der Atome</translation>
+    </message>
+    <message>
+        <source>From one patch that is learnt from to the next: wider steps in a small exemplar leave so few patches that the atoms merely repeat them. At most 20 patches for each atom are used.</source>
+        <translation>Von einem Patch, aus dem gelernt wird, zum nächsten: weite Schritte lassen in einer kleinen Vorlage so wenige Patches, dass die Atome sie nur wiederholen. Höchstens 20 Patches je Atom werden benutzt.</translation>
+    </message>
+    <message>
+        <source>From one patch to the next, at most the patch size: closer is surer and takes longer; half the patch is published.</source>
+        <translation>Von einem Patch zum nächsten, höchstens die Patchgröße: enger ist sicherer und dauert länger; veröffentlicht ist der halbe Patch.</translation>
+    </message>
+    <message>
+        <source>From the exemplar’s tiles</source>
+        <translation>Aus den Kacheln der Vorlage</translation>
+    </message>
+    <message>
+        <source>From the mean</source>
+        <translation>Vom Mittelwert aus</translation>
+    </message>
+    <message>
+        <source>Gradient steps</source>
+        <translation>Gradientenschritte</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>How a patch is joined to its neighbours: a cut, or none, keeps every pixel as it is in the exemplar; the others blend where patches overlap.</source>
+        <translation>Wie ein Flicken mit seinen Nachbarn verbunden wird: Ein Schnitt, oder keiner, lässt jedes Pixel, wie es in der Vorlage ist; die anderen mischen, wo Flicken sich überlappen.</translation>
+    </message>
+    <message>
+        <source>How far from a joint levels are drawn together, in sides of a piece: larger hides joints over more of a piece, and lets shades drift; 0 levels without limit.</source>
+        <translation>Wie weit von einer Fuge die Helligkeiten angeglichen werden, in Stückseiten: Größer verbirgt Fugen über mehr von einem Stück und lässt Schattierungen wandern; 0 gleicht unbegrenzt aus.</translation>
+    </message>
+    <message>
+        <source>How far into each other neighbouring tiles fade, up to half a tile: more hides their edges, less is sharper.</source>
+        <translation>Wie weit benachbarte Kacheln ineinander übergehen, bis zu einer halben Kachel: mehr verbirgt ihre Ränder, weniger ist schärfer.</translation>
+    </message>
+    <message>
+        <source>How many atoms make up a patch: more follow the exemplar more closely, fewer keep edges clean.</source>
+        <translation>Aus wie vielen Atomen ein Patch besteht: mehr folgen der Vorlage genauer, weniger halten Kanten sauber.</translation>
+    </message>
+    <message>
+        <source>How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes whatever fits best, as a hole does that is filled.</source>
+        <translation>Wie sehr ein zu oft verwendeter Flicken gemieden wird: Größer zeigt die ganze Vorlage, 0 nimmt, was am besten passt, wie ein Loch, das gefüllt wird.</translation>
+    </message>
+    <message>
+        <source>How much of each component a tile gets: normally distributed, which makes what the exemplar does not show, or as much as some tile of the exemplar has.</source>
+        <translation>Wie viel eine Kachel von jeder Komponente erhält: normalverteilt, was auch ergibt, was die Vorlage nicht zeigt, oder so viel wie irgendeine Kachel der Vorlage.</translation>
+    </message>
+    <message>
+        <source>How much the distribution of colours counts against the patches.</source>
+        <translation>Wie viel die Verteilung der Farben gegenüber den Patches zählt.</translation>
+    </message>
+    <message>
+        <source>How much the low frequencies count against the patches.</source>
+        <translation>Wie viel die tiefen Frequenzen gegenüber den Patches zählen.</translation>
+    </message>
+    <message>
+        <source>How much the spectrum counts against the patches.</source>
+        <translation>Wie viel das Spektrum gegenüber den Patches zählt.</translation>
+    </message>
+    <message>
+        <source>How overlapping patches are put together: joined along cuts, which is sharp, or averaged, which blurs.</source>
+        <translation>Wie überlappende Patches zusammengesetzt werden: entlang von Schnitten, was scharf ist, oder gemittelt, was verwischt.</translation>
+    </message>
+    <message>
+        <source>How strongly: 0 changes nothing; near 1 the most squeezed places shrink to almost nothing. Turbulence is lowered until nothing folds.</source>
+        <translation>Wie stark: 0 ändert nichts; nahe 1 schrumpfen die am stärksten gestauchten Stellen fast auf nichts. Turbulenz wird gesenkt, bis sich nichts faltet.</translation>
+    </message>
+    <message>
+        <source>How the exemplar goes on where the output is larger or wraps: mirrored it joins with itself; repeat one that tiles.</source>
+        <translation>Wie die Vorlage weitergeht, wo die Ausgabe größer ist oder sich schließt: Gespiegelt passt sie an sich selbst; wiederholen Sie eine, die kachelt.</translation>
+    </message>
+    <message>
+        <source>Image analogies with painted pictures: A says where the exemplar&apos;s stones and gaps are, B where they are to be; the two count more from run to run.</source>
+        <translation>Bildanalogien mit gemalten Bildern: A sagt, wo in der Vorlage Steine und Fugen sind, B, wo sie hin sollen; beide zählen von Lauf zu Lauf mehr.</translation>
+    </message>
+    <message>
+        <source>In how many principal components tiles vary, at most: more show finer differences, 0 repeats the mean tile.</source>
+        <translation>In höchstens so vielen Hauptkomponenten unterscheiden sich Kacheln: mehr zeigen feinere Unterschiede, 0 wiederholt die mittlere Kachel.</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>K-SVD</source>
+        <translation>K-SVD</translation>
+    </message>
+    <message>
+        <source>K-SVD improves every atom for all patches that use it, and learns better; online learning looks at few patches at a time.</source>
+        <translation>K-SVD verbessert jedes Atom für alle Patches, die es benutzen, und lernt besser; fortlaufendes Lernen sieht wenige Patches auf einmal an.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Laying pieces</source>
+        <translation>Stücke legen</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Learning at scale 1/{}</source>
+        <translation>Lernen auf der Skala 1/{}</translation>
+    </message>
+    <message>
+        <source>Learning rounds</source>
+        <translation>Lernrunden</translation>
+    </message>
+    <message>
+        <source>Learning step</source>
+        <translation>Lernschritt</translation>
+    </message>
+    <message>
+        <source>Learns atoms of which a few make up any patch of the exemplar, and shows them, those used most first. Sparse synthesis takes the dictionary up, so that it is learnt only once.</source>
+        <translation>Lernt Atome, von denen wenige jeden Patch der Vorlage ergeben, und zeigt sie, die meistbenutzten zuerst. Die dünn besetzte Synthese nimmt das Wörterbuch auf, so dass es nur einmal gelernt wird.</translation>
+    </message>
+    <message>
+        <source>Least determinant of the Jacobian</source>
+        <translation>Kleinste Determinante der Jacobi-Matrix</translation>
+    </message>
+    <message>
+        <source>Levelling joints</source>
+        <translation>Fugen ausgleichen</translation>
+    </message>
+    <message>
+        <source>Levelling reach</source>
+        <translation>Reichweite des Ausgleichs</translation>
+    </message>
+    <message>
+        <source>Low frequencies</source>
+        <translation>Tiefe Frequenzen</translation>
+    </message>
+    <message>
+        <source>Low frequencies of</source>
+        <translation>Tiefe Frequenzen von</translation>
+    </message>
+    <message>
+        <source>Makes an image whose patches are each a sum of few learnt atoms, used as often as in the exemplar. New pixels rather than copies; sharp on small structures such as scales, weaves and cracks, and lost on large objects and on grain.</source>
+        <translation>Erzeugt ein Bild, dessen Patches je eine Summe weniger gelernter Atome sind, die so oft benutzt werden wie in der Vorlage. Neue Pixel statt Kopien; scharf bei kleinen Strukturen wie Schuppen, Geflechten und Rissen, verloren bei großen Gegenständen und Körnung.</translation>
+    </message>
+    <message>
+        <source>Map of the sheet</source>
+        <translation>Karte des Bogens</translation>
+    </message>
+    <message>
+        <source>Mean tile and components</source>
+        <translation>Mittlere Kachel und Komponenten</translation>
+    </message>
+    <message>
+        <source>Most rounds at each scale: more bring patches and image closer together.</source>
+        <translation>Höchstzahl der Runden auf jeder Skala: mehr bringen Patches und Bild näher zusammen.</translation>
+    </message>
+    <message>
+        <source>Moving blocks</source>
+        <translation>Blöcke versetzen</translation>
+    </message>
+    <message>
+        <source>Nearest pixel</source>
+        <translation>Nächstes Pixel</translation>
+    </message>
+    <message>
+        <source>No atom is used more often than in the exemplar: brings all features back, and keeps smooth patches from spreading.</source>
+        <translation>Kein Atom wird öfter benutzt als in der Vorlage: bringt alle Merkmale wieder und verhindert, dass sich glatte Patches ausbreiten.</translation>
+    </message>
+    <message>
+        <source>Normally</source>
+        <translation>Normalverteilt</translation>
+    </message>
+    <message>
+        <source>Nothing of the image to start from is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
+        <translation>Vom Ausgangsbild ist nichts bekannt, sodass es kein Loch zu füllen gibt; lassen Sie die Maske weg, oder markieren Sie, was bleiben soll.</translation>
+    </message>
+    <message>
+        <source>Online</source>
+        <translation>Fortlaufend</translation>
+    </message>
+    <message>
+        <source>Parabola</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>Patches learnt from</source>
+        <translation>Patches, aus denen gelernt wurde</translation>
+    </message>
+    <message>
+        <source>Peyré 2009</source>
+        <translation>Peyré 2009</translation>
+    </message>
+    <message>
+        <source>Piece size</source>
+        <translation>Stückgröße</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Pieces of the exemplar grow until nothing fits; jumps from 0 to 0.2 make them smaller. See the tab Copied pieces.</source>
+        <translation>Stücke der Vorlage wachsen, bis nichts mehr passt; Sprünge von 0 bis 0,2 machen sie kleiner. Siehe die Karte „Kopierte Stücke“.</translation>
+    </message>
+    <message>
+        <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
+        <translation>Poisson gleicht die Fugen aus und behält die Details; ein Schnitt kopiert jedes Pixel, wie es ist; Überblenden verwischt, wo sich Stücke überlappen; ohne zeigt die Stücke.</translation>
+    </message>
+    <message>
+        <source>Random mosaic</source>
+        <translation>Zufallsmosaik</translation>
+    </message>
+    <message>
+        <source>Reconstruction</source>
+        <translation>Zusammensetzen</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Root mean square error</source>
+        <translation>Wurzel des mittleren quadratischen Fehlers</translation>
+    </message>
+    <message>
+        <source>Rounds over all patches that are learnt from: more learn better, and take longer.</source>
+        <translation>Runden über alle Patches, aus denen gelernt wird: mehr lernen besser und dauern länger.</translation>
+    </message>
+    <message>
+        <source>Row by row on a single scale, with neighbourhoods of 5, 9, 15 and 21 px: the known half above and to the left decides.</source>
+        <translation>Zeile für Zeile auf einer einzigen Skala, mit Nachbarschaften von 5, 9, 15 und 21 px: Die bekannte Hälfte darüber und links entscheidet.</translation>
+    </message>
+    <message>
+        <source>STMap</source>
+        <translation>STMap</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Share of a piece over which neighbours overlap, for cuts and feathering: larger joins better.</source>
+        <translation>Anteil eines Stücks, über den sich Nachbarn überlappen, für Schnitte und Überblenden: Größer fügt besser.</translation>
+    </message>
+    <message>
+        <source>Share of the variance in them</source>
+        <translation>Ihr Anteil an der Varianz</translation>
+    </message>
+    <message>
+        <source>Shuffling pieces</source>
+        <translation>Stücke mischen</translation>
+    </message>
+    <message>
+        <source>Side of a piece, or width of a slice: larger keeps larger structures whole, smaller makes outputs differ more.</source>
+        <translation>Seite eines Stücks oder Breite eines Streifens: Größer lässt größere Strukturen ganz, kleiner macht Ausgaben verschiedener.</translation>
+    </message>
+    <message>
+        <source>Side of the patches at each scale: larger keeps larger features whole and takes longer.</source>
+        <translation>Seite der Patches auf jeder Skala: größer hält größere Merkmale ganz und dauert länger.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more. Whole tiles take it where rows do not repeat.</source>
+        <translation>Seite der Quadrate, die kopiert werden; 0 wählt nach Vorlage und Gitter. Größer erhält größere Stücke, kleiner variiert mehr. Ganze Kacheln nehmen sie, wo Reihen sich nicht wiederholen.</translation>
+    </message>
+    <message>
+        <source>Single tiles</source>
+        <translation>Einzelne Kacheln</translation>
+    </message>
+    <message>
+        <source>Sinusoid</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Size of the swirls: larger bends slower and moves farther.</source>
+        <translation>Größe der Wirbel: Größer biegt langsamer und verschiebt weiter.</translation>
+    </message>
+    <message>
+        <source>Slices keep what runs along them, as the grain of wood; pieces cut both ways suit what looks alike in all directions; chaos throws blocks over copies of the exemplar.</source>
+        <translation>Streifen behalten, was an ihnen entlangläuft, wie die Maserung von Holz; in beide Richtungen geschnittene Stücke passen zu dem, was in alle Richtungen gleich aussieht; Chaos wirft Blöcke über Kopien der Vorlage.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Sparse coding</source>
+        <translation>Dünn besetzte Kodierung</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis</source>
+        <translation>Dünn besetzte Synthese</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis beside statistics</source>
+        <translation>Dünn besetzte Synthese neben Statistik</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, as published</source>
+        <translation>Dünn besetzte Synthese, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, larger output</source>
+        <translation>Dünn besetzte Synthese, größere Ausgabe</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, micro-texture</source>
+        <translation>Dünn besetzte Synthese, Mikrotextur</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, step by step</source>
+        <translation>Dünn besetzte Synthese, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Steps of the image in each round, between two codings of its patches.</source>
+        <translation>Schritte des Bildes in jeder Runde, zwischen zwei Kodierungen seiner Patches.</translation>
+    </message>
+    <message>
+        <source>Stitching tiles</source>
+        <translation>Kacheln anfügen</translation>
+    </message>
+    <message>
+        <source>Table of tiles</source>
+        <translation>Kacheltabelle</translation>
+    </message>
+    <message>
+        <source>Texture by numbers</source>
+        <translation>Textur nach Zahlen</translation>
+    </message>
+    <message>
+        <source>The axis that the first three kinds deform; turbulence deforms both.</source>
+        <translation>Die Achse, die die ersten drei Arten verformen; Turbulenz verformt beide.</translation>
+    </message>
+    <message>
+        <source>The colours of every tile&apos;s edges, its place on the sheet, and the tile for each combination of colours; as .json for other programs.</source>
+        <translation>Die Farben der Kanten jeder Kachel, ihr Platz auf dem Bogen und die Kachel zu jeder Farbkombination; als .json für andere Programme.</translation>
+    </message>
+    <message>
+        <source>The contrast of {} is for whole outputs; set it to 0 to fill a hole.</source>
+        <translation>Der Kontrast von {} ist für ganze Ergebnisse; setzen Sie ihn auf 0, um ein Loch zu füllen.</translation>
+    </message>
+    <message>
+        <source>The dictionary has patches of {} px, and the patch size is {} px; they need the same.</source>
+        <translation>Das Wörterbuch hat Patches von {} px, und die Patchgröße ist {} px; beide müssen gleich sein.</translation>
+    </message>
+    <message>
+        <source>The dictionary says that it has {} scales of {} channels in patches of {} px.</source>
+        <translation>Das Wörterbuch gibt {} Skalen mit {} Kanälen in Patches von {} px an.</translation>
+    </message>
+    <message>
+        <source>The dictionary was learnt from {} channels, and the exemplar with its companions has {}; they need the same number.</source>
+        <translation>Das Wörterbuch wurde aus {} Kanälen gelernt, und die Vorlage mit ihren Begleitkarten hat {}; beide müssen gleich viele haben.</translation>
+    </message>
+    <message>
+        <source>The dictionary&apos;s counts of uses at scale {} make no sense.</source>
+        <translation>Die Nutzungszahlen des Wörterbuchs auf der Skala {} ergeben keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>The exemplar itself, as published, gives its own layout of light and dark, and is only possible at its size; random phases give a new one at any size. Whatever fits takes the exemplar where sizes are the same and nothing wraps.</source>
+        <translation>Die Vorlage selbst, wie veröffentlicht, ergibt ihre eigene Anordnung von Hell und Dunkel und geht nur in ihrer Größe; Zufallsphasen ergeben eine neue in jeder Größe. Was passt nimmt die Vorlage, wo die Größen gleich sind und nichts kachelt.</translation>
+    </message>
+    <message>
+        <source>The exemplar&apos;s own low frequencies fit an output of its size, {} × {} px, and this one is {} × {} px; choose random phases.</source>
+        <translation>Die eigenen tiefen Frequenzen der Vorlage passen zu einer Ausgabe ihrer Größe, {} × {} px, und diese ist {} × {} px groß; wählen Sie Zufallsphasen.</translation>
+    </message>
+    <message>
+        <source>The first three stretch and squeeze along one axis; turbulence swirls along both.</source>
+        <translation>Die ersten drei strecken und stauchen entlang einer Achse; Turbulenz wirbelt entlang beider.</translation>
+    </message>
+    <message>
+        <source>The hole is filled with patches of {} px: larger ones would cover most of it.</source>
+        <translation>Das Loch wird mit Flicken von {} px gefüllt: Größere würden das meiste davon bedecken.</translation>
+    </message>
+    <message>
+        <source>The image to start from is {} × {} px, smaller than the patch of {} px; choose a patch of at most {} px.</source>
+        <translation>Das Ausgangsbild hat {} × {} px, weniger als der Flicken von {} px; wählen Sie einen Flicken von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {} × {} px does not fit into {} of {} × {} px; choose unit=blocks.</source>
+        <translation>Die Kachel des Gitters mit {} × {} px passt nicht in {} mit {} × {} px; wählen Sie unit=blocks.</translation>
+    </message>
+    <message>
+        <source>The learnt atoms of each scale, and how often each is used.</source>
+        <translation>Die gelernten Atome jeder Skala, und wie oft jedes benutzt wird.</translation>
+    </message>
+    <message>
+        <source>The map&apos;s pixel ({}, {}) comes from exemplar {}, but there are {}.</source>
+        <translation>Das Pixel ({}, {}) der Karte kommt aus Vorlage {}, aber es gibt {}.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave some of it to lay, at least {} px.</source>
+        <translation>Die Maske verdeckt die ganze Vorlage; lassen Sie etwas davon frei, mindestens {} px.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole block of {} px to lay; choose smaller blocks or mask less.</source>
+        <translation>Die Maske lässt keinen ganzen Block von {} px zum Legen frei; wählen Sie kleinere Blöcke oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole piece of {} px to lay; choose smaller pieces or mask less.</source>
+        <translation>Die Maske lässt kein ganzes Stück von {} px zum Legen frei; wählen Sie kleinere Stücke oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole tile of {} × {} px to copy; mask less, or choose unit=blocks.</source>
+        <translation>Die Maske lässt keine ganze Kachel von {} × {} px zum Kopieren übrig; maskieren Sie weniger, oder wählen Sie unit=blocks.</translation>
+    </message>
+    <message>
+        <source>The model has no array {} with atoms in it.</source>
+        <translation>Das Modell hat kein Feld {} mit Atomen darin.</translation>
+    </message>
+    <message>
+        <source>The same exemplar with windows of 5, 9, 15 and 25 px: too small a window grows garbage, too large a one copies verbatim.</source>
+        <translation>Dieselbe Vorlage mit Fenstern von 5, 9, 15 und 25 px: Ein zu kleines lässt Unsinn wachsen, ein zu großes kopiert wörtlich.</translation>
+    </message>
+    <message>
+        <source>The spacing of {} px leaves gaps between patches of {} px; choose at most {} px.</source>
+        <translation>Der Abstand von {} px lässt Lücken zwischen Patches von {} px; wählen Sie höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>The waves alone, of the output&apos;s size: the texture without its irregularities.</source>
+        <translation>Die Wellen allein, in der Größe der Ausgabe: die Textur ohne ihre Unregelmäßigkeiten.</translation>
+    </message>
+    <message>
+        <source>Three methods, pixel by pixel</source>
+        <translation>Drei Verfahren, Pixel für Pixel</translation>
+    </message>
+    <message>
+        <source>Tile sheet</source>
+        <translation>Kachelbogen</translation>
+    </message>
+    <message>
+        <source>Tile with overlap, height</source>
+        <translation>Kachel mit Überlappung, Höhe</translation>
+    </message>
+    <message>
+        <source>Tile with overlap, width</source>
+        <translation>Kachel mit Überlappung, Breite</translation>
+    </message>
+    <message>
+        <source>Tiles stitched</source>
+        <translation>Angefügte Kacheln</translation>
+    </message>
+    <message>
+        <source>Turbulence</source>
+        <translation>Turbulenz</translation>
+    </message>
+    <message>
+        <source>Turn pieces</source>
+        <translation>Stücke drehen</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Varied</source>
+        <translation>Verschieden</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>Verformen</translation>
+    </message>
+    <message>
+        <source>Waves of the sinusoid over the whole: more of them move less far.</source>
+        <translation>Wellen des Sinus über das Ganze: Mehr davon verschieben weniger weit.</translation>
+    </message>
+    <message>
+        <source>Weight of low frequencies</source>
+        <translation>Gewicht der tiefen Frequenzen</translation>
+    </message>
+    <message>
+        <source>Weight of the histogram</source>
+        <translation>Gewicht des Histogramms</translation>
+    </message>
+    <message>
+        <source>Weight of the spectrum</source>
+        <translation>Gewicht des Spektrums</translation>
+    </message>
+    <message>
+        <source>Wei–Levoy on one scale</source>
+        <translation>Wei–Levoy auf einer Skala</translation>
+    </message>
+    <message>
+        <source>Wei–Levoy, Ashikhmin and image analogies on one exemplar: the first blurs small things, the second shows joins, the third weighs one against the other.</source>
+        <translation>Wei–Levoy, Ashikhmin und Bildanalogien an einer Vorlage: Das erste verwischt Kleines, das zweite zeigt Nähte, das dritte wägt beides ab.</translation>
+    </message>
+    <message>
+        <source>Whatever fits</source>
+        <translation>Was passt</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, how far around it the same picture is copied from: smaller takes what is near, and is faster; 0 takes all of the picture.</source>
+        <translation>Wo ein Loch gefüllt wird, aus welchem Umkreis desselben Bildes kopiert wird: Kleiner nimmt, was nah ist, und ist schneller; 0 nimmt das ganze Bild.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, how far from its own place in an exemplar of the output&apos;s size a pixel&apos;s source may lie: smaller takes what is near; 0 looks everywhere.</source>
+        <translation>Wo ein Loch gefüllt wird, wie weit die Quelle eines Pixels in einer Vorlage von der Größe des Ergebnisses von dessen eigener Stelle liegen darf: Kleiner nimmt, was nah ist; 0 sucht überall.</translation>
+    </message>
+    <message>
+        <source>Where each pixel comes from, between pixels too, as compositors read it: .exr, of 32-bit floats. `apply` lays out another map by it.</source>
+        <translation>Woher jedes Pixel kommt, auch zwischen Pixeln, wie Compositing-Programme es lesen: .exr mit 32-Bit-Gleitkommazahlen. `apply` legt damit eine andere Karte aus.</translation>
+    </message>
+    <message>
+        <source>Where each pixel of the sheet comes from: `apply` makes the same sheet of companion maps with it.</source>
+        <translation>Woher jedes Pixel des Bogens stammt: `apply` macht damit denselben Bogen aus Begleitkarten.</translation>
+    </message>
+    <message>
+        <source>Whole tiles</source>
+        <translation>Ganze Kacheln</translation>
+    </message>
+    <message>
+        <source>With the exemplar&apos;s spectrum, which brings back the fine grain of grass, sand or cloth that few atoms cannot code.</source>
+        <translation>Mit dem Spektrum der Vorlage, das die feine Körnung von Gras, Sand oder Stoff zurückbringt, die wenige Atome nicht darstellen können.</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>{} cannot hold an STMap, which needs 32-bit floats; its name ends in .exr.</source>
+        <translation>{} kann keine STMap aufnehmen, die 32-Bit-Gleitkommazahlen braucht; der Name endet auf .exr.</translation>
+    </message>
+    <message>
+        <source>{} declares {} for its output {}, but made something else; this is a mistake in the method.</source>
+        <translation>{} gibt {} als Ausgabe {} an, hat aber etwas anderes erzeugt; das ist ein Fehler im Verfahren.</translation>
+    </message>
+    <message>
+        <source>{} gives {} to {} for its output {}, but made {}; this is a mistake in the method.</source>
+        <translation>{} liefert {} bis {} für die Ausgabe {}, hat aber {} erzeugt; das ist ein Fehler im Verfahren.</translation>
+    </message>
+    <message>
+        <source>{} holds only one whole tile, so that nothing varies; a larger exemplar or a smaller tile shows how tiles differ.</source>
+        <translation>{} enthält nur eine ganze Kachel, sodass nichts variiert; eine größere Vorlage oder eine kleinere Kachel zeigt, wie Kacheln sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>{} is one piece of this size, so that the output only repeats it; choose pieces of at most {} px.</source>
+        <translation>{} ist bei dieser Größe ein einziges Stück, sodass die Ausgabe es nur wiederholt; wählen Sie Stücke von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than a piece of {} px; choose pieces of at most {} px.</source>
+        <translation>{} hat {} × {} px, weniger als ein Stück von {} px; wählen Sie Stücke von höchstens {} px.</translation>
+    </message>
+    <message>
+        <source>{} learns from no exemplar, so that it makes no companion maps; leave them out.</source>
+        <translation>{} lernt von keiner Vorlage und erzeugt deshalb keine Begleitkarten; lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>{} made a model of the kind {} for its output {}, which takes one of its own kind; this is a mistake in the method.</source>
+        <translation>{} hat ein Modell der Art {} für die Ausgabe {} erzeugt, die eines ihrer eigenen Art verlangt; das ist ein Fehler im Verfahren.</translation>
+    </message>
+    <message>
+        <source>{} made an output {} that it does not declare; this is a mistake in the method.</source>
+        <translation>{} hat eine Ausgabe {} erzeugt, die es nicht angibt; das ist ein Fehler im Verfahren.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -4056,6 +4856,61 @@
     <message>
         <source>End the run under way and keep nothing of it; those that wait go on</source>
         <translation>Den laufenden Vorgang beenden und nichts davon behalten; die wartenden gehen weiter</translation>
+    </message>
+    <message>
+        <source>E&amp;xtend a picture…</source>
+        <translation>Ein Bild er&amp;weitern …</translation>
+    </message>
+    <message>
+        <source>Make more of a picture beyond its edges, with a method that completes pictures</source>
+        <translation>Ein Bild über seine Ränder hinaus fortsetzen, mit einem Verfahren, das Bilder ergänzt</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::AnalogyView</name>
+    <message>
+        <source>A′</source>
+        <translation>A′</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>B′</source>
+        <translation>B′</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A′&lt;/b&gt; The exemplar, which stands to A as the result will stand to B. A click opens another one.</source>
+        <translation>&lt;b&gt;A′&lt;/b&gt; Die Vorlage, die zu A steht wie das Ergebnis zu B stehen wird. Ein Klick öffnet eine andere.</translation>
+    </message>
+    <message>
+        <source>A′: open another exemplar</source>
+        <translation>A′: eine andere Vorlage öffnen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;B′&lt;/b&gt; The result, made from A, A′ and B. A click shows it.</source>
+        <translation>&lt;b&gt;B′&lt;/b&gt; Das Ergebnis, aus A, A′ und B gemacht. Ein Klick zeigt es.</translation>
+    </message>
+    <message>
+        <source>B′: show the result</source>
+        <translation>B′: das Ergebnis zeigen</translation>
+    </message>
+    <message>
+        <source>Open the result that is shown as an exemplar</source>
+        <translation>Das gezeigte Ergebnis als Vorlage öffnen</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Not made yet</source>
+        <translation>Noch nicht gemacht</translation>
     </message>
 </context>
 <context>
@@ -4592,6 +5447,17 @@
     </message>
 </context>
 <context>
+    <name>texloom::ui::ExampleSweeps</name>
+    <message>
+        <source>Exa&amp;mple sweeps</source>
+        <translation>&amp;Beispielreihen</translation>
+    </message>
+    <message>
+        <source>None were found beside the program</source>
+        <translation>Neben dem Programm wurden keine gefunden</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ExemplarEditor</name>
     <message>
         <source>Exemplar being edited</source>
@@ -5058,6 +5924,45 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::ExtendDialog</name>
+    <message>
+        <source>Extend the picture</source>
+        <translation>Das Bild erweitern</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>How far the picture is to reach beyond each of its edges. What lies there is made by the next run.</source>
+        <translation>Wie weit das Bild über jeden seiner Ränder reichen soll. Was dort liegt, macht der nächste Lauf.</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>%1 → %2 px</source>
+        <translation>%1 → %2 px</translation>
+    </message>
+    <message>
+        <source>%1 px is too large; its sides go up to %2.</source>
+        <translation>%1 px ist zu groß; die Seiten gehen bis %2.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::FiguresPanel</name>
     <message>
         <source>exemplar</source>
@@ -5344,6 +6249,53 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>No run is waiting. “Add to queue” puts one here, to be made after those before it.</source>
         <translation>Nichts wartet. „In die Warteschlange“ stellt einen Vorgang hierher.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LabelPainter</name>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>&amp;Füllen</translation>
+    </message>
+    <message>
+        <source>Fills the area of one colour that is clicked</source>
+        <translation>Füllt die Fläche einer Farbe, die angeklickt wird</translation>
+    </message>
+    <message>
+        <source>P&amp;ick colour</source>
+        <translation>Farbe aufneh&amp;men</translation>
+    </message>
+    <message>
+        <source>Takes the colour that is clicked, and goes back to the brush</source>
+        <translation>Nimmt die Farbe, die angeklickt wird, und geht zum Pinsel zurück</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves the picture. A double click or Enter closes a polygon. Alt and a click takes the colour there, Alt and a number that of the palette; [ and ] make the brush smaller and larger. Without a mouse: Shift and the arrow keys move the cursor, the space bar paints, fills or sets a corner.</source>
+        <translation>Das Rad zoomt, die mittlere Taste verschiebt das Bild. Ein Doppelklick oder die Eingabetaste schließt ein Polygon. Alt und ein Klick nimmt die Farbe dort, Alt und eine Ziffer die der Palette; [ und ] machen den Pinsel kleiner und größer. Ohne Maus: Umschalt und die Pfeiltasten bewegen den Cursor, die Leertaste malt, füllt oder setzt eine Ecke.</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>Farbe %1</translation>
+    </message>
+    <message>
+        <source>Colour %1 (Alt+%1)</source>
+        <translation>Farbe %1 (Alt+%1)</translation>
+    </message>
+    <message>
+        <source>How much of the picture shows through the colours</source>
+        <translation>Wie viel vom Bild durch die Farben scheint</translation>
+    </message>
+    <message>
+        <source>Picture &amp;shows</source>
+        <translation>Bild &amp;scheint durch</translation>
+    </message>
+    <message>
+        <source>Paint &amp;all</source>
+        <translation>&amp;Alles bemalen</translation>
+    </message>
+    <message>
+        <source>Paints the whole picture in the colour</source>
+        <translation>Malt das ganze Bild in der Farbe</translation>
     </message>
 </context>
 <context>
@@ -5759,52 +6711,12 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>&amp;Wegnehmen</translation>
     </message>
     <message>
-        <source>Picture that is painted on</source>
-        <translation>Bild, auf das gemalt wird</translation>
-    </message>
-    <message>
         <source>The wheel zooms, the middle button moves the picture. A double click or Enter closes a polygon. Alt takes away; [ and ] make the brush smaller and larger. Without a mouse: Shift and the arrow keys move the cursor, the space bar paints or sets a corner.</source>
         <translation>Das Rad zoomt, die mittlere Taste verschiebt das Bild. Ein Doppelklick oder die Eingabetaste schließt ein Polygon. Alt nimmt weg; [ und ] machen den Pinsel kleiner und größer. Ohne Maus: Umschalt und die Pfeiltasten bewegen den Cursor, die Leertaste malt oder setzt eine Ecke.</translation>
     </message>
     <message>
-        <source>&amp;Brush</source>
-        <translation>&amp;Pinsel</translation>
-    </message>
-    <message>
-        <source>Paints where the mouse drags</source>
-        <translation>Malt, wo die Maus zieht</translation>
-    </message>
-    <message>
-        <source>&amp;Lasso</source>
-        <translation>&amp;Lasso</translation>
-    </message>
-    <message>
-        <source>Takes what the mouse drags around</source>
-        <translation>Nimmt, was die Maus umfährt</translation>
-    </message>
-    <message>
-        <source>&amp;Polygon</source>
-        <translation>Pol&amp;ygon</translation>
-    </message>
-    <message>
-        <source>Gets a corner at each click</source>
-        <translation>Bekommt mit jedem Klick eine Ecke</translation>
-    </message>
-    <message>
-        <source>&amp;Rectangle</source>
-        <translation>&amp;Rechteck</translation>
-    </message>
-    <message>
-        <source>Goes from corner to corner</source>
-        <translation>Geht von Ecke zu Ecke</translation>
-    </message>
-    <message>
         <source>Shapes are taken away from what is painted. Alt does the same for one shape.</source>
         <translation>Formen werden von dem weggenommen, was gemalt ist. Alt tut dasselbe für eine Form.</translation>
-    </message>
-    <message>
-        <source>&amp;Width</source>
-        <translation>&amp;Breite</translation>
     </message>
     <message>
         <source>Painted: black in the mask, lighter where it is softened.</source>
@@ -5865,33 +6777,6 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Takes all away that is painted</source>
         <translation>Nimmt alles weg, was gemalt ist</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>Goes back by a step (Ctrl+Z)</source>
-        <translation>Geht einen Schritt zurück (Strg+Z)</translation>
-    </message>
-    <message>
-        <source>Re&amp;do</source>
-        <translation>Wieder&amp;herstellen</translation>
-    </message>
-    <message>
-        <source>Makes an undone step again (Ctrl+Shift+Z)</source>
-        <translation>Macht einen zurückgenommenen Schritt wieder (Strg+Umschalt+Z)</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::MaskPainting</name>
-    <message>
-        <source>There is no picture to paint on yet; open an exemplar, or choose the image first.</source>
-        <translation>Es gibt noch kein Bild, auf das gemalt werden kann; öffnen Sie eine Vorlage, oder wählen Sie zuerst das Bild.</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -6135,6 +7020,93 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Seed</source>
         <translation>Startwert</translation>
     </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Painter</name>
+    <message>
+        <source>Picture that is painted on</source>
+        <translation>Bild, auf das gemalt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinsel</translation>
+    </message>
+    <message>
+        <source>Paints where the mouse drags</source>
+        <translation>Malt, wo die Maus zieht</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Takes what the mouse drags around</source>
+        <translation>Nimmt, was die Maus umfährt</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>Pol&amp;ygon</translation>
+    </message>
+    <message>
+        <source>Gets a corner at each click</source>
+        <translation>Bekommt mit jedem Klick eine Ecke</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Goes from corner to corner</source>
+        <translation>Geht von Ecke zu Ecke</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Rück&amp;gängig</translation>
+    </message>
+    <message>
+        <source>Goes back by a step (Ctrl+Z)</source>
+        <translation>Geht einen Schritt zurück (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+    <message>
+        <source>Makes an undone step again (Ctrl+Shift+Z)</source>
+        <translation>Macht einen zurückgenommenen Schritt wieder (Strg+Umschalt+Z)</translation>
+    </message>
+    <message>
+        <source>Painted and not kept</source>
+        <translation>Gemalt und nicht behalten</translation>
+    </message>
+    <message>
+        <source>What you painted is lost unless you keep it.</source>
+        <translation>Was Sie gemalt haben, geht verloren, wenn Sie es nicht behalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>&amp;Go on painting</source>
+        <translation>&amp;Weiter malen</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ParamRow</name>
@@ -6230,6 +7202,41 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::PortPainting</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>There is no picture to paint on yet; open an exemplar, or choose the image first.</source>
+        <translation>Es gibt noch kein Bild, auf das gemalt werden kann; öffnen Sie eine Vorlage, oder wählen Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>There is no exemplar yet whose colours could be painted; open one first.</source>
+        <translation>Es gibt noch keine Vorlage, deren Farben gemalt werden könnten; öffnen Sie zuerst eine.</translation>
+    </message>
+    <message>
+        <source>The first colours are those of %1.</source>
+        <translation>Die ersten Farben sind die von: %1.</translation>
+    </message>
+    <message>
+        <source>What is there has another size or more than %1 colours, so it is begun anew.</source>
+        <translation>Was da ist, hat eine andere Größe oder mehr als %1 Farben, daher wird neu begonnen.</translation>
+    </message>
+    <message>
+        <source>%1 completes no picture; choose a method that does: %2.</source>
+        <translation>%1 ergänzt keine Bilder; wählen Sie ein Verfahren, das es tut: %2.</translation>
+    </message>
+    <message>
+        <source>There is no picture to extend yet; open an exemplar, or choose the image first.</source>
+        <translation>Es gibt noch kein Bild, das erweitert werden könnte; öffnen Sie eine Vorlage, oder wählen Sie zuerst das Bild.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>
+        <translation>Das Bild hat jetzt %1 px; „Ausführen“ macht, was über seine Ränder hinaus liegt.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::PortRow</name>
     <message>
         <source>Choose…</source>
@@ -6302,6 +7309,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
         <translation>Noch gibt es kein Ergebnis, das hier hinein könnte; starten Sie zuerst einen Lauf oder wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>Paint: %1…</source>
+        <translation>Malen: %1 …</translation>
+    </message>
+    <message>
+        <source>Extend the picture beyond its edges…</source>
+        <translation>Das Bild über seine Ränder hinaus erweitern …</translation>
     </message>
 </context>
 <context>
@@ -6694,6 +7709,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>This method makes new pixels and copies none, so there is no map of where they came from. An estimated one shows what in the exemplar each is most like.</source>
         <translation>Dieses Verfahren erzeugt neue Pixel und kopiert keine, also gibt es keine Karte ihrer Herkunft. Eine geschätzte zeigt, wem in der Vorlage jedes am ähnlichsten ist.</translation>
+    </message>
+    <message>
+        <source>This method learned from no exemplar, so there is no map of where its pixels came from.</source>
+        <translation>Dieses Verfahren hat von keiner Vorlage gelernt; deshalb gibt es keine Karte der Herkunft seiner Pixel.</translation>
     </message>
 </context>
 <context>

@@ -34,10 +34,6 @@
 <context>
     <name>core</name>
     <message>
-        <source>A cut keeps every pixel as it is in the exemplar; a smoothed one blends across it.</source>
-        <translation>Une coupe garde chaque pixel tel qu’il est dans l’échantillon ; une coupe adoucie fond les deux bords.</translation>
-    </message>
-    <message>
         <source>A cut keeps every pixel as it is in the exemplar; blending mixes a band along the blocks&apos; edges, as in the source.</source>
         <translation>Une coupe garde chaque pixel tel qu’il est dans l’échantillon ; le fondu mélange une bande le long des blocs, comme dans la source.</translation>
     </message>
@@ -776,10 +772,6 @@
     <message>
         <source>Side of the squares that are copied: larger keeps larger structures whole, smaller varies more.</source>
         <translation>Côté des carrés copiés : plus garde entières de plus grandes structures, moins varie davantage.</translation>
-    </message>
-    <message>
-        <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more.</source>
-        <translation>Côté des carrés copiés ; 0 choisit selon l’échantillon et son réseau. Plus garde de plus longs passages, moins varie davantage.</translation>
     </message>
     <message>
         <source>Similar patches that a Gaussian is learnt from: more join more smoothly and blur more.</source>
@@ -3402,10 +3394,6 @@
         <translation>Cohérence</translation>
     </message>
     <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar.</source>
-        <translation>Compare toutes les fenêtres exactement, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’échantillon.</translation>
-    </message>
-    <message>
         <source>Components</source>
         <translation>Composantes</translation>
     </message>
@@ -3741,6 +3729,818 @@
         <source>{} is not the file any more that the result was made from.</source>
         <translation>{} n’est plus le fichier dont le résultat a été fait.</translation>
     </message>
+    <message>
+        <source>+ cuts</source>
+        <translation>+ coupes</translation>
+    </message>
+    <message>
+        <source>+ frequencies of atoms</source>
+        <translation>+ fréquences des atomes</translation>
+    </message>
+    <message>
+        <source>+ low frequencies: all of it</source>
+        <translation>+ basses fréquences : le tout</translation>
+    </message>
+    <message>
+        <source>+ scales</source>
+        <translation>+ échelles</translation>
+    </message>
+    <message>
+        <source>A hole has no overlaps of even width to blend; choose the stitch cut, smooth-cut, none or poisson.</source>
+        <translation>Un trou n’a pas de recouvrements de largeur égale à mélanger ; choisissez la couture cut, smooth-cut, none ou poisson.</translation>
+    </message>
+    <message>
+        <source>A learnt dictionary of this exemplar, so that none is learnt anew.</source>
+        <translation>Un dictionnaire appris de cet exemplaire, afin de n’en pas apprendre un nouveau.</translation>
+    </message>
+    <message>
+        <source>A patch of {} px has {} values, so that it cannot have {} atoms; choose at most {}.</source>
+        <translation>Un patch de {} px a {} valeurs et ne peut donc pas avoir {} atomes ; choisissez-en au plus {}.</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Affine in two pieces</source>
+        <translation>Affine en deux morceaux</translation>
+    </message>
+    <message>
+        <source>All constraints of Tartavel, Gousseau and Peyré with their numbers, at the exemplar&apos;s size with its own low frequencies.</source>
+        <translation>Toutes les contraintes de Tartavel, Gousseau et Peyré avec leurs valeurs, à la taille de l’exemplaire et avec ses propres basses fréquences.</translation>
+    </message>
+    <message>
+        <source>All tiles alike</source>
+        <translation>Tous les pavés pareils</translation>
+    </message>
+    <message>
+        <source>All tiles alike are copies of one; varied ones differ as the exemplar&apos;s tiles differ from their mean, and are a little softer.</source>
+        <translation>Des pavés pareils sont des copies d’un seul ; variés, ils diffèrent comme ceux de l’exemplaire diffèrent de leur moyenne, et sont un peu plus doux.</translation>
+    </message>
+    <message>
+        <source>All tiles side by side; those of a full set match, also round the sheet.</source>
+        <translation>Tous les pavés côte à côte ; ceux d’un jeu complet s’accordent, aussi autour de la planche.</translation>
+    </message>
+    <message>
+        <source>Along which axes colours are distributed as in the exemplar: principal axes keep how channels go together.</source>
+        <translation>Les axes le long desquels les couleurs sont réparties comme dans l’exemplaire : les axes principaux gardent le lien entre les canaux.</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>An amplitude of {} would fold the picture; it was lowered to {:.3f}, the most that surely does not.</source>
+        <translation>Une amplitude de {} replierait l’image ; elle a été abaissée à {:.3f}, le plus qui ne le fait sûrement pas.</translation>
+    </message>
+    <message>
+        <source>Anamorphosis</source>
+        <translation>Anamorphose</translation>
+    </message>
+    <message>
+        <source>Another number draws another deformation of the same kind.</source>
+        <translation>Un autre nombre tire une autre déformation du même genre.</translation>
+    </message>
+    <message>
+        <source>Ashikhmin: pieces that grow</source>
+        <translation>Ashikhmin : des morceaux qui grandissent</translation>
+    </message>
+    <message>
+        <source>At scale 1/{} there are {} patches to learn from, so that the dictionary has {} atoms instead of {}.</source>
+        <translation>À l’échelle 1/{} il y a {} patches pour apprendre, si bien que le dictionnaire a {} atomes au lieu de {}.</translation>
+    </message>
+    <message>
+        <source>Atoms</source>
+        <translation>Atomes</translation>
+    </message>
+    <message>
+        <source>Atoms describe how patches differ from the exemplar&apos;s mean colour, rather than from black, as published: of use for maps with values far from 0, and blurrier for pictures.</source>
+        <translation>Les atomes décrivent l’écart des patches à la couleur moyenne de l’exemplaire plutôt qu’au noir, comme publié : utile pour des cartes aux valeurs loin de 0, plus flou pour des images.</translation>
+    </message>
+    <message>
+        <source>Atoms in use</source>
+        <translation>Atomes utilisés</translation>
+    </message>
+    <message>
+        <source>Atoms of a patch</source>
+        <translation>Atomes d’un patch</translation>
+    </message>
+    <message>
+        <source>Atoms of the dictionary at each scale: more tell more features apart, and take longer to learn.</source>
+        <translation>Atomes du dictionnaire à chaque échelle : davantage distinguent plus de motifs et demandent plus de temps d’apprentissage.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Basic (Peyré 2009)</source>
+        <translation>Base (Peyré 2009)</translation>
+    </message>
+    <message>
+        <source>Between pixels: cubic is sharpest, linear never overshoots, the nearest pixel is copied as it is.</source>
+        <translation>Entre les pixels : cubique est le plus net, linéaire ne dépasse jamais, le pixel le plus proche est copié tel quel.</translation>
+    </message>
+    <message>
+        <source>Beyond the border</source>
+        <translation>Au-delà du bord</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blocs</translation>
+    </message>
+    <message>
+        <source>Blocks are drawn at random along the lattice and make new tiles of parts of several; whole tiles are stitched one after another, each to fit those before.</source>
+        <translation>Les blocs sont tirés au hasard le long du réseau et forment de nouveaux pavés à partir de plusieurs ; les pavés entiers sont cousus l’un après l’autre, chacun selon les précédents.</translation>
+    </message>
+    <message>
+        <source>Both ways</source>
+        <translation>Dans les deux sens</translation>
+    </message>
+    <message>
+        <source>Chaos</source>
+        <translation>Chaos</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones.</source>
+        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire. Automatique : toutes, mais là où un trou est rempli, les probables.</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Contexte</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Cubique</translation>
+    </message>
+    <message>
+        <source>Curve of the map</source>
+        <translation>Courbe de la carte</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Coupes</translation>
+    </message>
+    <message>
+        <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
+        <translation>Découpe les modèles en morceaux, les mélange pour que chacun serve une fois et nivelle les joints. Évite que de grandes textures naturelles comme la pierre et le métal se répètent ; les longues structures à travers les morceaux sont perdues.</translation>
+    </message>
+    <message>
+        <source>Deformed squares</source>
+        <translation>Carrés déformés</translation>
+    </message>
+    <message>
+        <source>Deforming</source>
+        <translation>Déformation</translation>
+    </message>
+    <message>
+        <source>Deforms the exemplar lightly and without folds, so that several of it look less alike.</source>
+        <translation>Déforme légèrement l'exemple, sans plis, afin que plusieurs copies se ressemblent moins.</translation>
+    </message>
+    <message>
+        <source>Deforms the exemplar, or what another method made of it, lightly and without folds: stretched along one axis, or as if seen through hot air. Hides repetitions a little; what is salient is still known again.</source>
+        <translation>Déforme le modèle, ou ce qu’une autre méthode en a fait, légèrement et sans plis : étiré le long d’un axe, ou comme vu à travers de l’air chaud. Cache un peu les répétitions ; ce qui est saillant se reconnaît encore.</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>Dictionnaire</translation>
+    </message>
+    <message>
+        <source>Dictionary at scale 1/{}</source>
+        <translation>Dictionnaire à l’échelle 1/{}</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Drawing the deformation</source>
+        <translation>Tirage de la déformation</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Tirage</translation>
+    </message>
+    <message>
+        <source>Draws the colours towards the exemplar&apos;s distribution.</source>
+        <translation>Tire les couleurs vers la répartition de l’exemplaire.</translation>
+    </message>
+    <message>
+        <source>Draws the image towards the exemplar&apos;s Fourier spectrum: brings fine grain back, which few atoms cannot code.</source>
+        <translation>Tire l’image vers le spectre de Fourier de l’exemplaire : rend le grain fin, que peu d’atomes ne peuvent coder.</translation>
+    </message>
+    <message>
+        <source>Draws what is larger than a patch towards a target, so that no large blotches arise.</source>
+        <translation>Tire ce qui dépasse un patch vers une cible, pour qu’aucune grande tache n’apparaisse.</translation>
+    </message>
+    <message>
+        <source>Efros–Leung: the window</source>
+        <translation>Efros–Leung : la fenêtre</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <source>Energy of a pixel</source>
+        <translation>Énergie d’un pixel</translation>
+    </message>
+    <message>
+        <source>Every tile by itself, in the order of the table.</source>
+        <translation>Chaque pavé seul, dans l’ordre de la table.</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>Figure 2 of Tartavel, Gousseau and Peyré: Heeger–Bergen, Portilla–Simoncelli, sparse synthesis, and Peyré&apos;s method of 2009.</source>
+        <translation>Figure 2 de Tartavel, Gousseau et Peyré : Heeger–Bergen, Portilla–Simoncelli, synthèse parcimonieuse et la méthode de Peyré de 2009.</translation>
+    </message>
+    <message>
+        <source>Figure 4 of Tartavel, Gousseau and Peyré: from Peyré&apos;s method of 2009, each run adds one constraint to those before it.</source>
+        <translation>Figure 4 de Tartavel, Gousseau et Peyré : à partir de la méthode de Peyré de 2009, chaque calcul ajoute une contrainte aux précédentes.</translation>
+    </message>
+    <message>
+        <source>Flips pieces and turns them by 180° at random: varies more, but light then comes from several sides, also in companion normal maps.</source>
+        <translation>Retourne des morceaux et les tourne de 180° au hasard : plus de variété, mais la lumière vient alors de plusieurs côtés, aussi dans les cartes de normales associées.</translation>
+    </message>
+    <message>
+        <source>For outputs larger than the exemplar: low frequencies of random phases, lightly held, and one scale more.</source>
+        <translation>Pour des sorties plus grandes que l’exemplaire : basses fréquences à phases aléatoires, peu contraintes, et une échelle de plus.</translation>
+    </message>
+    <message>
+        <source>Frequencies of atoms</source>
+        <translation>Fréquences des atomes</translation>
+    </message>
+    <message>
+        <source>From one patch that is learnt from to the next: wider steps in a small exemplar leave so few patches that the atoms merely repeat them. At most 20 patches for each atom are used.</source>
+        <translation>D’un patch d’apprentissage au suivant : de grands pas dans un petit exemplaire laissent si peu de patches que les atomes ne font que les répéter. Au plus 20 patches par atome sont utilisés.</translation>
+    </message>
+    <message>
+        <source>From one patch to the next, at most the patch size: closer is surer and takes longer; half the patch is published.</source>
+        <translation>D’un patch au suivant, au plus la taille du patch : plus serré est plus sûr et plus long ; la moitié du patch est publiée.</translation>
+    </message>
+    <message>
+        <source>From the exemplar’s tiles</source>
+        <translation>Parmi les pavés de l’exemplaire</translation>
+    </message>
+    <message>
+        <source>From the mean</source>
+        <translation>À partir de la moyenne</translation>
+    </message>
+    <message>
+        <source>Gradient steps</source>
+        <translation>Pas de gradient</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramme</translation>
+    </message>
+    <message>
+        <source>How a patch is joined to its neighbours: a cut, or none, keeps every pixel as it is in the exemplar; the others blend where patches overlap.</source>
+        <translation>Comment une pièce est jointe à ses voisines : une coupe, ou aucune, laisse chaque pixel tel qu’il est dans l’exemplaire ; les autres mélangent là où les pièces se recouvrent.</translation>
+    </message>
+    <message>
+        <source>How far from a joint levels are drawn together, in sides of a piece: larger hides joints over more of a piece, and lets shades drift; 0 levels without limit.</source>
+        <translation>Jusqu’où d’un joint les niveaux sont rapprochés, en côtés de morceau : plus grand cache les joints sur une plus grande part du morceau et laisse dériver les nuances ; 0 nivelle sans limite.</translation>
+    </message>
+    <message>
+        <source>How far into each other neighbouring tiles fade, up to half a tile: more hides their edges, less is sharper.</source>
+        <translation>Jusqu’où des pavés voisins se fondent l’un dans l’autre, au plus un demi-pavé : davantage cache leurs bords, moins est plus net.</translation>
+    </message>
+    <message>
+        <source>How many atoms make up a patch: more follow the exemplar more closely, fewer keep edges clean.</source>
+        <translation>Nombre d’atomes qui composent un patch : davantage suivent l’exemplaire de plus près, moins gardent des bords nets.</translation>
+    </message>
+    <message>
+        <source>How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes whatever fits best, as a hole does that is filled.</source>
+        <translation>À quel point une pièce trop souvent utilisée est évitée : plus grand montre tout l’exemplaire, 0 prend ce qui convient le mieux, comme un trou que l’on remplit.</translation>
+    </message>
+    <message>
+        <source>How much of each component a tile gets: normally distributed, which makes what the exemplar does not show, or as much as some tile of the exemplar has.</source>
+        <translation>Combien de chaque composante un pavé reçoit : selon la loi normale, ce qui donne aussi ce que l’exemplaire ne montre pas, ou autant qu’un pavé de l’exemplaire.</translation>
+    </message>
+    <message>
+        <source>How much the distribution of colours counts against the patches.</source>
+        <translation>Le poids de la répartition des couleurs face aux patches.</translation>
+    </message>
+    <message>
+        <source>How much the low frequencies count against the patches.</source>
+        <translation>Le poids des basses fréquences face aux patches.</translation>
+    </message>
+    <message>
+        <source>How much the spectrum counts against the patches.</source>
+        <translation>Le poids du spectre face aux patches.</translation>
+    </message>
+    <message>
+        <source>How overlapping patches are put together: joined along cuts, which is sharp, or averaged, which blurs.</source>
+        <translation>Comment les patches qui se recouvrent sont assemblés : le long de coupes, ce qui est net, ou moyennés, ce qui rend flou.</translation>
+    </message>
+    <message>
+        <source>How strongly: 0 changes nothing; near 1 the most squeezed places shrink to almost nothing. Turbulence is lowered until nothing folds.</source>
+        <translation>Avec quelle force : 0 ne change rien ; près de 1, les endroits les plus comprimés se réduisent à presque rien. La turbulence est abaissée jusqu’à ce que rien ne se replie.</translation>
+    </message>
+    <message>
+        <source>How the exemplar goes on where the output is larger or wraps: mirrored it joins with itself; repeat one that tiles.</source>
+        <translation>Comment le modèle continue là où la sortie est plus grande ou se raccorde : en miroir il se joint à lui-même ; répétez celui qui se raccorde déjà.</translation>
+    </message>
+    <message>
+        <source>Image analogies with painted pictures: A says where the exemplar&apos;s stones and gaps are, B where they are to be; the two count more from run to run.</source>
+        <translation>Analogies d’images avec des images peintes : A dit où sont les pierres et les joints de l’exemplaire, B où ils doivent être ; les deux comptent davantage d’un calcul à l’autre.</translation>
+    </message>
+    <message>
+        <source>In how many principal components tiles vary, at most: more show finer differences, 0 repeats the mean tile.</source>
+        <translation>Nombre maximal de composantes principales selon lesquelles les pavés varient : davantage montre des différences plus fines, 0 répète le pavé moyen.</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>K-SVD</source>
+        <translation>K-SVD</translation>
+    </message>
+    <message>
+        <source>K-SVD improves every atom for all patches that use it, and learns better; online learning looks at few patches at a time.</source>
+        <translation>K-SVD améliore chaque atome pour tous les patches qui l’utilisent et apprend mieux ; l’apprentissage en ligne regarde peu de patches à la fois.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Laying pieces</source>
+        <translation>Pose des morceaux</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Apprentissage</translation>
+    </message>
+    <message>
+        <source>Learning at scale 1/{}</source>
+        <translation>Apprentissage à l’échelle 1/{}</translation>
+    </message>
+    <message>
+        <source>Learning rounds</source>
+        <translation>Tours d’apprentissage</translation>
+    </message>
+    <message>
+        <source>Learning step</source>
+        <translation>Pas d’apprentissage</translation>
+    </message>
+    <message>
+        <source>Learns atoms of which a few make up any patch of the exemplar, and shows them, those used most first. Sparse synthesis takes the dictionary up, so that it is learnt only once.</source>
+        <translation>Apprend des atomes dont quelques-uns composent tout patch de l’exemplaire, et les montre, les plus utilisés d’abord. La synthèse parcimonieuse reprend le dictionnaire, qui n’est ainsi appris qu’une fois.</translation>
+    </message>
+    <message>
+        <source>Least determinant of the Jacobian</source>
+        <translation>Plus petit déterminant de la jacobienne</translation>
+    </message>
+    <message>
+        <source>Levelling joints</source>
+        <translation>Nivellement des joints</translation>
+    </message>
+    <message>
+        <source>Levelling reach</source>
+        <translation>Portée du nivellement</translation>
+    </message>
+    <message>
+        <source>Low frequencies</source>
+        <translation>Basses fréquences</translation>
+    </message>
+    <message>
+        <source>Low frequencies of</source>
+        <translation>Basses fréquences de</translation>
+    </message>
+    <message>
+        <source>Makes an image whose patches are each a sum of few learnt atoms, used as often as in the exemplar. New pixels rather than copies; sharp on small structures such as scales, weaves and cracks, and lost on large objects and on grain.</source>
+        <translation>Produit une image dont chaque patch est la somme de quelques atomes appris, utilisés aussi souvent que dans l’exemplaire. De nouveaux pixels plutôt que des copies ; net sur les petites structures comme les écailles, les tissages et les fissures, perdu sur les grands objets et le grain.</translation>
+    </message>
+    <message>
+        <source>Map of the sheet</source>
+        <translation>Carte de la planche</translation>
+    </message>
+    <message>
+        <source>Mean tile and components</source>
+        <translation>Pavé moyen et composantes</translation>
+    </message>
+    <message>
+        <source>Most rounds at each scale: more bring patches and image closer together.</source>
+        <translation>Nombre maximal de tours à chaque échelle : davantage rapprochent patches et image.</translation>
+    </message>
+    <message>
+        <source>Moving blocks</source>
+        <translation>Déplacement des blocs</translation>
+    </message>
+    <message>
+        <source>Nearest pixel</source>
+        <translation>Pixel le plus proche</translation>
+    </message>
+    <message>
+        <source>No atom is used more often than in the exemplar: brings all features back, and keeps smooth patches from spreading.</source>
+        <translation>Aucun atome n’est utilisé plus souvent que dans l’exemplaire : rend tous les motifs et empêche les patches lisses de s’étendre.</translation>
+    </message>
+    <message>
+        <source>Normally</source>
+        <translation>Selon la loi normale</translation>
+    </message>
+    <message>
+        <source>Nothing of the image to start from is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
+        <translation>Rien de l’image de départ n’est connu, si bien qu’il n’y a pas de trou à remplir ; omettez le masque, ou marquez ce qui doit rester.</translation>
+    </message>
+    <message>
+        <source>Online</source>
+        <translation>En ligne</translation>
+    </message>
+    <message>
+        <source>Parabola</source>
+        <translation>Parabole</translation>
+    </message>
+    <message>
+        <source>Patches learnt from</source>
+        <translation>Patches d’apprentissage</translation>
+    </message>
+    <message>
+        <source>Peyré 2009</source>
+        <translation>Peyré 2009</translation>
+    </message>
+    <message>
+        <source>Piece size</source>
+        <translation>Taille des morceaux</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Morceaux</translation>
+    </message>
+    <message>
+        <source>Pieces of the exemplar grow until nothing fits; jumps from 0 to 0.2 make them smaller. See the tab Copied pieces.</source>
+        <translation>Des morceaux de l’exemplaire grandissent jusqu’à ce que rien ne convienne plus ; des sauts de 0 à 0,2 les rendent plus petits. Voir l’onglet Morceaux copiés.</translation>
+    </message>
+    <message>
+        <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
+        <translation>Poisson nivelle les joints et garde le détail ; une coupe copie chaque pixel tel quel ; le fondu estompe là où les morceaux se recouvrent ; sans, on voit les morceaux.</translation>
+    </message>
+    <message>
+        <source>Random mosaic</source>
+        <translation>Mosaïque aléatoire</translation>
+    </message>
+    <message>
+        <source>Reconstruction</source>
+        <translation>Reconstruction</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Root mean square error</source>
+        <translation>Racine de l’erreur quadratique moyenne</translation>
+    </message>
+    <message>
+        <source>Rounds over all patches that are learnt from: more learn better, and take longer.</source>
+        <translation>Tours sur tous les patches d’apprentissage : davantage apprennent mieux et durent plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Row by row on a single scale, with neighbourhoods of 5, 9, 15 and 21 px: the known half above and to the left decides.</source>
+        <translation>Ligne par ligne à une seule échelle, avec des voisinages de 5, 9, 15 et 21 px : la moitié connue, au-dessus et à gauche, décide.</translation>
+    </message>
+    <message>
+        <source>STMap</source>
+        <translation>STMap</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Share of a piece over which neighbours overlap, for cuts and feathering: larger joins better.</source>
+        <translation>Part d’un morceau sur laquelle les voisins se recouvrent, pour les coupes et le fondu : plus grand raccorde mieux.</translation>
+    </message>
+    <message>
+        <source>Share of the variance in them</source>
+        <translation>Leur part de la variance</translation>
+    </message>
+    <message>
+        <source>Shuffling pieces</source>
+        <translation>Mélange des morceaux</translation>
+    </message>
+    <message>
+        <source>Side of a piece, or width of a slice: larger keeps larger structures whole, smaller makes outputs differ more.</source>
+        <translation>Côté d’un morceau ou largeur d’une tranche : plus grand garde entières de plus grandes structures, plus petit rend les sorties plus différentes.</translation>
+    </message>
+    <message>
+        <source>Side of the patches at each scale: larger keeps larger features whole and takes longer.</source>
+        <translation>Côté des patches à chaque échelle : plus grand garde entiers de plus grands motifs et dure plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more. Whole tiles take it where rows do not repeat.</source>
+        <translation>Côté des carrés copiés ; 0 choisit selon l’exemplaire et son réseau. Plus grand garde de plus grandes étendues, plus petit varie davantage. Les pavés entiers la prennent là où les rangs ne se répètent pas.</translation>
+    </message>
+    <message>
+        <source>Single tiles</source>
+        <translation>Pavés isolés</translation>
+    </message>
+    <message>
+        <source>Sinusoid</source>
+        <translation>Sinusoïde</translation>
+    </message>
+    <message>
+        <source>Size of the swirls: larger bends slower and moves farther.</source>
+        <translation>Taille des tourbillons : plus grande, elle courbe plus lentement et déplace plus loin.</translation>
+    </message>
+    <message>
+        <source>Slices keep what runs along them, as the grain of wood; pieces cut both ways suit what looks alike in all directions; chaos throws blocks over copies of the exemplar.</source>
+        <translation>Les tranches gardent ce qui court le long d’elles, comme le fil du bois ; les morceaux coupés dans les deux sens conviennent à ce qui se ressemble dans toutes les directions ; le chaos jette des blocs sur des copies du modèle.</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Bord adouci</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Sparse coding</source>
+        <translation>Codage parcimonieux</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis</source>
+        <translation>Synthèse parcimonieuse</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis beside statistics</source>
+        <translation>Synthèse parcimonieuse à côté des statistiques</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, as published</source>
+        <translation>Synthèse parcimonieuse, comme publiée</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, larger output</source>
+        <translation>Synthèse parcimonieuse, sortie plus grande</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, micro-texture</source>
+        <translation>Synthèse parcimonieuse, micro-texture</translation>
+    </message>
+    <message>
+        <source>Sparse synthesis, step by step</source>
+        <translation>Synthèse parcimonieuse, pas à pas</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectre</translation>
+    </message>
+    <message>
+        <source>Steps of the image in each round, between two codings of its patches.</source>
+        <translation>Pas de l’image à chaque tour, entre deux codages de ses patches.</translation>
+    </message>
+    <message>
+        <source>Stitching tiles</source>
+        <translation>Couture des pavés</translation>
+    </message>
+    <message>
+        <source>Table of tiles</source>
+        <translation>Table des pavés</translation>
+    </message>
+    <message>
+        <source>Texture by numbers</source>
+        <translation>Texture par numéros</translation>
+    </message>
+    <message>
+        <source>The axis that the first three kinds deform; turbulence deforms both.</source>
+        <translation>L’axe que déforment les trois premiers genres ; la turbulence déforme les deux.</translation>
+    </message>
+    <message>
+        <source>The colours of every tile&apos;s edges, its place on the sheet, and the tile for each combination of colours; as .json for other programs.</source>
+        <translation>Les couleurs des bords de chaque pavé, sa place sur la planche et le pavé de chaque combinaison de couleurs ; en .json pour d’autres programmes.</translation>
+    </message>
+    <message>
+        <source>The contrast of {} is for whole outputs; set it to 0 to fill a hole.</source>
+        <translation>Le contraste de {} est pour des sorties entières ; mettez-le à 0 pour remplir un trou.</translation>
+    </message>
+    <message>
+        <source>The dictionary has patches of {} px, and the patch size is {} px; they need the same.</source>
+        <translation>Le dictionnaire a des patches de {} px et la taille du patch est de {} px ; il faut la même.</translation>
+    </message>
+    <message>
+        <source>The dictionary says that it has {} scales of {} channels in patches of {} px.</source>
+        <translation>Le dictionnaire annonce {} échelles de {} canaux en patches de {} px.</translation>
+    </message>
+    <message>
+        <source>The dictionary was learnt from {} channels, and the exemplar with its companions has {}; they need the same number.</source>
+        <translation>Le dictionnaire a été appris de {} canaux, et l’exemplaire avec ses cartes associées en a {} ; il en faut autant.</translation>
+    </message>
+    <message>
+        <source>The dictionary&apos;s counts of uses at scale {} make no sense.</source>
+        <translation>Les nombres d’utilisations du dictionnaire à l’échelle {} n’ont pas de sens.</translation>
+    </message>
+    <message>
+        <source>The exemplar itself, as published, gives its own layout of light and dark, and is only possible at its size; random phases give a new one at any size. Whatever fits takes the exemplar where sizes are the same and nothing wraps.</source>
+        <translation>L’exemplaire lui-même, comme publié, donne sa propre disposition de clair et de sombre et n’est possible qu’à sa taille ; des phases aléatoires en donnent une nouvelle à toute taille. Ce qui convient prend l’exemplaire là où les tailles sont égales et où rien ne se raccorde.</translation>
+    </message>
+    <message>
+        <source>The exemplar&apos;s own low frequencies fit an output of its size, {} × {} px, and this one is {} × {} px; choose random phases.</source>
+        <translation>Les basses fréquences de l’exemplaire conviennent à une sortie de sa taille, {} × {} px, et celle-ci fait {} × {} px ; choisissez des phases aléatoires.</translation>
+    </message>
+    <message>
+        <source>The first three stretch and squeeze along one axis; turbulence swirls along both.</source>
+        <translation>Les trois premières étirent et compriment le long d’un axe ; la turbulence tourbillonne le long des deux.</translation>
+    </message>
+    <message>
+        <source>The hole is filled with patches of {} px: larger ones would cover most of it.</source>
+        <translation>Le trou est rempli de pièces de {} px : de plus grandes en couvriraient la plus grande partie.</translation>
+    </message>
+    <message>
+        <source>The image to start from is {} × {} px, smaller than the patch of {} px; choose a patch of at most {} px.</source>
+        <translation>L’image de départ fait {} × {} px, moins que la pièce de {} px ; choisissez une pièce d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>The lattice&apos;s tile of {} × {} px does not fit into {} of {} × {} px; choose unit=blocks.</source>
+        <translation>Le pavé du réseau de {} × {} px ne tient pas dans {} de {} × {} px ; choisissez unit=blocks.</translation>
+    </message>
+    <message>
+        <source>The learnt atoms of each scale, and how often each is used.</source>
+        <translation>Les atomes appris de chaque échelle, et combien de fois chacun est utilisé.</translation>
+    </message>
+    <message>
+        <source>The map&apos;s pixel ({}, {}) comes from exemplar {}, but there are {}.</source>
+        <translation>Le pixel ({}, {}) de la carte vient du modèle {}, mais il y en a {}.</translation>
+    </message>
+    <message>
+        <source>The mask hides all of the exemplar; leave some of it to lay, at least {} px.</source>
+        <translation>Le masque cache tout le modèle ; laissez-en une partie à poser, au moins {} px.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole block of {} px to lay; choose smaller blocks or mask less.</source>
+        <translation>Le masque ne laisse aucun bloc entier de {} px à poser ; choisissez des blocs plus petits ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole piece of {} px to lay; choose smaller pieces or mask less.</source>
+        <translation>Le masque ne laisse aucun morceau entier de {} px à poser ; choisissez des morceaux plus petits ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole tile of {} × {} px to copy; mask less, or choose unit=blocks.</source>
+        <translation>Le masque ne laisse aucun pavé entier de {} × {} px à copier ; masquez moins, ou choisissez unit=blocks.</translation>
+    </message>
+    <message>
+        <source>The model has no array {} with atoms in it.</source>
+        <translation>Le modèle n’a pas de tableau {} contenant des atomes.</translation>
+    </message>
+    <message>
+        <source>The same exemplar with windows of 5, 9, 15 and 25 px: too small a window grows garbage, too large a one copies verbatim.</source>
+        <translation>Le même exemplaire avec des fenêtres de 5, 9, 15 et 25 px : trop petite, elle produit n’importe quoi ; trop grande, elle copie mot à mot.</translation>
+    </message>
+    <message>
+        <source>The spacing of {} px leaves gaps between patches of {} px; choose at most {} px.</source>
+        <translation>L’espacement de {} px laisse des vides entre des patches de {} px ; choisissez au plus {} px.</translation>
+    </message>
+    <message>
+        <source>The waves alone, of the output&apos;s size: the texture without its irregularities.</source>
+        <translation>Les ondes seules, à la taille de la sortie : la texture sans ses irrégularités.</translation>
+    </message>
+    <message>
+        <source>Three methods, pixel by pixel</source>
+        <translation>Trois méthodes, pixel par pixel</translation>
+    </message>
+    <message>
+        <source>Tile sheet</source>
+        <translation>Planche de pavés</translation>
+    </message>
+    <message>
+        <source>Tile with overlap, height</source>
+        <translation>Pavé avec recouvrement, hauteur</translation>
+    </message>
+    <message>
+        <source>Tile with overlap, width</source>
+        <translation>Pavé avec recouvrement, largeur</translation>
+    </message>
+    <message>
+        <source>Tiles stitched</source>
+        <translation>Pavés cousus</translation>
+    </message>
+    <message>
+        <source>Turbulence</source>
+        <translation>Turbulence</translation>
+    </message>
+    <message>
+        <source>Turn pieces</source>
+        <translation>Tourner les morceaux</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Varied</source>
+        <translation>Variées</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>Déformer</translation>
+    </message>
+    <message>
+        <source>Waves of the sinusoid over the whole: more of them move less far.</source>
+        <translation>Ondes de la sinusoïde sur l’ensemble : plus nombreuses, elles déplacent moins loin.</translation>
+    </message>
+    <message>
+        <source>Weight of low frequencies</source>
+        <translation>Poids des basses fréquences</translation>
+    </message>
+    <message>
+        <source>Weight of the histogram</source>
+        <translation>Poids de l’histogramme</translation>
+    </message>
+    <message>
+        <source>Weight of the spectrum</source>
+        <translation>Poids du spectre</translation>
+    </message>
+    <message>
+        <source>Wei–Levoy on one scale</source>
+        <translation>Wei–Levoy à une seule échelle</translation>
+    </message>
+    <message>
+        <source>Wei–Levoy, Ashikhmin and image analogies on one exemplar: the first blurs small things, the second shows joins, the third weighs one against the other.</source>
+        <translation>Wei–Levoy, Ashikhmin et analogies d’images sur un exemplaire : la première estompe les petites choses, la deuxième montre des raccords, la troisième fait la part des deux.</translation>
+    </message>
+    <message>
+        <source>Whatever fits</source>
+        <translation>Ce qui convient</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, how far around it the same picture is copied from: smaller takes what is near, and is faster; 0 takes all of the picture.</source>
+        <translation>Là où un trou est rempli, jusqu’à quelle distance autour de lui la même image est copiée : plus petit prend ce qui est proche, et plus vite ; 0 prend toute l’image.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, how far from its own place in an exemplar of the output&apos;s size a pixel&apos;s source may lie: smaller takes what is near; 0 looks everywhere.</source>
+        <translation>Là où un trou est rempli, à quelle distance de sa propre place, dans un exemplaire de la taille de la sortie, la source d’un pixel peut se trouver : plus petit prend ce qui est proche ; 0 cherche partout.</translation>
+    </message>
+    <message>
+        <source>Where each pixel comes from, between pixels too, as compositors read it: .exr, of 32-bit floats. `apply` lays out another map by it.</source>
+        <translation>D’où vient chaque pixel, aussi entre les pixels, comme les logiciels de compositing le lisent : .exr, en flottants 32 bits. `apply` dispose une autre carte d’après elle.</translation>
+    </message>
+    <message>
+        <source>Where each pixel of the sheet comes from: `apply` makes the same sheet of companion maps with it.</source>
+        <translation>D’où vient chaque pixel de la planche : `apply` en fait la même planche des cartes associées.</translation>
+    </message>
+    <message>
+        <source>Whole tiles</source>
+        <translation>Pavés entiers</translation>
+    </message>
+    <message>
+        <source>With the exemplar&apos;s spectrum, which brings back the fine grain of grass, sand or cloth that few atoms cannot code.</source>
+        <translation>Avec le spectre de l’exemplaire, qui rend le grain fin de l’herbe, du sable ou du tissu, que peu d’atomes ne peuvent coder.</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>{} cannot hold an STMap, which needs 32-bit floats; its name ends in .exr.</source>
+        <translation>{} ne peut contenir une STMap, qui demande des flottants 32 bits ; son nom finit par .exr.</translation>
+    </message>
+    <message>
+        <source>{} declares {} for its output {}, but made something else; this is a mistake in the method.</source>
+        <translation>{} annonce {} pour sa sortie {}, mais a produit autre chose ; c’est une erreur dans la méthode.</translation>
+    </message>
+    <message>
+        <source>{} gives {} to {} for its output {}, but made {}; this is a mistake in the method.</source>
+        <translation>{} fournit de {} à {} éléments pour sa sortie {}, mais en a produit {} ; c’est une erreur dans la méthode.</translation>
+    </message>
+    <message>
+        <source>{} holds only one whole tile, so that nothing varies; a larger exemplar or a smaller tile shows how tiles differ.</source>
+        <translation>{} ne contient qu’un pavé entier, donc rien ne varie ; un exemplaire plus grand ou un pavé plus petit montre en quoi les pavés diffèrent.</translation>
+    </message>
+    <message>
+        <source>{} is one piece of this size, so that the output only repeats it; choose pieces of at most {} px.</source>
+        <translation>{} est un seul morceau de cette taille, si bien que la sortie ne fait que le répéter ; choisissez des morceaux d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px, smaller than a piece of {} px; choose pieces of at most {} px.</source>
+        <translation>{} fait {} × {} px, moins qu’un morceau de {} px ; choisissez des morceaux d’au plus {} px.</translation>
+    </message>
+    <message>
+        <source>{} learns from no exemplar, so that it makes no companion maps; leave them out.</source>
+        <translation>{} n’apprend d’aucun échantillon et ne produit donc pas de cartes associées ; omettez-les.</translation>
+    </message>
+    <message>
+        <source>{} made a model of the kind {} for its output {}, which takes one of its own kind; this is a mistake in the method.</source>
+        <translation>{} a produit un modèle du type {} pour sa sortie {}, qui en demande un de son propre type ; c’est une erreur dans la méthode.</translation>
+    </message>
+    <message>
+        <source>{} made an output {} that it does not declare; this is a mistake in the method.</source>
+        <translation>{} a produit une sortie {} qu’elle n’annonce pas ; c’est une erreur dans la méthode.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -4056,6 +4856,61 @@
     <message>
         <source>End the run under way and keep nothing of it; those that wait go on</source>
         <translation>Terminer le calcul en cours sans rien en garder ; ceux qui attendent continuent</translation>
+    </message>
+    <message>
+        <source>E&amp;xtend a picture…</source>
+        <translation>&amp;Étendre une image…</translation>
+    </message>
+    <message>
+        <source>Make more of a picture beyond its edges, with a method that completes pictures</source>
+        <translation>Prolonger une image au-delà de ses bords, avec une méthode qui complète des images</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::AnalogyView</name>
+    <message>
+        <source>A′</source>
+        <translation>A′</translation>
+    </message>
+    <message>
+        <source>Exemplar</source>
+        <translation>Exemplaire</translation>
+    </message>
+    <message>
+        <source>B′</source>
+        <translation>B′</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A′&lt;/b&gt; The exemplar, which stands to A as the result will stand to B. A click opens another one.</source>
+        <translation>&lt;b&gt;A′&lt;/b&gt; L’exemplaire, qui est à A ce que le résultat sera à B. Un clic en ouvre un autre.</translation>
+    </message>
+    <message>
+        <source>A′: open another exemplar</source>
+        <translation>A′ : ouvrir un autre exemplaire</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;B′&lt;/b&gt; The result, made from A, A′ and B. A click shows it.</source>
+        <translation>&lt;b&gt;B′&lt;/b&gt; Le résultat, fait de A, A′ et B. Un clic le montre.</translation>
+    </message>
+    <message>
+        <source>B′: show the result</source>
+        <translation>B′ : montrer le résultat</translation>
+    </message>
+    <message>
+        <source>Open the result that is shown as an exemplar</source>
+        <translation>Ouvrir le résultat affiché comme exemplaire</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Not made yet</source>
+        <translation>Pas encore fait</translation>
     </message>
 </context>
 <context>
@@ -4592,6 +5447,17 @@
     </message>
 </context>
 <context>
+    <name>texloom::ui::ExampleSweeps</name>
+    <message>
+        <source>Exa&amp;mple sweeps</source>
+        <translation>E&amp;xemples de séries</translation>
+    </message>
+    <message>
+        <source>None were found beside the program</source>
+        <translation>Aucun n’a été trouvé auprès du programme</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::ExemplarEditor</name>
     <message>
         <source>Exemplar being edited</source>
@@ -5058,6 +5924,45 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::ExtendDialog</name>
+    <message>
+        <source>Extend the picture</source>
+        <translation>Étendre l’image</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Gauche</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Haut</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Droite</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>&amp;Bas</translation>
+    </message>
+    <message>
+        <source>How far the picture is to reach beyond each of its edges. What lies there is made by the next run.</source>
+        <translation>De combien l’image doit dépasser chacun de ses bords. Ce qui s’y trouve est fait par le prochain calcul.</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>%1 → %2 px</source>
+        <translation>%1 → %2 px</translation>
+    </message>
+    <message>
+        <source>%1 px is too large; its sides go up to %2.</source>
+        <translation>%1 px, c’est trop grand ; les côtés vont jusqu’à %2.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::FiguresPanel</name>
     <message>
         <source>exemplar</source>
@@ -5344,6 +6249,53 @@ Déposez une image ici.</translation>
     <message>
         <source>No run is waiting. “Add to queue” puts one here, to be made after those before it.</source>
         <translation>Rien n’attend. « Ajouter à la file » met ici un calcul, fait après ceux qui le précèdent.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LabelPainter</name>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>Re&amp;mplir</translation>
+    </message>
+    <message>
+        <source>Fills the area of one colour that is clicked</source>
+        <translation>Remplit la surface d’une couleur sur laquelle on clique</translation>
+    </message>
+    <message>
+        <source>P&amp;ick colour</source>
+        <translation>Prélever la coule&amp;ur</translation>
+    </message>
+    <message>
+        <source>Takes the colour that is clicked, and goes back to the brush</source>
+        <translation>Prend la couleur sur laquelle on clique, et revient au pinceau</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves the picture. A double click or Enter closes a polygon. Alt and a click takes the colour there, Alt and a number that of the palette; [ and ] make the brush smaller and larger. Without a mouse: Shift and the arrow keys move the cursor, the space bar paints, fills or sets a corner.</source>
+        <translation>La molette zoome, le bouton du milieu déplace l’image. Un double clic ou Entrée ferme un polygone. Alt et un clic prend la couleur à cet endroit, Alt et un chiffre celle de la palette ; [ et ] rendent le pinceau plus petit ou plus grand. Sans souris : Maj et les flèches déplacent le curseur, la barre d’espace peint, remplit ou pose un coin.</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>Couleur %1</translation>
+    </message>
+    <message>
+        <source>Colour %1 (Alt+%1)</source>
+        <translation>Couleur %1 (Alt+%1)</translation>
+    </message>
+    <message>
+        <source>How much of the picture shows through the colours</source>
+        <translation>Quelle part de l’image se voit à travers les couleurs</translation>
+    </message>
+    <message>
+        <source>Picture &amp;shows</source>
+        <translation>L’image se &amp;voit</translation>
+    </message>
+    <message>
+        <source>Paint &amp;all</source>
+        <translation>&amp;Tout peindre</translation>
+    </message>
+    <message>
+        <source>Paints the whole picture in the colour</source>
+        <translation>Peint toute l’image de la couleur</translation>
     </message>
 </context>
 <context>
@@ -5759,52 +6711,12 @@ Déposez une image ici.</translation>
         <translation>&amp;Retirer</translation>
     </message>
     <message>
-        <source>Picture that is painted on</source>
-        <translation>Image sur laquelle on peint</translation>
-    </message>
-    <message>
         <source>The wheel zooms, the middle button moves the picture. A double click or Enter closes a polygon. Alt takes away; [ and ] make the brush smaller and larger. Without a mouse: Shift and the arrow keys move the cursor, the space bar paints or sets a corner.</source>
         <translation>La molette zoome, le bouton du milieu déplace l’image. Un double clic ou Entrée ferme un polygone. Alt retire ; [ et ] rendent le pinceau plus petit ou plus grand. Sans souris : Maj et les flèches déplacent le curseur, la barre d’espace peint ou pose un coin.</translation>
     </message>
     <message>
-        <source>&amp;Brush</source>
-        <translation>&amp;Pinceau</translation>
-    </message>
-    <message>
-        <source>Paints where the mouse drags</source>
-        <translation>Peint là où la souris glisse</translation>
-    </message>
-    <message>
-        <source>&amp;Lasso</source>
-        <translation>&amp;Lasso</translation>
-    </message>
-    <message>
-        <source>Takes what the mouse drags around</source>
-        <translation>Prend ce que la souris entoure</translation>
-    </message>
-    <message>
-        <source>&amp;Polygon</source>
-        <translation>Pol&amp;ygone</translation>
-    </message>
-    <message>
-        <source>Gets a corner at each click</source>
-        <translation>Reçoit un coin à chaque clic</translation>
-    </message>
-    <message>
-        <source>&amp;Rectangle</source>
-        <translation>Re&amp;ctangle</translation>
-    </message>
-    <message>
-        <source>Goes from corner to corner</source>
-        <translation>Va d’un coin à l’autre</translation>
-    </message>
-    <message>
         <source>Shapes are taken away from what is painted. Alt does the same for one shape.</source>
         <translation>Les formes sont retirées de ce qui est peint. Alt fait de même pour une forme.</translation>
-    </message>
-    <message>
-        <source>&amp;Width</source>
-        <translation>Lar&amp;geur</translation>
     </message>
     <message>
         <source>Painted: black in the mask, lighter where it is softened.</source>
@@ -5865,33 +6777,6 @@ Déposez une image ici.</translation>
     <message>
         <source>Takes all away that is painted</source>
         <translation>Retire tout ce qui est peint</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
-        <source>Goes back by a step (Ctrl+Z)</source>
-        <translation>Revient d’un pas en arrière (Ctrl+Z)</translation>
-    </message>
-    <message>
-        <source>Re&amp;do</source>
-        <translation>Réta&amp;blir</translation>
-    </message>
-    <message>
-        <source>Makes an undone step again (Ctrl+Shift+Z)</source>
-        <translation>Refait un pas annulé (Ctrl+Maj+Z)</translation>
-    </message>
-</context>
-<context>
-    <name>texloom::ui::MaskPainting</name>
-    <message>
-        <source>There is no picture to paint on yet; open an exemplar, or choose the image first.</source>
-        <translation>Il n’y a pas encore d’image sur laquelle peindre ; ouvrez un échantillon ou choisissez d’abord l’image.</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -6135,6 +7020,93 @@ Déposez une image ici.</translation>
         <source>Seed</source>
         <translation>Graine</translation>
     </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Painter</name>
+    <message>
+        <source>Picture that is painted on</source>
+        <translation>Image sur laquelle on peint</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Pinceau</translation>
+    </message>
+    <message>
+        <source>Paints where the mouse drags</source>
+        <translation>Peint là où la souris glisse</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Takes what the mouse drags around</source>
+        <translation>Prend ce que la souris entoure</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>Pol&amp;ygone</translation>
+    </message>
+    <message>
+        <source>Gets a corner at each click</source>
+        <translation>Reçoit un coin à chaque clic</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>Re&amp;ctangle</translation>
+    </message>
+    <message>
+        <source>Goes from corner to corner</source>
+        <translation>Va d’un coin à l’autre</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>Lar&amp;geur</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Goes back by a step (Ctrl+Z)</source>
+        <translation>Revient d’un pas en arrière (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation>Réta&amp;blir</translation>
+    </message>
+    <message>
+        <source>Makes an undone step again (Ctrl+Shift+Z)</source>
+        <translation>Refait un pas annulé (Ctrl+Maj+Z)</translation>
+    </message>
+    <message>
+        <source>Painted and not kept</source>
+        <translation>Peint et pas gardé</translation>
+    </message>
+    <message>
+        <source>What you painted is lost unless you keep it.</source>
+        <translation>Ce que vous avez peint est perdu si vous ne le gardez pas.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Garder</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Abandonner</translation>
+    </message>
+    <message>
+        <source>&amp;Go on painting</source>
+        <translation>&amp;Continuer à peindre</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ParamRow</name>
@@ -6230,6 +7202,41 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::PortPainting</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>There is no picture to paint on yet; open an exemplar, or choose the image first.</source>
+        <translation>Il n’y a pas encore d’image sur laquelle peindre ; ouvrez un échantillon ou choisissez d’abord l’image.</translation>
+    </message>
+    <message>
+        <source>There is no exemplar yet whose colours could be painted; open one first.</source>
+        <translation>Il n’y a pas encore d’exemplaire dont les couleurs pourraient être peintes ; ouvrez-en un d’abord.</translation>
+    </message>
+    <message>
+        <source>The first colours are those of %1.</source>
+        <translation>Les premières couleurs sont celles de : %1.</translation>
+    </message>
+    <message>
+        <source>What is there has another size or more than %1 colours, so it is begun anew.</source>
+        <translation>Ce qui s’y trouve a une autre taille ou plus de %1 couleurs ; c’est donc recommencé.</translation>
+    </message>
+    <message>
+        <source>%1 completes no picture; choose a method that does: %2.</source>
+        <translation>%1 ne complète pas d’images ; choisissez une méthode qui le fait : %2.</translation>
+    </message>
+    <message>
+        <source>There is no picture to extend yet; open an exemplar, or choose the image first.</source>
+        <translation>Il n’y a pas encore d’image à étendre ; ouvrez un exemplaire, ou choisissez d’abord l’image.</translation>
+    </message>
+    <message>
+        <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>
+        <translation>L’image fait maintenant %1 px ; Lancer fait ce qui se trouve au-delà de ses bords.</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::PortRow</name>
     <message>
         <source>Choose…</source>
@@ -6302,6 +7309,14 @@ Déposez une image ici.</translation>
     <message>
         <source>There is no result yet that could go in here; press Run first, or choose a file.</source>
         <translation>Il n’y a pas encore de résultat à mettre ici ; lancez d’abord un calcul, ou choisissez un fichier.</translation>
+    </message>
+    <message>
+        <source>Paint: %1…</source>
+        <translation>Peindre : %1…</translation>
+    </message>
+    <message>
+        <source>Extend the picture beyond its edges…</source>
+        <translation>Étendre l’image au-delà de ses bords…</translation>
     </message>
 </context>
 <context>
@@ -6694,6 +7709,10 @@ Déposez une image ici.</translation>
     <message>
         <source>This method makes new pixels and copies none, so there is no map of where they came from. An estimated one shows what in the exemplar each is most like.</source>
         <translation>Cette méthode crée des pixels et n’en copie aucun, il n’y a donc pas de carte de leur provenance. Une carte estimée montre à quoi chacun ressemble le plus dans l’échantillon.</translation>
+    </message>
+    <message>
+        <source>This method learned from no exemplar, so there is no map of where its pixels came from.</source>
+        <translation>Cette méthode n’a appris d’aucun échantillon ; il n’y a donc pas de carte de la provenance de ses pixels.</translation>
     </message>
 </context>
 <context>
