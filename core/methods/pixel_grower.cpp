@@ -180,6 +180,56 @@ std::vector<Grower::Places> Grower::inTurns(const Places& order) {
     return turns;
 }
 
+/// For each pixel of an order the earlier ones that its window shows.
+std::vector<std::vector<int>> Grower::shownBefore(const Places& order) {
+    const int reach = m_scan.window() / 2;
+    std::vector<std::vector<int>> before(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i % 1024 == 0)
+            m_context.check();
+        for (int dy = -reach; dy <= reach; ++dy)
+            for (int dx = -reach; dx <= reach; ++dx) {
+                Place near = 0;
+                if (!neighbour(x(order[i]), y(order[i]), dx, dy, near))
+                    continue;
+                if (const std::int32_t turn = m_turn[static_cast<std::size_t>(near)]; turn > 0)
+                    before[i].push_back(turn - 1);
+            }
+        m_turn[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i) + 1;
+    }
+    for (const Place place : order)
+        m_turn[static_cast<std::size_t>(place)] = 0;
+    // Round the borders of a small output, a window may show a pixel twice.
+    for (std::vector<int>& earlier : before) {
+        std::sort(earlier.begin(), earlier.end());
+        earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
+    }
+    return before;
+}
+
+/// Each pixel as soon as those are made that it shows, so that threads wait for each other only here and
+/// there.
+void Grower::makeLayer(const Places& layer) {
+    const std::vector<std::vector<int>> before = shownBefore(layer);
+    m_context.parallelAfter(
+        static_cast<int>(layer.size()), [&](int index) { return before[static_cast<std::size_t>(index)]; },
+        [&](int index) {
+            const auto work = m_pool.borrow([] { return Workspace{}; });
+            makePixel(layer[static_cast<std::size_t>(index)], *work);
+        },
+        [&](int done) { show(m_made + done); });
+    m_made += static_cast<std::int64_t>(layer.size());
+}
+
+/// Tells how much is made, and offers it to be looked at.
+void Grower::show(std::int64_t made) {
+    m_context.progress(static_cast<double>(made) / static_cast<double>(m_wanted));
+    if (!m_start.image)
+        previewMap(m_canvas.map, patchSources(m_request), 0, m_request, m_context);
+    else if (m_context.previewDue())
+        m_context.preview(shown());
+}
+
 void Grower::growLayers() {
     Places made;
     for (Place place = 0; place < m_request.size.area(); ++place)
@@ -191,7 +241,7 @@ void Grower::growLayers() {
         if (layer.empty())
             return;
         sortByKnown(layer);
-        make(inTurns(layer));
+        makeLayer(layer);
         made = std::move(layer);
     }
 }
@@ -222,11 +272,7 @@ void Grower::make(const std::vector<Places>& turns) {
                 makeSome(turn, begin, std::min(turn.size(), begin + kShare));
             });
         m_made += static_cast<std::int64_t>(turn.size());
-        m_context.progress(static_cast<double>(m_made) / static_cast<double>(m_wanted));
-        if (!m_start.image)
-            previewMap(m_canvas.map, patchSources(m_request), 0, m_request, m_context);
-        else if (m_context.previewDue())
-            m_context.preview(shown());
+        show(m_made);
     }
 }
 
@@ -336,7 +382,10 @@ std::uint64_t Grower::bytesFor(const Request& request, const Settings& settings,
     // Known pixels and turns; by rows, the order and its turns too, in lists that grow.
     const std::uint64_t places = settings.order == Order::Raster ? 4 * sizeof(Place) : 0;
     const auto window = static_cast<std::uint64_t>(Grower::window(settings));
-    std::uint64_t bytes = PixelCanvas::bytesFor(request.size, request.channels()) +
+    // What each pixel of a layer waits for, in lists that grow.
+    const std::uint64_t layer = static_cast<std::uint64_t>(request.size.width + request.size.height) * 4;
+    const std::uint64_t waits = layer * (2 * sizeof(std::vector<int>) + 8 * window * sizeof(int));
+    std::uint64_t bytes = waits + PixelCanvas::bytesFor(request.size, request.channels()) +
                           Image::bytesFor(request.size, request.channels()) + area * (5 + places) +
                           WindowScan::bytesFor(exemplars, request.channels()) + (8U << 20U) +
                           static_cast<std::uint64_t>(threads) *

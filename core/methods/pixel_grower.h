@@ -81,7 +81,10 @@ private:
     int knownAround(Place place) const;
     void sortByKnown(Places& layer) const;
     std::vector<Places> inTurns(const Places& order);
+    std::vector<std::vector<int>> shownBefore(const Places& order);
     void make(const std::vector<Places>& turns);
+    void makeLayer(const Places& layer);
+    void show(std::int64_t made);
     void makePixel(Place place, Workspace& work);
     Source choose(int x, int y, Workspace& work) const;
     void findLikely(int x, int y, Workspace& work) const;
