@@ -18,6 +18,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kPlaceWidth = 46, kPlaceLines = 14; ///< of the sketch, in widths and lines of text
+constexpr int kDialogWidth = 60;
 constexpr int kHatchAlpha = 110;
 
 } // namespace
@@ -71,6 +72,8 @@ ExtendDialog::ExtendDialog(std::shared_ptr<const DisplayPicture> picture, int mo
     column->addWidget(m_size);
     column->addWidget(buttons);
     show(size);
+    const int width = fontMetrics().averageCharWidth() * kDialogWidth;
+    resize(width, column->totalHeightForWidth(width));
 }
 
 QSpinBox* ExtendDialog::addSide(const char* name, const QString& title, int most) {
