@@ -8,7 +8,7 @@
 
 namespace texloom {
 
-/// Parameters of a deformation, declared once for the method and the tool.
+/// Parameters of a deformation, declared once for all that deform.
 
 template <class Settings> AnamorphosisOptions anamorphosisOptions(const Settings& settings) {
     return {settings.kind, settings.axis, settings.amplitude, settings.frequency, settings.scale};
