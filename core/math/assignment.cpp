@@ -39,38 +39,18 @@ public:
     /// Tries the paths through `row` to all columns not closed yet: `base` plus cost and price.
     /// @return the column that is nearest then.
     int relax(const float* costs, int row, double base) {
-        using Lane = Lanes<double>;
-        using Pack = typename Lane::Pack;
         const auto taker = static_cast<double>(row);
-        const int count = static_cast<int>(m_prices.size());
-        Pack best = Pack{} + kInfinite;
-        Lane::Places where = Lane::Places{} - 1, now = Lane::kFirst;
-        int column = 0;
-        for (; column + Lane::kCount <= count; column += Lane::kCount, now += Lane::kCount) {
-            Pack open = load<Pack>(m_open.data() + column);
-            Pack from = load<Pack>(m_from.data() + column);
-            const Pack through = Lane::costs(costs + column) + load<Pack>(m_prices.data() + column) + base;
-            const Lane::Places better = through < open;
-            open = better ? through : open;
-            from = better ? Pack{} + taker : from;
-            __builtin_memcpy(m_open.data() + column, &open, sizeof open);
-            __builtin_memcpy(m_from.data() + column, &from, sizeof from);
-            const Lane::Places nearer = open < best;
-            best = nearer ? open : best;
-            where = nearer ? now : where;
-        }
-        BestTwo<double> nearest;
-        for (int lane = 0; lane < Lane::kCount; ++lane)
-            nearest.add(static_cast<int>(where[lane]), best[lane], best[lane]);
-        for (; column < count; ++column) {
-            const double through = static_cast<double>(costs[column]) + m_prices[at(column)] + base;
-            if (through < m_open[at(column)]) {
-                m_open[at(column)] = through;
-                m_from[at(column)] = taker;
-            }
-            nearest.add(column, m_open[at(column)]);
-        }
-        return nearest.place;
+        return relaxed([&](int column) { return Lane::costs(costs + column); },
+                       [&](int column) { return static_cast<double>(costs[column]); },
+                       [&](int) { return Pack{} + taker; }, [&](int) { return taker; }, base);
+    }
+    /// The same through the best row of a crowd for each column.
+    int relax(const Crowd& crowd, double base) {
+        const double *costs = crowd.changes(), *rows = crowd.rows();
+        return relaxed([&](int column) { return load<Pack>(costs + column); },
+                       [&](int column) { return costs[column]; },
+                       [&](int column) { return load<Pack>(rows + column); },
+                       [&](int column) { return rows[column]; }, base);
     }
     /// Closes a column: no shorter path to it will be found.
     double close(int column) {
@@ -83,6 +63,43 @@ public:
     int from(int column) const { return static_cast<int>(m_from[at(column)]); }
 
 private:
+    using Lane = Lanes<double>;
+    using Pack = typename Lane::Pack;
+
+    /// @param packed, taking costs and rows of as many columns as a vector holds. @param cost, row of one.
+    template <class Packed, class Cost, class Taking, class Row>
+    int relaxed(const Packed& packed, const Cost& cost, const Taking& taking, const Row& row, double base) {
+        const int count = static_cast<int>(m_prices.size());
+        Pack best = Pack{} + kInfinite;
+        Lane::Places where = Lane::Places{} - 1, now = Lane::kFirst;
+        int column = 0;
+        for (; column + Lane::kCount <= count; column += Lane::kCount, now += Lane::kCount) {
+            Pack open = load<Pack>(m_open.data() + column);
+            Pack from = load<Pack>(m_from.data() + column);
+            const Pack through = packed(column) + load<Pack>(m_prices.data() + column) + base;
+            const Lane::Places better = through < open;
+            open = better ? through : open;
+            from = better ? taking(column) : from;
+            __builtin_memcpy(m_open.data() + column, &open, sizeof open);
+            __builtin_memcpy(m_from.data() + column, &from, sizeof from);
+            const Lane::Places nearer = open < best;
+            best = nearer ? open : best;
+            where = nearer ? now : where;
+        }
+        BestTwo<double> nearest;
+        for (int lane = 0; lane < Lane::kCount; ++lane)
+            nearest.add(static_cast<int>(where[lane]), best[lane], best[lane]);
+        for (; column < count; ++column) {
+            const double through = cost(column) + m_prices[at(column)] + base;
+            if (through < m_open[at(column)]) {
+                m_open[at(column)] = through;
+                m_from[at(column)] = row(column);
+            }
+            nearest.add(column, m_open[at(column)]);
+        }
+        return nearest.place;
+    }
+
     std::vector<double> m_prices; ///< infinite for what is closed
     std::vector<double> m_open;   ///< lengths; infinite for what is closed
     std::vector<double> m_from;   ///< the row that would take it; of the same type as the rest, for SIMD
@@ -110,7 +127,6 @@ Assigner::Assigner(std::vector<int> places) : m_places(std::move(places)) {
     m_placePrice.assign(at(m_begin.back()), 0);
     m_assigned.assign(at(m_begin.back()), -1);
     m_price.resize(m_places.size());
-    m_second.resize(m_places.size());
     m_scanned.resize(m_places.size());
     reset(0);
 }
@@ -138,13 +154,9 @@ void Assigner::lowerFree(double lowest, double highest) {
     }
 }
 
-/// The places of a column are a heap by price: the lowest first, and the second lowest right below it.
+/// The places of a column are a heap by price: the lowest first.
 void Assigner::refreshPrice(int column) {
-    const int begin = m_begin[at(column)], count = m_places[at(column)];
-    m_price[at(column)] = count > 0 ? m_placePrice[at(begin)] : kInfinite;
-    m_second[at(column)] = kInfinite;
-    for (int child = 1; child < std::min(count, 3); ++child)
-        m_second[at(column)] = std::min(m_second[at(column)], m_placePrice[at(begin + child)]);
+    m_price[at(column)] = m_places[at(column)] > 0 ? m_placePrice[at(m_begin[at(column)])] : kInfinite;
     m_scanned[at(column)] = static_cast<float>(m_price[at(column)]);
 }
 
@@ -202,17 +214,17 @@ std::vector<int> Assigner::releaseAll(int rows) {
 /// Releases the columns of rows for which, at these prices, another would be better by more than ε.
 /// @return the rows without a column.
 std::vector<int> Assigner::releaseWorse(AssignmentCosts& costs, double epsilon, JobContext& context) {
-    std::vector<double> paid(at(costs.rows), kInfinite);
-    for (std::size_t column = 0; column < m_places.size(); ++column)
-        for (int place = m_begin[column]; place < m_begin[column + 1]; ++place)
-            if (m_assigned[at(place)] >= 0)
-                paid[at(m_assigned[at(place)])] = m_placePrice[at(place)];
-    std::vector<std::uint8_t> leaves(at(costs.rows), 0);
+    std::vector<std::uint8_t> leaves(at(costs.rows), 0), placed(at(costs.rows), 0);
+    for (const int row : m_assigned)
+        if (row >= 0)
+            placed[at(row)] = 1;
     context.parallel(0, (costs.rows + kChunk - 1) / kChunk, [&](int chunk) {
         for (int row = chunk * kChunk; row < std::min(costs.rows, (chunk + 1) * kChunk); ++row) {
             const int place = costs.place(row, m_column[at(row)]);
             const double has =
-                place < 0 ? kInfinite : static_cast<double>(costs.known(row, place)) + paid[at(row)];
+                place < 0 || placed[at(row)] == 0
+                    ? kInfinite
+                    : static_cast<double>(costs.known(row, place)) + m_price[at(m_column[at(row)])];
             leaves[at(row)] = offers(costs, row, has - epsilon) ? 1 : 0;
         }
     });
@@ -292,14 +304,17 @@ Assigner::Bid Assigner::bidOf(AssignmentCosts& costs, int row, double epsilon, d
     const Offers two = offersTo(costs, row, slack);
     const int column = costs.column(row, two.place);
     const auto cost = static_cast<double>(values[two.place]);
-    const double another = std::min(static_cast<double>(two.second), cost + m_second[at(column)]);
+    // The column's other places are as good: whoever wants them bids against other columns alone (the auction
+    // for similar objects, Bertsekas & Castanon 1989), or rows would outbid each other by ε and ε.
+    const auto another = static_cast<double>(two.second);
     // Without a second, any price will do.
     const double limit = std::isfinite(another) ? another - cost : m_price[at(column)];
     return {column, std::min(ceiling, std::max(limit, m_price[at(column)]) + epsilon - slack)};
 }
 
 void Assigner::take(int row, const Bid& bid, double ceiling, std::vector<int>& waiting) {
-    if (m_price[at(bid.column)] >= ceiling) { // at this price any number of rows may have it
+    // At this price any number of rows may have it, of those that would pay as much.
+    if (m_price[at(bid.column)] >= ceiling && bid.price >= ceiling) {
         m_column[at(row)] = bid.column;
         return;
     }
@@ -339,6 +354,7 @@ void Assigner::solveExactly(const AssignmentCosts& costs, JobContext& context) {
     std::sort(waiting.begin(), waiting.end());
     for (const int row : waiting)
         augment(costs, row, context);
+    m_crowds.clear();
     for (std::size_t column = 0; column < m_places.size(); ++column) {
         std::fill(m_placePrice.begin() + m_begin[column], m_placePrice.begin() + m_begin[column + 1],
                   m_price[column]);
@@ -386,6 +402,14 @@ int Assigner::freePlace(int column) const {
     return -1;
 }
 
+/// The rows of a column with many places, all of them taken.
+const Crowd& Assigner::crowdOf(int column, const AssignmentCosts& costs) {
+    const auto found =
+        m_crowds.try_emplace(column, column, m_begin[at(column)], m_places[at(column)], costs.columns).first;
+    found->second.refresh(costs, m_assigned);
+    return found->second;
+}
+
 /// Finds a place for one row along the shortest path of changes, and moves the prices so that every row still
 /// has its best column.
 void Assigner::augment(const AssignmentCosts& costs, int row, JobContext& context) {
@@ -400,6 +424,10 @@ void Assigner::augment(const AssignmentCosts& costs, int row, JobContext& contex
         scanned.push_back(column);
         if (freePlace(column) >= 0)
             end = column;
+        if (end < 0 && m_places[at(column)] >= Crowd::kLeast) {
+            nearest = paths.relax(crowdOf(column, costs), length - m_price[at(column)]);
+            continue;
+        }
         for (int place = m_begin[at(column)]; place < m_begin[at(column) + 1] && end < 0; ++place) {
             const int assigned = m_assigned[at(place)];
             const double paid = static_cast<double>(costs.valuesOf(assigned)[column]) + m_price[at(column)];
@@ -413,8 +441,11 @@ void Assigner::augment(const AssignmentCosts& costs, int row, JobContext& contex
         const int before = m_column[at(moved)];
         if (before >= 0)
             release(moved);
-        m_assigned[at(freePlace(column))] = moved;
+        const int place = freePlace(column);
+        m_assigned[at(place)] = moved;
         m_column[at(moved)] = column;
+        if (const auto crowd = m_crowds.find(column); crowd != m_crowds.end())
+            crowd->second.changed(place);
         column = before;
     }
 }

@@ -2,8 +2,10 @@
 
 #include "core/job/job_context.h"
 #include "core/math/assignment_costs.h"
+#include "core/math/crowd.h"
 
 #include <limits>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -60,6 +62,7 @@ private:
     void solveExactly(const AssignmentCosts& costs, JobContext& context);
     std::vector<int> push(const AssignmentCosts& costs, std::vector<int> waiting, JobContext& context);
     int freePlace(int column) const;
+    const Crowd& crowdOf(int column, const AssignmentCosts& costs);
     void augment(const AssignmentCosts& costs, int row, JobContext& context);
     void release(int row);
 
@@ -69,9 +72,9 @@ private:
     std::vector<double> m_placePrice; ///< of each place
     std::vector<int> m_assigned;      ///< the row of each place, or −1
     std::vector<double> m_price;      ///< the lowest of each column's places
-    std::vector<double> m_second;     ///< the second lowest
     std::vector<float> m_scanned;     ///< m_price once more, for fast rows
     std::vector<int> m_column;        ///< of each row, or −1
+    std::map<int, Crowd> m_crowds;    ///< of columns with many places, by column, while paths are sought
     bool m_warm = false;
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace texloom::test {
@@ -104,6 +105,25 @@ TEST(Assignment, columnsWithSeveralPlacesAreFilledExactly) {
     EXPECT_EQ(costOf(costs, found.first), smallestCost(costs, places));
     EXPECT_EQ(costOf(costs, found.again), smallestCost(costs, places));
     EXPECT_EQ(uses(solved(costs, places, {10}).first, 7), places);
+}
+
+TEST(Assignment, aColumnOfHundredsOfPlacesIsFilledAsWellAsOthers) {
+    std::vector<int> places(121, 5);
+    places[40] = 700; // of rows that are looked at together
+    places[7] = 0;
+    const int rows = std::accumulate(places.begin(), places.end(), 0);
+    AssignmentCosts costs = randomCosts(rows, 121, 1000, 78);
+    for (int row = 0; row < rows; ++row) // most rows want it, and more than there is room for
+        if (row % 6 != 0)
+            costs.valuesOf(row)[40] = static_cast<float>(row % 3);
+    const double smallest = smallestCost(costs, places);
+    const Solved exact = solved(costs, places, {});
+    EXPECT_EQ(uses(exact.first, 121), places);
+    EXPECT_EQ(costOf(costs, exact.first), smallest);
+    EXPECT_EQ(costOf(costs, exact.again), smallest);
+    const Solved near = solved(costs, places, {0.5});
+    EXPECT_EQ(uses(near.first, 121), places);
+    EXPECT_LE(costOf(costs, near.first), smallest + rows * 0.5 + 0.1);
 }
 
 TEST(Assignment, auctionComesWithinEpsilonForEachRow) {
