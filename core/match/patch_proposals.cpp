@@ -16,6 +16,17 @@ constexpr double kTolerance = 1e-4;
 
 } // namespace
 
+std::vector<float> gaussianFalloff(int patch) {
+    std::vector<float> weights;
+    const double sigma = patch / 4.0;
+    for (int y = 0; y < patch; ++y)
+        for (int x = 0; x < patch; ++x) {
+            const double dx = x - (patch - 1) / 2.0, dy = y - (patch - 1) / 2.0;
+            weights.push_back(static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma))));
+        }
+    return weights;
+}
+
 ColorBalance::ColorBalance(const std::vector<const Interleaved*>& images, int channels)
     : m_channels(channels), m_low(static_cast<std::size_t>(channels), HUGE_VALF),
       m_scale(static_cast<std::size_t>(channels), -HUGE_VALF),

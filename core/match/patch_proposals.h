@@ -30,6 +30,10 @@ private:
     std::vector<float> m_excess;       ///< excess over the wanted share, relative to it
 };
 
+/// Weights of a patch's pixels, row by row: a Gaussian with a standard deviation of a quarter of the patch
+/// (Kwatra et al., SIGGRAPH 2005).
+std::vector<float> gaussianFalloff(int patch);
+
 /// What the overlapping patches of a lattice propose for the pixels of its canvas.
 struct PatchProposals {
     std::vector<const Interleaved*> images; ///< by exemplar

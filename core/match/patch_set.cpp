@@ -120,17 +120,35 @@ float PatchSet::distance(const float* pixels, std::ptrdiff_t stride, const Sourc
 
 void PatchSet::consider(const Entry& entry, const PatchBasis::Descriptor& wanted, const float* pixels,
                         std::ptrdiff_t stride, Best& best) const {
-    const float extra = penalty(entry.number);
-    if (extra + gap(entry.descriptor, wanted) > best.limit)
+    if (gap(entry.descriptor, wanted) > best.limit)
         return;
     const float found =
-        distance(pixels, stride, m_sources[static_cast<std::size_t>(entry.number)], best.cost - extra);
-    const float cost = found + extra;
-    if (cost > best.cost || (cost == best.cost && entry.number > best.number))
+        distance(pixels, stride, m_sources[static_cast<std::size_t>(entry.number)], best.cost);
+    if (found > best.cost || (found == best.cost && entry.number > best.number))
         return;
     best.number = entry.number;
     best.distance = found;
-    best.setCost(cost);
+    best.setCost(found);
+}
+
+void PatchSet::considerPenalised(const Entry& entry, const PatchBasis::Descriptor& wanted,
+                                 const float* pixels, std::ptrdiff_t stride, Best& best) const {
+    const float extra = m_penalties[static_cast<std::size_t>(entry.number)];
+    if (extra > best.norm)
+        return;
+    const float least = best.norm - extra + best.slack;
+    if (gap(entry.descriptor, wanted) > least * least)
+        return;
+    const float found =
+        distance(pixels, stride, m_sources[static_cast<std::size_t>(entry.number)],
+                 (1 + kRounding) * (best.norm - extra) * (best.norm - extra) + kRounding * best.cost);
+    const float norm = std::sqrt(found) + extra;
+    if (norm > best.norm || (norm == best.norm && entry.number > best.number))
+        return;
+    best.number = entry.number;
+    best.distance = found;
+    best.norm = norm;
+    best.setCost(norm * norm);
 }
 
 PatchMatch PatchSet::nearest(const float* pixels, std::ptrdiff_t stride, const PatchMatch& hint) const {
@@ -144,19 +162,26 @@ PatchMatch PatchSet::nearest(const float* pixels, std::ptrdiff_t stride, const P
     // Only a bound: the scan meets the hint itself, or one at least as near.
     const bool bounded = hint.source.valid() && m_penalties.empty();
     best.setCost(bounded ? distance(pixels, stride, hint.source, HUGE_VALF) : HUGE_VALF);
+    best.norm = HUGE_VALF;
     auto up = middle, down = middle;
     const auto open = [&](auto entry) {
         const float apart = entry->descriptor[0] - wanted[0];
         return apart * apart <= best.limit;
     };
+    const auto look = [&](const Entry& entry) {
+        if (m_penalties.empty())
+            consider(entry, wanted, pixels, stride, best);
+        else
+            considerPenalised(entry, wanted, pixels, stride, best);
+    };
     bool above = true, below = true;
     while (above || below) {
         above = above && up != m_entries.end() && open(up);
         if (above)
-            consider(*up++, wanted, pixels, stride, best);
+            look(*up++);
         below = below && down != m_entries.begin() && open(down - 1);
         if (below)
-            consider(*--down, wanted, pixels, stride, best);
+            look(*--down);
     }
     return {m_sources[static_cast<std::size_t>(best.number)], best.distance};
 }

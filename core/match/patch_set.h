@@ -48,8 +48,10 @@ public:
     /// Of the nth patch, in reading order.
     const std::vector<Source>& sources() const { return m_sources; }
 
-    /// Adds this to the distance of the nth patch from now on; empty for none. Not negative.
+    /// Adds this to the distance, as a norm, of the nth patch from now on; empty for none. Not negative.
     void setPenalties(std::vector<float> penalties);
+    /// The same for one patch, where there are penalties.
+    void setPenalty(int number, float penalty) { m_penalties[static_cast<std::size_t>(number)] = penalty; }
 
     /// The nearest patch, penalties included; of equal ones the first in reading order.
     /// @param pixels where the query patch begins, a row of it every `stride` floats.
@@ -65,6 +67,7 @@ private:
     struct Best {
         int number = 0;
         float distance = 0, cost = 0;
+        float norm = 0;  ///< root of the distance, and the penalty: where there are penalties
         float slack = 0; ///< largest rounding error of the distance of two descriptors
         float limit = 0; ///< squared distance of descriptors up to which patches may cost less
 
@@ -76,10 +79,9 @@ private:
     };
     void consider(const Entry& entry, const PatchBasis::Descriptor& wanted, const float* pixels,
                   std::ptrdiff_t stride, Best& best) const;
+    void considerPenalised(const Entry& entry, const PatchBasis::Descriptor& wanted, const float* pixels,
+                           std::ptrdiff_t stride, Best& best) const;
     float distance(const float* pixels, std::ptrdiff_t stride, const Source& source, float limit) const;
-    float penalty(int number) const {
-        return m_penalties.empty() ? 0 : m_penalties[static_cast<std::size_t>(number)];
-    }
 
     std::vector<const Interleaved*> m_images;
     const PatchBasis& m_basis;

@@ -3,7 +3,7 @@
 #include "core/base/text.h"
 #include "core/image/half_scale.h"
 #include "core/job/pool.h"
-#include "core/match/patch_use.h"
+#include "core/match/patch_counter.h"
 #include "core/methods/patch_request.h"
 
 #include <fmt/core.h>
@@ -25,23 +25,15 @@ constexpr int kInitialLevels = 2;
 constexpr int kBand = 8;
 /// Rounds of PatchMatch before the first projection.
 constexpr int kFirstRounds = 6;
+/// Patches that choose at the same time where they choose in turn.
+constexpr std::size_t kTogether = 32;
+/// Streams of random numbers: the order of turns, and pairs of patches.
+constexpr std::uint32_t kOrderDraw = 300, kPairDraw = 301;
 /// Share of the mean distance below which patches count as equally good.
 constexpr double kFloor = 1e-3;
 
 double exponent(Aggregation aggregation) {
     return aggregation == Aggregation::Mean ? 2 : aggregation == Aggregation::Median ? 1 : 0.8;
-}
-
-/// Gaussian with a standard deviation of a quarter of the patch (Kwatra et al.).
-std::vector<float> gaussianFalloff(int patch) {
-    std::vector<float> weights;
-    const double sigma = patch / 4.0;
-    for (int y = 0; y < patch; ++y)
-        for (int x = 0; x < patch; ++x) {
-            const double dx = x - (patch - 1) / 2.0, dy = y - (patch - 1) / 2.0;
-            weights.push_back(static_cast<float>(std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma))));
-        }
-    return weights;
 }
 
 } // namespace
@@ -73,7 +65,8 @@ struct Optimizer::Pass {
     std::optional<PatchSet> set;
     std::optional<GridMatcher> matcher; ///< where PatchMatch searches
     std::optional<ColorBalance> balance;
-    std::vector<float> use; ///< how often each patch of the set is used
+    std::optional<PatchCounter> counter; ///< of the set's patches, where uniformity counts
+    float penalty = 0; ///< in norm, of a patch whose pixels are used once more than they should be
     PatchProposals proposals;
 };
 
@@ -166,7 +159,7 @@ void Optimizer::optimize(int level, int patch) {
     Pass pass(m_pyramid.level(level), {m_size, patch, patch / 4}, m_request.channels(), m_context);
     if (pass.set->count() == 0)
         return;
-    if (m_settings.search == Search::PatchMatch) {
+    if (m_settings.search == Search::PatchMatch && m_settings.uniformity <= 0) {
         pass.matcher.emplace(m_pyramid.level(level), pass.lattice, m_context);
         for (int y = 0; y < pass.field.size().height; ++y)
             for (int x = 0; x < pass.field.size().width; ++x)
@@ -197,7 +190,9 @@ void Optimizer::optimize(int level, int patch) {
 /// @return whether the neighbour of any patch has changed.
 bool Optimizer::project(Pass& pass, int iteration) {
     const PatchField before = pass.field;
-    if (!pass.matcher) {
+    if (pass.counter) {
+        projectInTurn(pass, iteration);
+    } else if (!pass.matcher) {
         project(pass, pass.field);
     } else {
         const auto pixels = [&](int x, int y, Size extent, Interleaved& to) {
@@ -298,31 +293,85 @@ void Optimizer::weigh(Pass& pass) {
     });
 }
 
-/// Spatial uniformity: patches in frequent use cost more in the next projection. Half of the use is that of
-/// earlier rounds, since all patches choose at once and would otherwise all abandon a good one together.
+/// Spatial uniformity (eq. 3.12), from the second projection of a pass on. The unit of the penalty stays the
+/// same over the pass, and is no more than patches at random differ: if it followed the distances, these
+/// would grow with it until the penalties were all that counts, and everything one colour.
 void Optimizer::discourage(Pass& pass) {
-    if (m_settings.uniformity <= 0)
+    if (m_settings.uniformity <= 0 || pass.counter)
         return;
-    if (pass.matcher)
-        return pass.matcher->discourage(pass.field, m_settings.uniformity);
     std::vector<Size> sizes;
-    std::vector<std::vector<float>> use;
     for (const Interleaved* image : pass.images)
         sizes.push_back(image->size);
-    for (std::size_t e = 0; e < sizes.size(); ++e)
-        use.push_back(patchUse(pass.field, sizes, static_cast<int>(e), pass.lattice.patch,
-                               [this] { m_context.check(); }));
-    const auto unit = static_cast<float>(m_settings.uniformity * pass.field.meanDistance());
-    const bool fresh = pass.use.empty();
-    pass.use.resize(pass.set->sources().size());
-    for (std::size_t n = 0; n < pass.use.size(); ++n) {
-        const Source& source = pass.set->sources()[n];
-        const int width = sizes[source.exemplar].width - pass.lattice.patch + 1;
-        const auto columns = static_cast<std::size_t>(width);
-        const float now = unit * use[source.exemplar][source.y * columns + source.x];
-        pass.use[n] = fresh ? now : 0.5F * (now + pass.use[n]);
+    const Size count = pass.field.size();
+    pass.counter.emplace(pass.set->sources(), sizes, pass.lattice.patch, count.area());
+    for (int y = 0; y < count.height; ++y) {
+        m_context.check();
+        for (int x = 0; x < count.width; ++x)
+            pass.counter->count(pass.counter->numberOf(pass.field.at(x, y).source), 1, [](int) {});
     }
-    pass.set->setPenalties(pass.use);
+    const double unit = std::min(std::sqrt(pass.field.meanDistance()), randomDistance(pass));
+    pass.penalty = static_cast<float>(m_settings.uniformity * unit);
+    std::vector<float> penalties;
+    for (int n = 0; n < pass.set->count(); ++n)
+        penalties.push_back(penaltyOf(pass, n));
+    pass.set->setPenalties(std::move(penalties));
+}
+
+/// Only what is used more than it should be is avoided, as with colours (eq. 3.8): what everyone could have
+/// costs nothing, however large λ_occ is.
+float Optimizer::penaltyOf(const Pass& pass, int number) {
+    return pass.penalty * static_cast<float>(std::max(0.0, pass.counter->share(number) - 1));
+}
+
+/// Mean distance, as a norm, of two patches of the exemplars drawn at random.
+double Optimizer::randomDistance(const Pass& pass) const {
+    constexpr int kPairs = 256;
+    const auto all = static_cast<std::uint32_t>(pass.set->count());
+    double sum = 0;
+    for (int pair = 0; pair < kPairs; ++pair) {
+        const auto drawn = [&](std::uint32_t which) {
+            return pass.set->sources()[m_context.random().below(all, pair, 0, kPairDraw + which)];
+        };
+        const Source a = drawn(0), b = drawn(1);
+        const Interleaved &from = *pass.images[a.exemplar], &to = *pass.images[b.exemplar];
+        sum += std::sqrt(static_cast<double>(squaredDistance(from.at(a.x, a.y), from.stride(),
+                                                             to.at(b.x, b.y), to.stride(), pass.lattice.patch,
+                                                             pass.lattice.patch * from.pixel, HUGE_VALF)));
+    }
+    return sum / kPairs;
+}
+
+/// A projection in which patches choose one after another, in random order, and each sees what those before
+/// it have taken; in truth a few at a time, far from each other, so that they can choose in parallel.
+void Optimizer::projectInTurn(Pass& pass, int iteration) {
+    const Size count = pass.field.size();
+    std::vector<std::pair<std::uint32_t, int>> order;
+    for (int n = 0; n < static_cast<int>(count.area()); ++n)
+        order.emplace_back(m_context.random().bits(n, iteration, kOrderDraw), n);
+    std::sort(order.begin(), order.end());
+    const int stride = pass.lattice.stride;
+    const auto match = [&](std::size_t turn) -> PatchMatch& {
+        return pass.field.at(order[turn].second % count.width, order[turn].second / count.width);
+    };
+    const auto counted = [&](std::size_t turn, int times) {
+        pass.counter->count(pass.counter->numberOf(match(turn).source), times,
+                            [&](int number) { pass.set->setPenalty(number, penaltyOf(pass, number)); });
+    };
+    for (std::size_t begin = 0; begin < order.size(); begin += kTogether) {
+        m_context.check();
+        const std::size_t end = std::min(order.size(), begin + kTogether);
+        for (std::size_t turn = begin; turn < end; ++turn)
+            counted(turn, -1);
+        m_context.parallel(static_cast<int>(begin), static_cast<int>(end), [&](int turn) {
+            PatchMatch& own = match(static_cast<std::size_t>(turn));
+            const int number = order[static_cast<std::size_t>(turn)].second;
+            own = pass.set->nearest(
+                m_canvas->pixels().at(number % count.width * stride, number / count.width * stride),
+                m_canvas->pixels().stride(), own);
+        });
+        for (std::size_t turn = begin; turn < end; ++turn)
+            counted(turn, 1);
+    }
 }
 
 void Optimizer::aggregate(Pass& pass) {

@@ -39,7 +39,10 @@ private:
     void project(Pass& pass, PatchField& field) const;
     void addInverse(Pass& pass);
     void weigh(Pass& pass);
+    void projectInTurn(Pass& pass, int iteration);
     void discourage(Pass& pass);
+    static float penaltyOf(const Pass& pass, int number);
+    double randomDistance(const Pass& pass) const;
     void aggregate(Pass& pass);
     void finish(Pass& pass);
     void offer() const;

@@ -29,13 +29,16 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     double candidates = 0;
     for (const Size& size : exemplars) {
         need.bytes += static_cast<std::uint64_t>(size.area()) * (pixel * 2 + 64);
+        if (settings.uniformity > 0)
+            need.bytes += static_cast<std::uint64_t>(size.area()) * 12 + patches * 8;
         candidates += static_cast<double>(size.area()) / 4;
     }
     if (settings.bidirectional)
         need.bytes += patches * 96;
     if (request.initial())
         need.bytes += Image::bytesFor(request.size, channels) * 3 / 2;
-    const double each = settings.search == Search::Exact ? 3e-6 + 2e-10 * candidates : 6e-6;
+    const bool exact = settings.search == Search::Exact || settings.uniformity > 0;
+    const double each = exact ? 3e-6 + 2e-10 * candidates : 6e-6;
     need.seconds = 1.6 * settings.iterations * static_cast<double>(patches) * each;
     return need;
 }
@@ -80,8 +83,9 @@ const Method self = method<Settings>(
      field(&Settings::search, "search", TR("Search"))
          .choices({{"exact", TR("Exact")}, {"patchmatch", TR("PatchMatch")}})
          .group(TR("Advanced"))
-         .help(
-             TR("How the most similar patch is found: exactly, or nearly and faster with large exemplars.")),
+         .help(TR(
+             "How the most similar patch is found: exactly, or nearly and faster with large exemplars. With "
+             "uniformity, always exactly.")),
      field(&Settings::histogram, "histogram", TR("Match colours"))
          .group(TR("Uniformity"))
          .help(TR(

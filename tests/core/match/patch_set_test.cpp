@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -46,15 +47,16 @@ TEST(PatchSet, nearestIsThatOfExhaustiveSearch) {
                             const Source& at = set.sources()[static_cast<std::size_t>(n)];
                             const double extra =
                                 penalised ? static_cast<double>(penalties[static_cast<std::size_t>(n)]) : 0;
-                            best =
-                                std::min(best, extra + distanceOf(query, x, y, exemplar, at.x, at.y, patch));
+                            best = std::min(best, extra + std::sqrt(distanceOf(query, x, y, exemplar, at.x,
+                                                                               at.y, patch)));
                         }
                         const PatchMatch found = set.nearest(query.at(x, y), query.stride(), {});
                         double extra = 0;
                         for (int n = 0; n < set.count() && penalised; ++n)
                             if (set.sources()[static_cast<std::size_t>(n)] == found.source)
                                 extra = static_cast<double>(penalties[static_cast<std::size_t>(n)]);
-                        ASSERT_NEAR(extra + static_cast<double>(found.distance), best, 1e-4 * (1 + best));
+                        ASSERT_NEAR(extra + std::sqrt(static_cast<double>(found.distance)), best,
+                                    1e-4 * (1 + best));
                     }
             }
         }

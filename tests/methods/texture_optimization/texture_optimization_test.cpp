@@ -83,6 +83,29 @@ TEST(TextureOptimization, copyHasAnExactMap) {
     EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));
 }
 
+TEST(TextureOptimization, uniformityKeepsItsWordOverItsWholeRange) {
+    const Request request = requestFor(blobs({64, 64}, 3), {96, 96});
+    const auto variance = [](const Image& image) {
+        double square = 0;
+        const double mean = channelMeans(image)[0];
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                square += std::pow(static_cast<double>(image(x, y, 0)) - mean, 2);
+        return square / static_cast<double>(image.size().area());
+    };
+    const double wanted = variance(*request.exemplars.front().image);
+    double before = 0;
+    for (const double uniformity : {0.0, 0.1, 1.0, 10.0, 100.0}) {
+        const Synthesis result = made(request, {{"uniformity", uniformity}});
+        const double entropy = occurrenceEntropy(occurrencesOf(result.map));
+        EXPECT_GT(entropy, before - 0.01) << uniformity;
+        before = entropy;
+        if (uniformity > 0) {
+            EXPECT_NEAR(variance(result.image), wanted, 0.5 * wanted) << uniformity;
+        }
+    }
+}
+
 TEST(TextureOptimization, uniformityAndBothDirectionsUseMoreOfTheExemplar) {
     const Request request = requestFor(blobs({64, 64}, 3), {128, 128});
     const auto entropy = [&](const Values& settings) {
