@@ -25,7 +25,7 @@ void CostTable::update(int rows, const ExemplarPatches& patches, const Wanted& w
                        const Tolerance& tolerance, JobContext& context) {
     m_known = m_known && m_costs.rows == rows;
     m_costs.rows = rows;
-    m_costs.columns = m_costs.perRow = patches.count();
+    m_costs.columns = m_costs.perRow = patches.kinds();
     m_costs.costs.resize(product(rows, m_costs.perRow));
     m_wanted.resize(product(rows, patches.patchFloats()));
     m_fallen.resize(product(rows, 1));

@@ -21,10 +21,10 @@ constexpr int kBandRows = 8;
 constexpr double kNarrowEpsilon = 0.05, kNarrowRho = 1;
 /// Where choices are narrowed, iterations end when no more than this share of the patches changes.
 constexpr double kNarrowChange = 0.02;
-/// Where assignments need not be optimal, iterations end when the cost falls by less than this share: the
-/// last changes only choose among equals. For the finest scale, and for the others, on which later ones
-/// build.
-constexpr double kSettledFine = 0.04, kSettled = 0.005;
+/// The share of Settings::settle that counts on scales on which others build.
+constexpr double kCoarseSettle = 0.125;
+/// Share of the mean cost below which patches count as equally good, and r of robust weights.
+constexpr double kFloor = 1e-3, kRobust = 0.8;
 /// On the finest scale ε falls by this factor with each iteration, down to this share: when costs are low,
 /// the same ε would be too large a part of them, and few patches still change.
 constexpr double kFinerEpsilon = 0.5, kLeastEpsilon = 0.1;
@@ -42,8 +42,9 @@ double sampledMean(const AssignmentCosts& costs) {
 } // namespace
 
 struct Optimizer::Band {
-    int top, bottom; ///< rows of the lattice; bottom excluded
-    Assigner assigner;
+    int top, bottom;         ///< rows of the lattice; bottom excluded
+    std::vector<int> places; ///< of each of the exemplar's patches
+    Assigner assigner;       ///< of kinds of patches, or where choices are narrowed of patches
 };
 
 struct Optimizer::Pass {
@@ -82,7 +83,9 @@ int Optimizer::levelsFor(const Request& request, const Settings& settings) {
     return request.initial() ? std::min(wanted, kInitialLevels) : wanted;
 }
 
-bool Optimizer::narrows(double rows, double columns, int iterations) {
+bool Optimizer::narrows(double rows, double columns, int iterations, Solve solve) {
+    if (solve != Solve::Automatic)
+        return solve == Solve::Narrowed;
     return rows * columns * iterations > kMostWork || (rows > 2 * columns && rows > kMostSharing);
 }
 
@@ -162,13 +165,29 @@ void Optimizer::start(int level) {
     m_canvas->close(m_context);
 }
 
+/// Whether patches may be used too often. From some ρ on it never pays: another patch is then used too
+/// little, both of which costs 2ρ, and no change of patches saves more than the largest cost there is.
+bool Optimizer::relaxed() const {
+    const double most = m_settings.patch * m_settings.patch * std::sqrt(m_request.channels());
+    return m_settings.relaxed && 2 * m_settings.rho < most;
+}
+
 void Optimizer::optimize(int level) {
     const bool random = m_settings.grid == Grid::Random || (m_settings.grid == Grid::Hybrid && level > 0);
     Pass pass(m_pyramid.level(level), m_settings, random, m_size, m_context);
     plan(pass, level);
+    if (m_settings.aggregation == Aggregation::RobustFalloff)
+        pass.proposals.falloff = gaussianFalloff(m_settings.patch);
     if (pass.narrowed && level == 0)
-        m_result.notes.emplace_back(TR("At this size every patch chose among a few that suit it, so some are "
-                                       "used a little more often than others."));
+        m_result.notes.emplace_back(
+            m_settings.solve == Solve::Narrowed
+                ? TR("Every patch chose among a few that suit it, as asked, so some are used a little more "
+                     "often "
+                     "than others.")
+                : TR("At this size every patch chose among a few that suit it, so some are used a little "
+                     "more "
+                     "often than others; the setting “Solved” = Whole takes much longer and uses all as they "
+                     "should be."));
     const int count = iterations(level);
     for (int iteration = 0; iteration < count; ++iteration) {
         pass.epsilon = toleranceAt(level, iteration);
@@ -178,8 +197,9 @@ void Optimizer::optimize(int level) {
         m_context.progress((iteration + 1.0) / count);
         if (changed <= (pass.narrowed ? kNarrowChange : 0))
             break;
-        if (nearOptimal() && iteration > 0 &&
-            m_costs.back() > (1 - (level == 0 ? kSettledFine : kSettled)) * m_costs[m_costs.size() - 2])
+        const double settle = (level == 0 ? 1 : kCoarseSettle) * m_settings.settle;
+        if (settle > 0 && nearOptimal() && iteration > 0 &&
+            m_costs.back() > (1 - settle) * m_costs[m_costs.size() - 2])
             break;
     }
     if (level == 0)
@@ -188,7 +208,7 @@ void Optimizer::optimize(int level) {
 
 /// ε in the exemplar's values.
 double Optimizer::toleranceAt(int level, int iteration) const {
-    const double share = level > 0 ? 1 : std::pow(kFinerEpsilon, iteration);
+    const double share = level > 0 || m_settings.constantEpsilon ? 1 : std::pow(kFinerEpsilon, iteration);
     return m_settings.epsilon * m_range * std::max(kLeastEpsilon, share);
 }
 
@@ -196,11 +216,13 @@ double Optimizer::toleranceAt(int level, int iteration) const {
 void Optimizer::plan(Pass& pass, int level) const {
     const Size count = pass.lattice.count();
     const double offered = pass.patches.count();
-    pass.narrowed = narrows(static_cast<double>(count.area()), offered, iterations(level));
+    pass.narrowed = narrows(static_cast<double>(count.area()), offered, iterations(level), m_settings.solve);
     if (pass.narrowed)
         pass.patches.findSimilar(m_context);
-    const double perRow = pass.narrowed ? kChoices : offered;
-    const int rows = std::clamp(static_cast<int>(kMostCosts / (perRow * count.width)), 1, count.height);
+    const double perRow = pass.narrowed ? kChoices : pass.patches.kinds();
+    const int rows = m_settings.solve == Solve::Whole
+                         ? count.height
+                         : std::clamp(static_cast<int>(kMostCosts / (perRow * count.width)), 1, count.height);
     const int bands = (count.height + rows - 1) / rows;
     const std::vector<int> supply =
         pass.patches.supply(static_cast<int>(count.area()), m_settings.supply, m_context);
@@ -209,14 +231,17 @@ void Optimizer::plan(Pass& pass, int level) const {
         std::vector<int> places(static_cast<std::size_t>(pass.patches.count()), 0);
         for (int n = top * count.width; n < bottom * count.width; ++n)
             ++places[static_cast<std::size_t>(supply[static_cast<std::size_t>(n)])];
-        pass.bands.push_back({top, bottom, Assigner(std::move(places))});
+        std::vector<int> ofKinds(static_cast<std::size_t>(pass.patches.kinds()), 0);
+        for (int n = 0; n < pass.patches.count(); ++n)
+            ofKinds[static_cast<std::size_t>(pass.patches.kindOf(n))] += places[static_cast<std::size_t>(n)];
+        pass.bands.push_back({top, bottom, places, Assigner(pass.narrowed ? places : ofKinds)});
     }
 }
 
 AssignmentOptions Optimizer::options(const Pass& pass) const {
     AssignmentOptions options;
     options.epsilon = (1 - 2 * static_cast<double>(kKeptShare)) * pass.epsilon;
-    if (m_settings.relaxed)
+    if (relaxed())
         options.relaxation = m_settings.rho * m_range;
     if (pass.narrowed) {
         options.epsilon = std::max(options.epsilon, kNarrowEpsilon * pass.meanCost);
@@ -260,7 +285,9 @@ double Optimizer::assign(Pass& pass, Band& band) {
             m_context);
     }
     pass.meanCost = sampledMean(costs);
-    const std::vector<int> assigned = band.assigner.assign(costs, options(pass), m_context);
+    std::vector<int> assigned = band.assigner.assign(costs, options(pass), m_context);
+    if (!pass.narrowed)
+        assigned = membersFor(pass, band, assigned);
     std::vector<float> patch(static_cast<std::size_t>(pass.patches.patchFloats()));
     double total = 0;
     for (int row = 0; row < costs.rows; ++row) {
@@ -268,13 +295,45 @@ double Optimizer::assign(Pass& pass, Band& band) {
             m_context.check();
         const int best = assigned[static_cast<std::size_t>(row)], n = band.top * columns + row;
         wanted(row, patch.data());
-        const float cost = pass.patches.cost(patch.data(), best);
+        const float cost = pass.patches.cost(patch.data(), pass.patches.kindOf(best));
         total += static_cast<double>(cost);
         pass.chosen[static_cast<std::size_t>(n)] = best;
         pass.field.at(n % columns, n / columns) = {pass.patches.sources()[static_cast<std::size_t>(best)],
                                                    cost};
     }
     return total;
+}
+
+/// The patch of each row, given its kind: the one that it has, if it is of that kind and has a place left,
+/// else the kind's next that has; where the kind is used too often, all of its patches by turns.
+std::vector<int> Optimizer::membersFor(const Pass& pass, const Band& band, std::vector<int> kinds) {
+    const ExemplarPatches& patches = pass.patches;
+    const std::size_t first =
+        static_cast<std::size_t>(band.top) * static_cast<std::size_t>(pass.lattice.count().width);
+    std::vector<int> left = band.places, next(static_cast<std::size_t>(patches.kinds()), 0);
+    std::vector<int> chosen(kinds.size(), -1);
+    for (std::size_t row = 0; row < kinds.size(); ++row) {
+        const int before = pass.chosen[first + row];
+        if (before >= 0 && patches.kindOf(before) == kinds[row] &&
+            left[static_cast<std::size_t>(before)] > 0) {
+            --left[static_cast<std::size_t>(before)];
+            chosen[row] = before;
+        }
+    }
+    for (std::size_t row = 0; row < kinds.size(); ++row) {
+        if (chosen[row] >= 0)
+            continue;
+        const std::span<const int> members = patches.members(kinds[row]);
+        int& turn = next[static_cast<std::size_t>(kinds[row])];
+        const auto member = [&] { return members[static_cast<std::size_t>(turn) % members.size()]; };
+        for (int count = static_cast<int>(members.size());
+             turn < count && left[static_cast<std::size_t>(member())] <= 0;)
+            ++turn;
+        chosen[row] = member();
+        if (--left[static_cast<std::size_t>(chosen[row])] <= 0)
+            ++turn;
+    }
+    return chosen;
 }
 
 void Optimizer::costSome(Pass& pass, const Band& band) const {
@@ -297,8 +356,8 @@ void Optimizer::costSome(Pass& pass, const Band& band) const {
             pass.patches.planar(m_canvas->pixels().at(x * stride, y * stride), m_canvas->pixels().stride(),
                                 wanted.data());
             for (int i = 0; i < costs.perRow; ++i)
-                costs.costs[begin + static_cast<std::size_t>(i)] =
-                    pass.patches.cost(wanted.data(), costs.choices[begin + static_cast<std::size_t>(i)]);
+                costs.costs[begin + static_cast<std::size_t>(i)] = pass.patches.cost(
+                    wanted.data(), pass.patches.kindOf(costs.choices[begin + static_cast<std::size_t>(i)]));
         }
     });
 }
@@ -337,7 +396,21 @@ void Optimizer::choices(const Pass& pass, int x, int y, std::int32_t* list) cons
         add(patch);
 }
 
+/// The weights of iteratively reweighted least squares (eq. 3.6), with the mean cost as the unit.
+void Optimizer::weigh(Pass& pass) const {
+    std::vector<float>& weights = pass.proposals.weights;
+    const int columns = pass.lattice.count().width;
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+        const int place = static_cast<int>(n);
+        const double cost = static_cast<double>(pass.field.at(place % columns, place / columns).distance) /
+                            std::max(m_costs.back(), 1e-12);
+        weights[n] = static_cast<float>(std::pow(kFloor + cost * cost, (kRobust - 2) / 2));
+    }
+}
+
 void Optimizer::aggregate(Pass& pass) {
+    if (m_settings.aggregation == Aggregation::Robust || m_settings.aggregation == Aggregation::RobustFalloff)
+        weigh(pass);
     const auto solver = m_settings.median == Median::Weiszfeld ? ProposalRow::Solver::Weiszfeld
                                                                : ProposalRow::Solver::DouglasRachford;
     Pool<ProposalRow> rows;
@@ -345,13 +418,31 @@ void Optimizer::aggregate(Pass& pass) {
         const auto row = rows.borrow([&] { return ProposalRow(pass.proposals); });
         for (int y = band * kBandRows; y < std::min(m_size.height, (band + 1) * kBandRows); ++y) {
             m_context.check();
-            row->median(y, solver, m_canvas->row(y));
+            if (m_settings.aggregation == Aggregation::Median)
+                row->median(y, solver, m_canvas->row(y));
+            else
+                row->mean(y, m_canvas->row(y));
         }
     });
     m_canvas->close(m_context);
 }
 
+/// How many of the output's patches are beyond the share of the exemplar's patch that they have.
+double Optimizer::usesTooMany(const Pass& pass) {
+    std::vector<int> left(static_cast<std::size_t>(pass.patches.count()), 0);
+    for (const Band& band : pass.bands)
+        for (std::size_t n = 0; n < left.size(); ++n)
+            left[n] += band.places[n];
+    for (const int chosen : pass.chosen)
+        --left[static_cast<std::size_t>(chosen)];
+    double tooMany = 0;
+    for (const int places : left)
+        tooMany += std::max(0, -places);
+    return tooMany;
+}
+
 void Optimizer::finish(Pass& pass) {
+    m_result.figures.push_back({TR("Patches used beyond their share"), usesTooMany(pass)});
     m_context.stage(0.02, TR("Tracing the pixels"));
     PositionMap map =
         nearestProposed(pass.proposals, m_canvas->pixels(), m_request.exemplarSizes(), m_context);

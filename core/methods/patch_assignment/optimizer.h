@@ -18,9 +18,10 @@ namespace texloom::patch_assignment {
 /// 2020, algorithm 1): assigns the exemplar's patches to those of the image at the least cost, joins them by
 /// geometric medians, and repeats, from coarse to fine. The image closes on both axes.
 ///
-/// The whole cost matrix is assigned at once where that is possible, else band by band of the output, each
-/// with its share of the patches. Where even that would take hours, every patch of the output chooses only
-/// among those that fit its neighbours' and ones like them, and a patch may be used a little more often.
+/// The whole cost matrix is assigned at once where that is possible or asked for, else band by band of the
+/// output, each with its share of the patches. Where even that would take hours, every patch of the output
+/// chooses only among those that fit its neighbours' and ones like them, and a patch may be used a little
+/// more often.
 class Optimizer {
 public:
     Optimizer(const Request& request, const Settings& settings, JobContext& context);
@@ -37,7 +38,7 @@ public:
     /// The maximum number of patches of the output where many of them share one of the exemplar's: the exact
     /// assignment then moves whole groups.
     static constexpr double kMostSharing = 10000;
-    static bool narrows(double rows, double columns, int iterations);
+    static bool narrows(double rows, double columns, int iterations, Solve solve);
     /// Choices of each patch where they are narrowed.
     static constexpr int kChoices = 32;
 
@@ -49,17 +50,21 @@ private:
     int iterations(int level) const {
         return level == 0 ? m_settings.fineIterations : m_settings.coarseIterations;
     }
-    bool nearOptimal() const { return m_settings.epsilon > 0 || m_settings.relaxed; }
+    bool relaxed() const;
+    bool nearOptimal() const { return m_settings.epsilon > 0 || relaxed(); }
     void start(int level);
     void optimize(int level);
     double toleranceAt(int level, int iteration) const;
     void plan(Pass& pass, int level) const;
     double project(Pass& pass);
     double assign(Pass& pass, Band& band);
+    static std::vector<int> membersFor(const Pass& pass, const Band& band, std::vector<int> kinds);
     void costSome(Pass& pass, const Band& band) const;
     void choices(const Pass& pass, int x, int y, std::int32_t* list) const;
     AssignmentOptions options(const Pass& pass) const;
+    void weigh(Pass& pass) const;
     void aggregate(Pass& pass);
+    static double usesTooMany(const Pass& pass);
     void finish(Pass& pass);
     Image image(int step) const;
     void offer() const;

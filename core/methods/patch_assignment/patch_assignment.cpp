@@ -28,14 +28,18 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const auto pixel = static_cast<std::uint64_t>(Interleaved({1, 1}, channels).pixel) * sizeof(float);
     const double columns = Optimizer::exemplarPatches(request, settings);
     const double rows = static_cast<double>(canvas.area()) / (settings.stride() * settings.stride());
-    const bool narrowed = Optimizer::narrows(rows, columns, settings.fineIterations);
+    const bool narrowed = Optimizer::narrows(rows, columns, settings.fineIterations, settings.solve);
     const double perRow = narrowed ? Optimizer::kChoices : columns;
-    // One band holds at least a row of the lattice.
-    const double finest =
-        std::min(rows * perRow, std::max(Optimizer::kMostCosts, columns * canvas.width)) * (narrowed ? 8 : 4);
+    // One band holds at least a row of the lattice; rows that share a patch are summed up beside the costs.
+    const double most = settings.solve == Solve::Whole
+                            ? rows * perRow
+                            : std::max(Optimizer::kMostCosts, columns * canvas.width);
+    const double finest = std::min(rows * perRow, most) * (narrowed ? 8 : 5);
     // The next coarser scale may have all its choices where the finest has few.
     const double coarser =
-        4 * std::min(rows * columns / 16, Optimizer::kMostWork / settings.coarseIterations);
+        5 * (settings.solve == Solve::Whole
+                 ? rows * columns / 16
+                 : std::min(rows * columns / 16, Optimizer::kMostWork / settings.coarseIterations));
     const double costs = std::max(finest, coarser);
     const double floats = static_cast<double>(settings.patch * settings.patch + 8) * channels;
     Estimate need;
@@ -89,6 +93,12 @@ const Method self = method<Settings>(
          .choices({{"regular", TR("Regular")}, {"random", TR("Random")}, {"hybrid", TR("Hybrid")}})
          .help(TR("Where the exemplar's patches lie: a regular grid is sharp and copies larger pieces, a "
                   "random one varies more and blurs, the hybrid is random but on the finest scale.")),
+     field(&Settings::solve, "solve", TR("Solved"))
+         .choices({{"automatic", TR("Automatic")}, {"whole", TR("Whole")}, {"narrowed", TR("Narrowed")}})
+         .help(TR(
+             "How patches are assigned: whole, as published, uses every patch as often as it should be and "
+             "may take hours and gigabytes for large outputs; narrowed lets each patch choose among a few; "
+             "automatic is whole up to some minutes.")),
      field(&Settings::epsilon, "epsilon", TR("Tolerance"))
          .range(0, 100)
          .symbol("ε")
@@ -104,13 +114,34 @@ const Method self = method<Settings>(
          .help(TR(
              "What each use too many or too few costs: 0 takes the nearest patches, a large value uses all "
              "alike.")),
+     field(&Settings::constantEpsilon, "constant-epsilon", TR("Constant tolerance"))
+         .group(TR("Advanced"))
+         .help(TR(
+             "Keeps the tolerance as it is on the finest scale, as published, where it otherwise falls from "
+             "round to round.")),
+     field(&Settings::settle, "settle", TR("Settled at"))
+         .range(0, 1)
+         .group(TR("Advanced"))
+         .help(TR(
+             "With a tolerance or relaxed: rounds end when the cost falls by less than this share; 0 goes on "
+             "to the last round, as published.")),
      field(&Settings::supply, "supply", TR("Supply"))
          .choices({{"duplicate", TR("Duplicate")}, {"bootstrap", TR("Bootstrap")}})
          .group(TR("Advanced"))
          .help(TR("For outputs of another size than the exemplar's: all patches equally often, or patches "
                   "drawn at random.")),
+     field(&Settings::aggregation, "aggregation", TR("Aggregation"))
+         .choices({{"median", TR("Geometric median")},
+                   {"mean", TR("Mean")},
+                   {"robust", TR("Robust")},
+                   {"robust-falloff", TR("Robust, Gaussian falloff")}})
+         .symbol("r")
+         .group(TR("Advanced"))
+         .help(TR("How overlapping patches are joined: the geometric median (r = 1) as published, the mean "
+                  "(r = 2), which blurs, or robust weights (r = 0.8).")),
      field(&Settings::median, "median", TR("Median"))
          .choices({{"weiszfeld", TR("Weiszfeld")}, {"douglas-rachford", TR("Douglas–Rachford")}})
+         .when("aggregation", std::string("median"))
          .group(TR("Advanced"))
          .help(TR("How the geometric median of overlapping patches is found; the result is the same to four "
                   "digits.")),

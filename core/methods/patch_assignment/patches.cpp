@@ -6,7 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <numeric>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
 
 namespace texloom::patch_assignment {
 
@@ -14,6 +20,8 @@ namespace {
 
 /// Patches this near in the order of brightness are searched for similar ones.
 constexpr int kWindow = 512;
+/// Draws of one cell lie this far apart among the job's random numbers.
+constexpr std::uint32_t kDraws = 1000;
 
 struct PlanarShape {
     int area, channels;
@@ -86,6 +94,23 @@ template <int Channels>
     }
 }
 
+/// A place for cell (i, j) that no cell before has taken; there are fewer cells than places.
+std::pair<int, int> drawn(Size size, int i, int j, std::vector<std::uint8_t>& taken, JobContext& context) {
+    const auto width = static_cast<std::uint32_t>(size.width),
+               height = static_cast<std::uint32_t>(size.height);
+    for (std::uint32_t draw = 0;; ++draw) {
+        if (draw % 256 == 0)
+            context.check();
+        const std::uint32_t x = context.random().below(width, i, j, 100 + kDraws * draw);
+        const std::uint32_t y = context.random().below(height, i, j, 101 + kDraws * draw);
+        std::uint8_t& mark = taken[std::size_t{y} * width + x];
+        if (mark == 0) {
+            mark = 1;
+            return {static_cast<int>(x), static_cast<int>(y)};
+        }
+    }
+}
+
 /// The distances of one patch from several of a list.
 TEXLOOM_WIDE_VECTORS void distances(const float* wanted, const float* list, Several several,
                                     PlanarShape shape, float* to) {
@@ -107,17 +132,48 @@ ExemplarPatches::ExemplarPatches(std::span<const PatchSource> sources, const Set
     for (const PatchSource& source : sources)
         add(source);
     choose(sources, random, context);
-    m_planar.assign(static_cast<std::size_t>(count()) * static_cast<std::size_t>(patchFloats()), 0);
-    m_sums.resize(static_cast<std::size_t>(count()) * static_cast<std::size_t>(sumFloats()));
+    sort(context);
+    m_sums.resize(static_cast<std::size_t>(kinds()) * static_cast<std::size_t>(sumFloats()));
+    for (int n = 0; n < kinds(); ++n) {
+        if (n % 256 == 0)
+            context.check();
+        sums(own(n), m_sums.data() + static_cast<std::ptrdiff_t>(n) * sumFloats());
+    }
+}
+
+/// Finds the kinds, and writes their pixels.
+void ExemplarPatches::sort(JobContext& context) {
+    const auto floats = static_cast<std::size_t>(patchFloats());
+    m_planar.reserve(static_cast<std::size_t>(count()) * floats);
+    std::unordered_multimap<std::size_t, int> known; // kinds by the hash of their pixels
+    std::vector<float> pixels(floats);
+    const std::string_view bytes(reinterpret_cast<const char*>(pixels.data()), floats * sizeof(float));
+    m_begin.push_back(0);
     for (int n = 0; n < count(); ++n) {
         if (n % 256 == 0)
             context.check();
         const Source& source = m_sources[static_cast<std::size_t>(n)];
         const Interleaved& image = m_images[source.exemplar];
-        planar(image.at(source.x, source.y), image.stride(),
-               m_planar.data() + static_cast<std::ptrdiff_t>(n) * patchFloats());
-        sums(own(n), m_sums.data() + static_cast<std::ptrdiff_t>(n) * sumFloats());
+        planar(image.at(source.x, source.y), image.stride(), pixels.data());
+        const std::size_t hash = std::hash<std::string_view>()(bytes);
+        const auto [begin, end] = known.equal_range(hash);
+        const auto equal = std::find_if(begin, end, [&](const auto& other) {
+            return std::memcmp(own(other.second), pixels.data(), bytes.size()) == 0;
+        });
+        m_kind.push_back(equal != end ? equal->second : kinds());
+        if (equal != end)
+            continue;
+        known.emplace(hash, kinds());
+        m_begin.push_back(0);
+        m_planar.insert(m_planar.end(), pixels.begin(), pixels.end());
     }
+    for (const int kind : m_kind)
+        ++m_begin[static_cast<std::size_t>(kind) + 1];
+    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
+    std::vector<int> next = m_begin;
+    m_members.resize(m_kind.size());
+    for (int n = 0; n < count(); ++n)
+        m_members[static_cast<std::size_t>(next[static_cast<std::size_t>(kindOf(n))]++)] = n;
 }
 
 void ExemplarPatches::add(const PatchSource& source) {
@@ -153,16 +209,13 @@ void ExemplarPatches::choose(std::span<const PatchSource> sources, bool random, 
                          (m_sizes[e].height + m_stride - 1) / m_stride};
         std::vector<int>& nearestCell = m_nearest.emplace_back(static_cast<std::size_t>(cells.area()), -1);
         const int stream = static_cast<int>(e) << 16;
+        std::vector<std::uint8_t> taken(random ? static_cast<std::size_t>(m_sizes[e].area()) : 0, 0);
         for (int j = 0; j < cells.height; ++j) {
             context.check();
             for (int i = 0; i < cells.width; ++i) {
                 int x = i * m_stride, y = j * m_stride;
-                if (random) {
-                    x = static_cast<int>(context.random().below(static_cast<std::uint32_t>(m_sizes[e].width),
-                                                                i, j + stream, 100));
-                    y = static_cast<int>(context.random().below(static_cast<std::uint32_t>(m_sizes[e].height),
-                                                                i, j + stream, 101));
-                }
+                if (random)
+                    std::tie(x, y) = drawn(m_sizes[e], i, j + stream, taken, context);
                 const double weight = weightOf(sources[e], x, y);
                 if (weight <= 0)
                     continue;
@@ -260,8 +313,8 @@ void ExemplarPatches::costs(const float* planar, int first, int last, float* to)
     distances(planar, own(first), {nullptr, last - first}, {m_area, m_channels}, to);
 }
 
-void ExemplarPatches::costs(const float* planar, std::span<const int> patches, float* to) const {
-    distances(planar, own(0), {patches.data(), static_cast<int>(patches.size())}, {m_area, m_channels}, to);
+void ExemplarPatches::costs(const float* planar, std::span<const int> kinds, float* to) const {
+    distances(planar, own(0), {kinds.data(), static_cast<int>(kinds.size())}, {m_area, m_channels}, to);
 }
 
 void ExemplarPatches::sums(const float* planar, float* to) const {

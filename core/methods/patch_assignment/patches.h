@@ -23,6 +23,17 @@ public:
                     JobContext& context);
 
     int count() const { return static_cast<int>(m_sources.size()); }
+    /// Patches that are equal to the bit, as flat parts have them, are of one kind: they are assigned as one
+    /// patch of several places, since they would outbid each other for ever. Kinds are numbered in the order
+    /// of their first patches.
+    int kinds() const { return static_cast<int>(m_begin.size()) - 1; }
+    int kindOf(int patch) const { return m_kind[static_cast<std::size_t>(patch)]; }
+    /// The patches of a kind, in reading order.
+    std::span<const int> members(int kind) const {
+        const auto k = static_cast<std::size_t>(kind);
+        return std::span(m_members).subspan(static_cast<std::size_t>(m_begin[k]),
+                                            static_cast<std::size_t>(m_begin[k + 1] - m_begin[k]));
+    }
     /// Top left pixel of each patch in the mirrored exemplars.
     const std::vector<Source>& sources() const { return m_sources; }
     /// The mirrored exemplars.
@@ -41,10 +52,10 @@ public:
     void planar(const float* pixels, std::ptrdiff_t stride, float* to) const;
     /// Sum over the pixels of the Euclidean distance between colours, ‖·‖₁,₂, of two patches.
     float distance(const float* planar, const float* other) const;
-    float cost(const float* planar, int patch) const { return distance(planar, own(patch)); }
-    /// The costs of the patches from `first` on, `last` excluded.
+    float cost(const float* planar, int kind) const { return distance(planar, own(kind)); }
+    /// The costs of the kinds from `first` on, `last` excluded.
     void costs(const float* planar, int first, int last, float* to) const;
-    void costs(const float* planar, std::span<const int> patches, float* to) const;
+    void costs(const float* planar, std::span<const int> kinds, float* to) const;
 
     /// Sums of a patch over 2 × 2 pixels, in the form of planar(). The distance between sums is a lower bound
     /// of the sum of distances between colours.
@@ -62,9 +73,10 @@ public:
 private:
     void add(const PatchSource& source);
     void choose(std::span<const PatchSource> sources, bool random, JobContext& context);
-    const float* own(int patch) const {
-        return m_planar.data() + static_cast<std::ptrdiff_t>(patch) * patchFloats();
+    const float* own(int kind) const {
+        return m_planar.data() + static_cast<std::ptrdiff_t>(kind) * patchFloats();
     }
+    void sort(JobContext& context);
     double weightOf(const PatchSource& source, int x, int y) const;
 
     int m_patch, m_stride, m_channels, m_area, m_sumArea, m_pad;
@@ -72,8 +84,9 @@ private:
     std::vector<Interleaved> m_images;
     std::vector<Source> m_sources;
     std::vector<double> m_weights;
-    std::vector<float> m_planar;
-    std::vector<float> m_sums;
+    std::vector<int> m_kind;                 ///< of each patch
+    std::vector<int> m_members, m_begin;     ///< of each kind, and where its own begin
+    std::vector<float> m_planar, m_sums;     ///< of each kind
     std::vector<std::vector<int>> m_nearest; ///< by exemplar and cell of the grid
     std::vector<int> m_similar;
 };

@@ -34,6 +34,21 @@ Values with(Values settings, const Values& more) {
     return settings;
 }
 
+/// Uses of patches beyond their share, over the whole output.
+double tooMany(const Synthesis& result) {
+    return result.figures.front().value;
+}
+
+/// A texture that is black over a large part.
+Image partlyFlat(Size size) {
+    Image image = blobs(size, 3);
+    for (int c = 0; c < 3; ++c)
+        for (int y = size.height / 5; y < size.height * 4 / 5; ++y)
+            for (int x = size.width / 5; x < size.width * 4 / 5; ++x)
+                image(x, y, c) = 0;
+    return image;
+}
+
 const Values kShort = {{"coarse-iterations", 8}, {"fine-iterations", 5}};
 const Values kOneScale = {{"scales", 1}, {"fine-iterations", 12}};
 
@@ -72,6 +87,54 @@ TEST(PatchAssignment, nearOptimalCostIsAboveTheExactByEpsilonAtMost) {
     const double near = made(request, with(once, {{"epsilon", 0.5}})).curves.front().values.front();
     EXPECT_GE(near, exact * (1 - 1e-6));
     EXPECT_LE(near, exact + 0.5 * static_cast<double>(range.largest - range.smallest) + 1e-3);
+}
+
+TEST(PatchAssignment, everyPatchIsUsedAsOftenAsTheExemplarHasIt) {
+    for (const Image& exemplar : {blobs({48, 48}, 3), partlyFlat({48, 48})})
+        for (const Size size : {Size{48, 48}, Size{96, 96}, Size{70, 58}}) {
+            const Request request = requestFor(exemplar, size);
+            for (const Values& more : std::vector<Values>{{},
+                                                          {{"solve", std::string("whole")}},
+                                                          {{"epsilon", 1.0}},
+                                                          {{"relaxed", true}, {"rho", 60.0}}})
+                EXPECT_EQ(tooMany(made(request, with(kShort, more))), 0) << size.width;
+            EXPECT_GT(tooMany(made(request, with(kShort, {{"relaxed", true}, {"rho", 0.0}}))), 0);
+        }
+}
+
+TEST(PatchAssignment, narrowedIsSaidAndComesNearTheWhole) {
+    const Request request = requestFor(blobs({48, 48}, 3), {64, 64});
+    const Synthesis whole = made(request, with(kShort, {{"solve", std::string("whole")}}));
+    const Synthesis narrowed = made(request, with(kShort, {{"solve", std::string("narrowed")}}));
+    EXPECT_TRUE(whole.notes.empty());
+    ASSERT_EQ(narrowed.notes.size(), 1U);
+    EXPECT_LT(tooMany(narrowed), 0.2 * 32 * 32);
+}
+
+TEST(PatchAssignment, runsGoOnToTheLastRoundWhereNothingIsSettled) {
+    const Request request = requestFor(blobs({64, 64}, 3), {64, 64});
+    const Values near = with(kOneScale, {{"epsilon", 2.0}});
+    const auto rounds = [&](const Values& more) {
+        return made(request, with(near, more)).curves.front().values.size();
+    };
+    EXPECT_LT(rounds({}), rounds({{"settle", 0.0}, {"constant-epsilon", true}}));
+}
+
+TEST(PatchAssignment, theMeanIsTheSmoothestAggregation) {
+    const Request request = requestFor(noise({48, 48}, 3), {48, 48});
+    const auto variance = [&](const char* aggregation) {
+        const Image image = made(request, with(kShort, {{"aggregation", std::string(aggregation)}})).image;
+        double square = 0;
+        const double mean = channelMeans(image)[0];
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 48; ++x)
+                square += std::pow(static_cast<double>(image(x, y, 0)) - mean, 2);
+        return square;
+    };
+    const double mean = variance("mean");
+    EXPECT_LT(mean, variance("median"));
+    EXPECT_LT(mean, variance("robust"));
+    EXPECT_LT(mean, variance("robust-falloff"));
 }
 
 TEST(PatchAssignment, everySwitchGivesASoundResult) {
