@@ -86,7 +86,7 @@ TEST_P(Conformance, valuesAboveOneAreKept) {
             for (int x = 0; x < 48; ++x)
                 bright(x, y, c) = 40 * bright(x, y, c);
     request.exemplars.front().image = shared(std::move(bright));
-    EXPECT_GT(valueRange(runWith(method(), request, 1).image).largest, 20);
+    EXPECT_GT(valueRange(runWith(method(), request, 1).image).largest, 10) << "a mean may be half of 40";
 }
 
 } // namespace
