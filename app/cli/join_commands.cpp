@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct JoinCommand {
     const Tool* tool = nullptr;
-    fs::path first, second, output;
+    fs::path first, second, mask, output;
     std::map<std::string, std::string> settings; ///< as written, by parameter
     bool overwrite = false;
     bool quiet = false;
@@ -40,11 +40,15 @@ void run(const JoinCommand& command) {
     checkInterrupt();
     const ExemplarFile second = loadExemplar(command.second);
     checkInterrupt();
-    tool.checkJoin(*first.image, *second.image, settings);
+    const ExemplarFile mask = command.mask.empty() ? ExemplarFile{} : loadMask(command.mask);
+    const JoinPictures pictures{*first.image, *second.image, mask.image.get()};
+    tool.checkJoin(pictures, settings);
     checkWritable(command.output, first.image->channels(), depthLike(first.info, command.output));
-    checkOnlyOutput({command.first, command.second}, command.output, command.overwrite);
-    Job<Image> job(
-        {}, [&](JobContext& context) { return tool.joined(*first.image, *second.image, settings, context); });
+    std::vector<fs::path> read = {command.first, command.second};
+    if (!command.mask.empty())
+        read.push_back(command.mask);
+    checkOnlyOutput(read, command.output, command.overwrite);
+    Job<Image> job({}, [&](JobContext& context) { return tool.joined(pictures, settings, context); });
     const Image made = followed(job, command.quiet);
     exportPicture(command.output, made, first, checkInterrupt);
     if (!command.quiet)
@@ -60,6 +64,8 @@ void addJoin(CLI::App& app, const Tool& tool) {
     command->add_option("second", options->second, "Second image")->required();
     command->add_option("-o,--output", options->output, "File to write: .png .jpg .tif .exr .hdr")
         ->required();
+    if (const auto& region = tool.info().region)
+        command->add_option("--mask", options->mask, region->help);
     for (const Param& param : tool.params())
         command->add_option_function<std::string>(
             "--" + param.name(),

@@ -357,7 +357,7 @@ Image blendAlong(const ImageView& first, const ImageView& second, const BlendCur
 
 std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options) {
     // Lists may have grown to twice what they hold.
-    constexpr std::uint64_t kPixel = 2 * 24, kEquation = 130;
+    constexpr std::uint64_t kPixel = 2 * 24;
     const auto area = static_cast<std::uint64_t>(size.area());
     const auto deep = static_cast<std::uint64_t>(channels);
     // Curves are no longer than the longer side, or a quarter of a circle of the shorter one's radius.
@@ -370,7 +370,7 @@ std::uint64_t blendBytesFor(Size size, int channels, const BlendOptions& options
     if (options.method == BlendMethod::Cut)
         bytes += length * length * 2 * sizeof(float);
     else if (options.method == BlendMethod::Poisson)
-        bytes += 2 * area + band * (kEquation + 2 * deep * sizeof(float));
+        bytes += 2 * area + regionPoissonBytes(band, channels);
     else if (options.method == BlendMethod::Midway)
         bytes += lines + (options.midway.color == BlendColor::Pca ? 2 * lines : 0);
     return bytes;

@@ -234,91 +234,152 @@ void solvePoisson(const std::vector<std::uint8_t>& unknown, std::span<const floa
                      });
 }
 
+std::uint64_t regionPoissonBytes(std::uint64_t unknown, int channels) {
+    constexpr std::uint64_t kEquation = 130;
+    return unknown * (kEquation + 2 * static_cast<std::uint64_t>(channels) * sizeof(float));
+}
+
 namespace {
 
-/// One correction of f: mirrored to twice the size, the cosine transform is a Fourier transform.
-class CosineSolver {
+/// Solves Poisson's equation on all of a picture by Fourier transforms: of the picture as it is where it
+/// wraps, else of the picture mirrored to twice its size, which makes cosine transforms of them.
+class WholeSolver {
 public:
-    explicit CosineSolver(Size size)
-        : m_size(size), m_fft({2 * size.width, 2 * size.height}), m_image(m_fft.imageSize()),
-          m_spectrum(m_fft.spectrumSize()) {}
+    WholeSolver(Size size, PoissonBorder border, const std::function<void()>& check)
+        : m_size(size), m_wraps(border == PoissonBorder::Wraps), m_check(check),
+          m_fft(m_wraps ? size : Size{2 * size.width, 2 * size.height}), m_image(m_fft.imageSize()),
+          m_spectrum(m_fft.spectrumSize()), m_residual(static_cast<std::size_t>(size.area())) {}
 
-    /// Adds the solution for `right` to f.
-    void correct(const std::vector<double>& right, std::vector<double>& f) {
-        mirror(right);
-        m_fft.forwardRows(m_image.data(), m_fft.size().height, m_spectrum.data(), [] {});
-        m_fft.forwardColumns(m_spectrum.data(), 0, m_fft.columns());
-        divide();
-        m_fft.backwardColumns(m_spectrum.data(), 0, m_fft.columns());
-        m_fft.backwardRows(m_spectrum.data(), m_size.height, m_image.data(), [] {});
-        const double scale = 1 / static_cast<double>(m_fft.size().area());
-        for (int y = 0; y < m_size.height; ++y)
-            for (int x = 0; x < m_size.width; ++x)
-                f[at(x, y)] += scale * static_cast<double>(m_image.data()[y * m_fft.rowStride() + x]);
+    /// @param progress called with the share done. @return f with a mean of 0, by rows.
+    std::vector<double> solved(const PlaneView& divergence, const std::function<void(double)>& progress) {
+        // Transforms are in single precision; what remains is solved for again.
+        constexpr int kRounds = 4;
+        constexpr double kPrecision = 2e-7;
+        std::vector<double> f(m_residual.size(), 0.0);
+        double wanted = 0;
+        for (int round = 0; round < kRounds; ++round) {
+            const double most = subtract(divergence, f);
+            if (round == 0)
+                wanted = kPrecision * most;
+            else if (most <= wanted)
+                break;
+            correct(f);
+            progress((round + 1.0) / kRounds);
+        }
+        subtractMean(f);
+        return f;
     }
 
+private:
     std::size_t at(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size.width) +
                static_cast<std::size_t>(x);
     }
 
-private:
-    void mirror(const std::vector<double>& right) {
-        for (int y = 0; y < 2 * m_size.height; ++y)
-            for (int x = 0; x < 2 * m_size.width; ++x)
-                m_image.data()[y * m_fft.rowStride() + x] = static_cast<float>(
-                    right[at(std::min(x, 2 * m_size.width - 1 - x), std::min(y, 2 * m_size.height - 1 - y))]);
+    /// The residual of f, without its mean, which no f can have. @return its largest value
+    double subtract(const PlaneView& divergence, const std::vector<double>& f) {
+        const int width = m_size.width, height = m_size.height;
+        // A neighbour beyond a border without flux is the pixel itself.
+        const auto beside = [this](int at, int length) {
+            return m_wraps ? (at + length) % length : std::clamp(at, 0, length - 1);
+        };
+        for (int y = 0; y < height; ++y) {
+            m_check();
+            const double* const here = f.data() + at(0, y);
+            const double* const above = f.data() + at(0, beside(y - 1, height));
+            const double* const below = f.data() + at(0, beside(y + 1, height));
+            for (int x = 0; x < width; ++x)
+                m_residual[at(x, y)] = static_cast<double>(divergence(x, y)) -
+                                       (here[beside(x - 1, width)] + here[beside(x + 1, width)] + above[x] +
+                                        below[x] - 4 * here[x]);
+        }
+        subtractMean(m_residual);
+        double most = 0;
+        for (const double value : m_residual)
+            most = std::max(most, std::abs(value));
+        return most;
     }
+
+    static void subtractMean(std::vector<double>& values) {
+        double sum = 0;
+        for (const double value : values)
+            sum += value;
+        const double mean = sum / static_cast<double>(values.size());
+        for (double& value : values)
+            value -= mean;
+    }
+
+    /// Adds the solution for the residual to f.
+    void correct(std::vector<double>& f) {
+        const Size size = m_fft.size();
+        for (int y = 0; y < size.height; ++y) {
+            m_check();
+            const double* const row = m_residual.data() + at(0, std::min(y, 2 * m_size.height - 1 - y));
+            float* const to = m_image.data() + y * m_fft.rowStride();
+            for (int x = 0; x < size.width; ++x)
+                to[x] = static_cast<float>(row[std::min(x, 2 * m_size.width - 1 - x)]);
+        }
+        m_fft.forward(m_image.data(), m_spectrum.data(), m_check);
+        divide();
+        m_fft.backward(m_spectrum.data(), m_image.data(), m_check);
+        const double scale = 1 / static_cast<double>(size.area());
+        for (int y = 0; y < m_size.height; ++y) {
+            m_check();
+            const float* const from = m_image.data() + y * m_fft.rowStride();
+            for (int x = 0; x < m_size.width; ++x)
+                f[at(x, y)] += scale * static_cast<double>(from[x]);
+        }
+    }
+
     void divide() {
-        for (int k = 0; k < m_fft.columns(); ++k)
-            for (int l = 0; l < m_fft.size().height; ++l) {
-                const double eigenvalue = 2 * std::cos(std::numbers::pi * k / m_size.width) +
-                                          2 * std::cos(std::numbers::pi * l / m_size.height) - 4;
-                auto& value = m_spectrum.data()[k * m_fft.columnStride() + l];
-                value = k == 0 && l == 0 ? 0.0F : value / static_cast<float>(eigenvalue);
-            }
+        const auto cosine = [](int k, int length) { return 2 * std::cos(2 * std::numbers::pi * k / length); };
+        std::vector<double> down;
+        for (int l = 0; l < m_fft.size().height; ++l)
+            down.push_back(cosine(l, m_fft.size().height));
+        for (int k = 0; k < m_fft.columns(); ++k) {
+            m_check();
+            const double across = cosine(k, m_fft.size().width);
+            std::complex<float>* const column = m_spectrum.data() + k * m_fft.columnStride();
+            for (std::size_t l = 0; l < down.size(); ++l)
+                column[l] = k == 0 && l == 0 ? 0.0F : column[l] / static_cast<float>(across + down[l] - 4);
+        }
     }
 
     Size m_size;
+    bool m_wraps;
+    const std::function<void()>& m_check;
     RealFft2d m_fft;
     FftBuffer<float> m_image;
     FftBuffer<std::complex<float>> m_spectrum;
+    std::vector<double> m_residual;
 };
 
 } // namespace
 
-Image solvePoisson(const ImageView& divergence, const std::vector<double>& means) {
-    const Size size = divergence.size();
-    Image result(size, divergence.channels);
-    CosineSolver solver(size);
-    const auto area = static_cast<std::size_t>(size.area());
+Image solvePoisson(const ImageView& divergence, const std::vector<double>& means, PoissonBorder border,
+                   const std::function<void(double)>& progress) {
+    double done = 0;
+    const std::function<void()> check = [&] { progress(done); };
+    Image result(divergence.size(), divergence.channels);
+    WholeSolver solver(divergence.size(), border, check);
     for (int c = 0; c < divergence.channels; ++c) {
-        std::vector<double> f(area, 0.0), residual(area);
-        // Transforms are in single precision; the remaining residual is solved for again.
-        for (int round = 0; round < 3; ++round) {
-            double mean = 0;
-            for (int y = 0; y < size.height; ++y)
-                for (int x = 0; x < size.width; ++x) {
-                    double left = static_cast<double>(divergence(x, y, c));
-                    for (const Step& step : kSteps)
-                        if (inside(x + step.x, y + step.y, size))
-                            left -= f[solver.at(x + step.x, y + step.y)] - f[solver.at(x, y)];
-                    residual[solver.at(x, y)] = left;
-                    mean += left / static_cast<double>(area);
-                }
-            for (double& value : residual)
-                value -= mean;
-            solver.correct(residual, f);
-        }
-        double mean = 0;
-        for (const double value : f)
-            mean += value / static_cast<double>(area);
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x)
-                result(x, y, c) =
-                    static_cast<float>(f[solver.at(x, y)] - mean + means[static_cast<std::size_t>(c)]);
+        const std::vector<double> f = solver.solved(divergence.plane(c), [&](double share) {
+            done = (c + share) / divergence.channels;
+            check();
+        });
+        auto value = f.begin();
+        for (int y = 0; y < result.height(); ++y)
+            for (int x = 0; x < result.width(); ++x)
+                result(x, y, c) = static_cast<float>(*value++ + means[static_cast<std::size_t>(c)]);
     }
     return result;
+}
+
+std::uint64_t wholePoissonBytes(Size size, PoissonBorder border) {
+    const auto area = static_cast<std::uint64_t>(size.area());
+    const std::uint64_t transformed = border == PoissonBorder::Wraps ? area : 4 * area;
+    return 2 * area * sizeof(double) + 2 * transformed * sizeof(float) +
+           (static_cast<std::uint64_t>(size.width + size.height) + 16) * 512;
 }
 
 } // namespace texloom

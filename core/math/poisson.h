@@ -40,8 +40,26 @@ void solvePoisson(
     const std::vector<std::uint8_t>& unknown, std::span<const float> divergence, Image& values,
     const std::function<void(double)>& progress = [](double) {});
 
-/// The same with every pixel unknown and no flux across the border, by cosine transforms: f is known up to a
-/// constant, and gets the mean given. The divergence's own mean, which no f can have, is subtracted.
-Image solvePoisson(const ImageView& divergence, const std::vector<double>& means);
+/// Upper bound of the memory that this solvePoisson() takes beside its values, for so many unknown pixels,
+/// with a divergence that has grown value by value.
+std::uint64_t regionPoissonBytes(std::uint64_t unknown, int channels);
+
+/// What lies beyond the border of a picture all of whose pixels are unknown.
+enum class PoissonBorder {
+    NoFlux, ///< nothing: differences over the border are 0
+    Wraps   ///< the opposite border
+};
+
+/// The same with every pixel unknown, by cosine transforms, or where the picture wraps by Fourier transforms:
+/// f is known up to a constant, and gets the means given, one a channel. The divergence's own mean, which no
+/// f can have, is subtracted. No residual is above 1e-6 of the largest divergence or of f's range.
+/// @param progress called with 0 to 1 every few milliseconds; may throw.
+Image solvePoisson(
+    const ImageView& divergence, const std::vector<double>& means,
+    PoissonBorder border = PoissonBorder::NoFlux,
+    const std::function<void(double)>& progress = [](double) {});
+
+/// Upper bound of the memory that this solvePoisson() takes beside its result.
+std::uint64_t wholePoissonBytes(Size size, PoissonBorder border);
 
 } // namespace texloom

@@ -6,25 +6,28 @@
 
 namespace texloom {
 
-void Tool::checkJoin(const ImageView& first, const ImageView& second, const Values& settings) const {
+void Tool::checkJoin(const JoinPictures& pictures, const Values& settings) const {
+    const ImageView &first = pictures.first, &second = pictures.second;
     if (first.channels != second.channels)
         failUsage("The first image has {} channels, the second {}; they must have the same.", first.channels,
                   second.channels);
     if (joinsSameSize() && first.size() != second.size())
         failUsage("The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.",
                   first.width, first.height, second.width, second.height);
-    std::get<JoinBy>(m_work).check(first.size(), second.size(), settings);
+    if (pictures.region != nullptr && pictures.region->size() != second.size())
+        failUsage("The mask is {} × {} px, the second image {} × {} px; paint it on that image.",
+                  pictures.region->width(), pictures.region->height(), second.width, second.height);
+    std::get<JoinBy>(m_work).check(pictures, settings);
 }
 
-Image Tool::joined(const ImageView& first, const ImageView& second, const Values& settings,
-                   JobContext& context) const {
-    checkJoin(first, second, settings);
+Image Tool::joined(const JoinPictures& pictures, const Values& settings, JobContext& context) const {
+    checkJoin(pictures, settings);
     const JoinBy& join = std::get<JoinBy>(m_work);
-    const std::uint64_t bytes = join.bytes(first.size(), second.size(), first.channels, settings);
+    const std::uint64_t bytes = join.bytes(pictures, settings);
     if (bytes > availableMemory())
         fail("{} would need {} of memory, more than {}; use smaller images.", Message(m_info.title),
              byteText(bytes), availableMemoryText());
-    return join.make(first, second, settings, context);
+    return join.make(pictures, settings, context);
 }
 
 Tool named(std::string id, Tool tool) {

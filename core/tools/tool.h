@@ -7,6 +7,7 @@
 #include "core/job/job_context.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,6 +27,20 @@ struct ToolPreset {
 enum class ToolHandle {
     None,
     Curve, ///< the parameters `curve`, `position` and `band` are a curve as BlendCurve::at() has it
+    Offset ///< the parameters `offset-x` and `offset-y` move a region of the second picture over the first
+};
+
+/// A part of the second picture that a joining tool takes, painted in the window and read from a mask.
+struct ToolRegion {
+    std::string title, help;
+};
+
+/// Two pictures to be joined.
+struct JoinPictures {
+    ImageView first, second;
+    /// One channel, of the second picture's size, with the region as inRegion() has it; null where none was
+    /// painted, and for tools that take none.
+    const Image* region = nullptr;
 };
 
 /// What a tool says of itself, apart from its parameters.
@@ -38,6 +53,7 @@ struct ToolInfo {
     /// tools make a further edit each time they are used.
     bool adjusts = false;
     ToolHandle handle = ToolHandle::None;
+    std::optional<ToolRegion> region = {};
 };
 
 /// Called every few milliseconds; may throw, which ends the work.
@@ -61,11 +77,11 @@ public:
                              const ToolCheck& check);
     /// What joins two pictures of as many channels, and what has to be known before it starts.
     template <class Settings> struct Join {
-        Image (*make)(const ImageView& first, const ImageView& second, const Settings&, JobContext&);
+        Image (*make)(const JoinPictures& pictures, const Settings&, JobContext&);
         /// @throws UsageError that names the value and the limit where these pictures cannot be joined.
-        void (*check)(Size first, Size second, const Settings&);
-        /// Upper bound of the memory that it takes.
-        std::uint64_t (*bytes)(Size first, Size second, int channels, const Settings&);
+        void (*check)(const JoinPictures& pictures, const Settings&);
+        /// Upper bound of the memory that it takes, of pictures that passed the check.
+        std::uint64_t (*bytes)(const JoinPictures& pictures, const Settings&);
         bool sameSize = true; ///< whether both must have one size
     };
 
@@ -96,20 +112,20 @@ public:
         Image& image, const Values& settings, const Image* mask, const ToolCheck& check = [] {}) const {
         std::get<RecolorBy>(m_work)(image, settings, mask, check);
     }
-    /// @throws UsageError if the pictures differ in channels, or do not suit each other or the settings
-    void checkJoin(const ImageView& first, const ImageView& second, const Values& settings) const;
+    /// @throws UsageError if the pictures differ in channels, or do not suit each other, the region or the
+    /// settings
+    void checkJoin(const JoinPictures& pictures, const Values& settings) const;
     /// Joins two pictures. @throws UsageError as checkJoin(), Error where it would take more memory than is
     /// free
-    Image joined(const ImageView& first, const ImageView& second, const Values& settings,
-                 JobContext& context) const;
+    Image joined(const JoinPictures& pictures, const Values& settings, JobContext& context) const;
 
 private:
     using WarpBy = std::function<Warp(const Values&, Size)>;
     using RecolorBy = std::function<void(Image&, const Values&, const Image*, const ToolCheck&)>;
     struct JoinBy {
-        std::function<Image(const ImageView&, const ImageView&, const Values&, JobContext&)> make;
-        std::function<void(Size, Size, const Values&)> check;
-        std::function<std::uint64_t(Size, Size, int, const Values&)> bytes;
+        std::function<Image(const JoinPictures&, const Values&, JobContext&)> make;
+        std::function<void(const JoinPictures&, const Values&)> check;
+        std::function<std::uint64_t(const JoinPictures&, const Values&)> bytes;
         bool sameSize = true;
     };
 
@@ -155,15 +171,14 @@ template <class Settings> Tool tool(ToolInfo info, std::vector<Param> params, To
     Tool made(std::move(info), std::move(params));
     const std::vector<Param> fields = made.m_params;
     Tool::JoinBy by;
-    by.make = [fields, join](const ImageView& first, const ImageView& second, const Values& values,
-                             JobContext& context) {
-        return join.make(first, second, settingsFrom<Settings>(fields, values), context);
+    by.make = [fields, join](const JoinPictures& pictures, const Values& values, JobContext& context) {
+        return join.make(pictures, settingsFrom<Settings>(fields, values), context);
     };
-    by.check = [fields, join](Size first, Size second, const Values& values) {
-        join.check(first, second, settingsFrom<Settings>(fields, values));
+    by.check = [fields, join](const JoinPictures& pictures, const Values& values) {
+        join.check(pictures, settingsFrom<Settings>(fields, values));
     };
-    by.bytes = [fields, join](Size first, Size second, int channels, const Values& values) {
-        return join.bytes(first, second, channels, settingsFrom<Settings>(fields, values));
+    by.bytes = [fields, join](const JoinPictures& pictures, const Values& values) {
+        return join.bytes(pictures, settingsFrom<Settings>(fields, values));
     };
     by.sameSize = join.sameSize;
     made.m_work = std::move(by);

@@ -2,6 +2,7 @@
 #include "core/analysis/map_usage.h"
 #include "core/io/image_file.h"
 #include "core/match/blend.h"
+#include "core/tools/tool.h"
 #include "tests/support/lattices.h"
 #include "tests/support/textures.h"
 #include "tests/ui/window_fixture.h"
@@ -195,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(child<ValueEditor>(window, "blend-band")->findChild<QSpinBox*>()->maximum(),
                  100); // of 220 × 200 px
 
-        CurveViewer* const viewer = window.viewer(kLinear);
+        ImageViewer* const viewer = window.viewer(kLinear);
         const auto point = [&](double y) { return viewer->view().toWidget({110, y}).toPoint(); };
         QTest::mousePress(viewer, Qt::LeftButton, {}, point(50));
         QTest::mouseMove(viewer, point(150));
@@ -227,6 +228,57 @@ private Q_SLOTS:
         BlendWindow empty({});
         QTRY_VERIFY(empty.message().contains(QStringLiteral("Open two images")));
         QVERIFY(!child<QPushButton>(empty, "blendSave")->isEnabled());
+    }
+
+    void theFirstTwoImagesThatCanBeBlendedAreChosen() {
+        const QString grey = m_folder.filePath(QStringLiteral("grey.png"));
+        writeImage(toPath(grey), test::noise({96, 80}, 1, 4), {});
+        BlendWindow window({imageOf(m_grain), imageOf(grey), imageOf(m_bricks)});
+        window.show();
+        QCOMPARE(child<QComboBox>(window, "blendFirst")->currentIndex(), 0);
+        QCOMPARE(child<QComboBox>(window, "blendSecond")->currentIndex(), 2);
+        for (const std::size_t way : {kCut, kPoisson, kLinear, kProgressive})
+            QTRY_VERIFY_WITH_TIMEOUT(window.viewer(way)->picture(), kPatience);
+    }
+
+    void aRegionIsPaintedAndDraggedToBeCloned() {
+        const std::vector<NamedImage> images = {imageOf(m_bricks), imageOf(m_other)};
+        BlendWindow window(images);
+        window.setTool(findTool("poisson-clone"));
+        window.show();
+        for (const std::size_t way : {0, 1, 2})
+            QTRY_VERIFY_WITH_TIMEOUT(window.viewer(way)->picture(), kPatience);
+        ImageViewer* const viewer = window.viewer(0);
+        const auto point = [&](double x, double y) { return viewer->view().toWidget({x, y}).toPoint(); };
+        QTest::mousePress(viewer, Qt::LeftButton, {}, point(110, 100));
+        QTest::mouseMove(viewer, point(140, 90));
+        QTest::mouseRelease(viewer, Qt::LeftButton, {}, point(140, 90));
+        const int right = std::get<int>(child<ValueEditor>(window, "blend-offset-x")->value());
+        const int down = std::get<int>(child<ValueEditor>(window, "blend-offset-y")->value());
+        QVERIFY(std::abs(right - 30) <= 3 && std::abs(down + 10) <= 3);
+
+        Image selection({220, 200}, 1), mask({220, 200}, 1);
+        for (int y = 0; y < 200; ++y)
+            for (int x = 0; x < 220; ++x) {
+                selection(x, y, 0) = std::hypot(x - 60, y - 70) < 25 ? 1.0F : 0.0F;
+                mask(x, y, 0) = 1 - selection(x, y, 0);
+            }
+        window.setRegion(selection);
+        JobMonitor monitor;
+        JobContext context(
+            {}, [] { return false; }, monitor);
+        const Image wanted =
+            findTool("poisson-clone")
+                .joined(
+                    {*images[0].file.image, *images[1].file.image, &mask},
+                    findTool("poisson-clone")
+                        .resolved({{"offset-x", right}, {"offset-y", down}, {"mode", std::string("paste")}}),
+                    context);
+        const auto pasted = [&] { return window.viewer(2)->picture(); };
+        QTRY_VERIFY_WITH_TIMEOUT(!window.blending() && samePixels(pasted()->values(), wanted), kPatience);
+        QVERIFY(child<QPushButton>(window, "blendPaint")->isVisible());
+        window.setTool(findTool("blend"));
+        QVERIFY(!child<QPushButton>(window, "blendPaint")->isVisible());
     }
 
     void earlierResultsAreFetchedToBeBlended() {

@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace texloom::ui {
@@ -40,6 +41,18 @@ std::vector<const Tool*> joiningTools() {
     return joining;
 }
 
+/// The first two images that can be joined as they are: of as many channels. What is not at hand yet is taken
+/// only where there is no such pair.
+std::optional<std::pair<int, int>> suitingPair(const std::vector<NamedImage>& images) {
+    const auto count = static_cast<int>(images.size());
+    const auto at = [&](int i) { return images[static_cast<std::size_t>(i)].file.image; };
+    for (int first = 0; first < count; ++first)
+        for (int second = first + 1; second < count; ++second)
+            if (at(first) && at(second) && at(first)->channels() == at(second)->channels())
+                return std::pair(first, second);
+    return count > 1 ? std::optional(std::pair(0, 1)) : std::nullopt;
+}
+
 void share(ImageViewer* from, ImageViewer* to) {
     QObject::connect(from, &ImageViewer::viewChanged, to, [from, to] {
         const QSignalBlocker blocker(to);
@@ -51,10 +64,10 @@ void share(ImageViewer* from, ImageViewer* to) {
 } // namespace
 
 BlendWindow::BlendWindow(const std::vector<NamedImage>& images, QWidget* parent)
-    : QDialog(parent), m_tool(joiningTools().front()), m_tools(new QComboBox),
-      m_showCurve(new QCheckBox(tr("Show the cur&ve and its band"))), m_ways(new QWidget),
-      m_grid(new QGridLayout), m_message(new QLabel), m_bar(new TaskBar),
-      m_save(new QPushButton(tr("&Save"))), m_use(new QPushButton(tr("Open as e&xemplar"))) {
+    : QDialog(parent), m_tool(joiningTools().front()), m_tools(new QComboBox), m_showHandle(new QCheckBox),
+      m_ways(new QWidget), m_grid(new QGridLayout), m_message(new QLabel), m_bar(new TaskBar),
+      m_paint(new QPushButton(tr("&Paint the region…"))), m_save(new QPushButton(tr("&Save"))),
+      m_use(new QPushButton(tr("Open as e&xemplar"))) {
     setObjectName(QStringLiteral("blendWindow"));
     setWindowTitle(tr("Blend two images"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
@@ -69,8 +82,10 @@ BlendWindow::BlendWindow(const std::vector<NamedImage>& images, QWidget* parent)
     column->addWidget(makeBottom());
     for (const NamedImage& image : images)
         addImage(image);
-    if (images.size() > 1)
-        m_choice[1]->setCurrentIndex(1);
+    if (const auto pair = suitingPair(images)) {
+        m_choice[0]->setCurrentIndex(pair->first);
+        m_choice[1]->setCurrentIndex(pair->second);
+    }
     for (QComboBox* choice : m_choice)
         connect(choice, &QComboBox::currentIndexChanged, this, &BlendWindow::changed);
     resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
@@ -96,14 +111,18 @@ QWidget* BlendWindow::makeOptions() {
     m_rowForm->setContentsMargins(0, 0, 0, 0);
     m_rowForm->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(rows);
+    form->addRow(QString(), m_paint);
+    m_paint->setObjectName(QStringLiteral("blendPaint"));
+    m_paint->setAutoDefault(false);
+    connect(m_paint, &QPushButton::clicked, this, &BlendWindow::paintRegion);
     new QVBoxLayout(m_ways);
     m_ways->layout()->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Show"), m_ways);
-    m_showCurve->setChecked(true);
-    form->addRow(QString(), m_showCurve);
+    m_showHandle->setChecked(true);
+    form->addRow(QString(), m_showHandle);
     connect(m_tools, &QComboBox::currentIndexChanged, this,
             [this](int index) { setTool(*joiningTools().at(static_cast<std::size_t>(index))); });
-    connect(m_showCurve, &QCheckBox::toggled, this, &BlendWindow::showCurve);
+    connect(m_showHandle, &QCheckBox::toggled, this, &BlendWindow::showHandle);
     return options;
 }
 
@@ -118,7 +137,11 @@ void BlendWindow::setTool(const Tool& tool) {
     makeRows();
     makeCells();
     fillSaveMenu();
-    m_showCurve->setVisible(tool.info().handle == ToolHandle::Curve);
+    m_showHandle->setVisible(tool.info().handle != ToolHandle::None);
+    m_showHandle->setText(tool.info().handle == ToolHandle::Offset ? tr("Show the re&gion’s outline")
+                                                                   : tr("Show the cur&ve and its band"));
+    m_paint->setVisible(tool.info().region.has_value());
+    m_paint->setToolTip(tool.info().region ? translated(tool.info().region->help) : QString());
     arrange();
     changed();
 }
@@ -182,7 +205,7 @@ void BlendWindow::makeCells() {
 }
 
 void BlendWindow::addCell(const QString& title, const QString& help, const Values& values) {
-    auto* viewer = new CurveViewer(this);
+    ImageViewer* const viewer = makeViewer();
     viewer->setAccessibleName(title);
     viewer->setPlaceholder(tr("Choose two images."));
     auto* shown = new QCheckBox(title, m_ways);
@@ -194,11 +217,33 @@ void BlendWindow::addCell(const QString& title, const QString& help, const Value
         arrange();
         changed();
     });
-    connect(viewer, &CurveViewer::positionDragged, this, [this](double position) {
-        editorOf("position")->setValue(position);
-        changed();
-    });
     m_cells.push_back({title, values, viewer, shown});
+}
+
+/// A viewer with what the mouse can move of this tool.
+ImageViewer* BlendWindow::makeViewer() {
+    switch (m_tool->info().handle) {
+    case ToolHandle::Curve: {
+        auto* viewer = new CurveViewer(this);
+        connect(viewer, &CurveViewer::positionDragged, this, [this](double position) {
+            editorOf("position")->setValue(position);
+            changed();
+        });
+        return viewer;
+    }
+    case ToolHandle::Offset: {
+        auto* viewer = new RegionViewer(this);
+        connect(viewer, &RegionViewer::offsetDragged, this, [this](QPoint offset) {
+            editorOf("offset-x")->setValue(offset.x());
+            editorOf("offset-y")->setValue(offset.y());
+            changed();
+        });
+        return viewer;
+    }
+    case ToolHandle::None:
+        break;
+    }
+    return new ImageViewer(this);
 }
 
 QWidget* BlendWindow::makeBottom() {
@@ -314,7 +359,7 @@ Values BlendWindow::settingsOf(const Cell& cell) const {
 void BlendWindow::arrange() {
     while (m_grid->count() > 0)
         delete m_grid->takeAt(0);
-    std::vector<CurveViewer*> shown;
+    std::vector<ImageViewer*> shown;
     for (const Cell& cell : m_cells) {
         cell.viewer->setVisible(cell.shown->isChecked());
         if (cell.shown->isChecked())
@@ -331,29 +376,35 @@ void BlendWindow::arrange() {
     offerToSave();
 }
 
+void BlendWindow::showHandle() {
+    if (m_tool->info().handle == ToolHandle::Curve)
+        showCurve();
+    else if (m_tool->info().handle == ToolHandle::Offset)
+        showRegion();
+}
+
 void BlendWindow::showCurve() {
-    if (m_tool->info().handle != ToolHandle::Curve)
-        return;
     const Values settings = settingsOf(m_cells.front());
     const std::vector<Choice>& shapes = m_tool->param("curve").choices();
     const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const Choice& choice) {
         return choice.id == std::get<std::string>(settings.at("curve"));
     });
     for (const Cell& cell : m_cells) {
-        cell.viewer->setCurve(static_cast<BlendCurve::Shape>(shape - shapes.begin()),
-                              std::get<double>(settings.at("position")), std::get<int>(settings.at("band")));
-        cell.viewer->setCurveShown(m_showCurve->isChecked());
+        auto* const viewer = qobject_cast<CurveViewer*>(cell.viewer);
+        viewer->setCurve(static_cast<BlendCurve::Shape>(shape - shapes.begin()),
+                         std::get<double>(settings.at("position")), std::get<int>(settings.at("band")));
+        viewer->setCurveShown(m_showHandle->isChecked());
     }
 }
 
 void BlendWindow::limitRows(int shorterSide) {
     for (const Row& row : m_rows)
         row.editor->setLargest(row.param->largestFor(shorterSide));
-    showCurve();
+    showHandle();
 }
 
 void BlendWindow::changed() {
-    showCurve();
+    showHandle();
     m_use->hide();
     m_soon.start();
 }
@@ -365,7 +416,8 @@ bool BlendWindow::twoChosen() {
         say(tr("Open two images to blend."));
         return false;
     }
-    if (first == second) {
+    // Within one image, only a region of it can be put elsewhere.
+    if (first == second && !m_tool->info().region) {
         m_task.cancel();
         take({}, tr("Both images are “%1”. Open or choose another one to blend it with.").arg(first->title));
         return false;
@@ -379,6 +431,8 @@ void BlendWindow::blendNow() {
     Shared first = chosen(0)->file.image, second = chosen(1)->file.image;
     const Size common{std::min(first->width(), second->width()), std::min(first->height(), second->height())};
     limitRows(common.shorterSide());
+    if (m_tool->info().region)
+        keepRegionOf(second);
     std::vector<std::pair<std::size_t, Values>> wanted;
     for (std::size_t i = 0; i < m_cells.size(); ++i)
         if (m_cells[i].shown->isChecked())
@@ -394,15 +448,16 @@ void BlendWindow::blendNow() {
                    .arg(chosen(0)->title, sizeText(first->size()), chosen(1)->title, sizeText(second->size()),
                         sizeText(common));
     const auto work = [tool = m_tool, first, second, crops, common, wanted,
+                       region = m_tool->info().region ? m_region->mask : nullptr,
                        count = m_cells.size()](JobContext& context) {
-        const ImageView a = crops ? first->view().crop(0, 0, common) : first->view();
-        const ImageView b = crops ? second->view().crop(0, 0, common) : second->view();
+        const JoinPictures joined{crops ? first->view().crop(0, 0, common) : first->view(),
+                                  crops ? second->view().crop(0, 0, common) : second->view(), region.get()};
         Pictures pictures(count);
         std::uint32_t number = 0;
         for (const auto& [index, settings] : wanted) {
             context.step(number++, 1.0 / static_cast<double>(wanted.size()));
             pictures[index] = std::make_shared<const DisplayPicture>(
-                std::make_shared<const Image>(tool->joined(a, b, settings, context)));
+                std::make_shared<const Image>(tool->joined(joined, settings, context)));
         }
         return pictures;
     };
@@ -416,9 +471,9 @@ void BlendWindow::blendNow() {
 /// @param pictures by way; none to clear them all.
 void BlendWindow::take(const Pictures& pictures, const QString& note) {
     m_bar->end();
-    const CurveViewer* reference = nullptr;
+    const ImageViewer* reference = nullptr;
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        CurveViewer* const viewer = m_cells[i].viewer;
+        ImageViewer* const viewer = m_cells[i].viewer;
         const std::shared_ptr<const DisplayPicture> picture = i < pictures.size() ? pictures[i] : nullptr;
         viewer->setPicture(picture);
         viewer->setBadge(m_cells[i].title);

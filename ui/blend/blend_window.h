@@ -2,6 +2,7 @@
 
 #include "core/tools/tool.h"
 #include "ui/blend/curve_viewer.h"
+#include "ui/blend/region_viewer.h"
 #include "ui/exemplar/named_image.h"
 #include "ui/jobs/task.h"
 
@@ -31,7 +32,7 @@ class BlendWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param images to choose from, beside files; the first two are chosen.
+    /// @param images to choose from, beside files; the first two that can be joined are chosen.
     explicit BlendWindow(const std::vector<NamedImage>& images, QWidget* parent = nullptr);
 
     /// Adds an image to both lists and chooses it in one. @param which 0 or 1.
@@ -40,10 +41,13 @@ public:
     void setTool(const Tool& tool);
     const Tool& tool() const { return *m_tool; }
     /// The picture of one of the tool's ways, by number.
-    CurveViewer* viewer(std::size_t way) const { return m_cells.at(way).viewer; }
+    ImageViewer* viewer(std::size_t way) const { return m_cells.at(way).viewer; }
     /// What went wrong, or what to do first; empty if all is well.
     QString message() const;
     bool blending() const { return m_task.running() || m_soon.isActive(); }
+    /// Takes what was painted as the region of the second image. @param selection of that image's size, as
+    /// selections has it.
+    void setRegion(const Image& selection);
     /// Writes one of the pictures. @param path its extension is the format.
     void save(std::size_t way, const QString& path);
 
@@ -56,7 +60,7 @@ private:
     struct Cell {
         QString title;
         Values values;
-        CurveViewer* viewer;
+        ImageViewer* viewer;
         QCheckBox* shown;
     };
     /// A parameter that is the same for all ways.
@@ -72,6 +76,10 @@ private:
     void makeRows();
     void makeCells();
     void addCell(const QString& title, const QString& help, const Values& values);
+    ImageViewer* makeViewer();
+    void paintRegion();
+    void keepRegionOf(const Shared& second);
+    void showRegion();
     QWidget* makeBottom();
     void fillSaveMenu();
     void addImage(const NamedImage& image);
@@ -83,6 +91,7 @@ private:
     ValueEditor* editorOf(std::string_view name) const;
     Values settingsOf(const Cell& cell) const;
     void showCurve();
+    void showHandle();
     /// Keeps values within what images with this shorter side allow.
     void limitRows(int shorterSide);
     void changed();
@@ -99,15 +108,18 @@ private:
     QComboBox* m_tools;
     QFormLayout* m_rowForm = nullptr;
     std::vector<Row> m_rows;
-    QCheckBox* m_showCurve;
+    QCheckBox* m_showHandle;
     QWidget* m_ways;
     QGridLayout* m_grid;
     std::vector<Cell> m_cells;
     QLabel* m_message;
     TaskBar* m_bar;
+    QPushButton* m_paint;
     QPushButton* m_save;
     QPushButton* m_use;
     QString m_written;
+    std::shared_ptr<const MovableRegion> m_region; ///< null until it is known
+    Shared m_regionOf;                             ///< the image that it is of
     QTimer m_soon;
     Task<Pictures> m_task;
     Task<QString> m_writing;

@@ -22,17 +22,18 @@ BlendOptions optionsOf(const Settings& settings) {
     return {settings.method, settings.band, {settings.propagation, settings.color}};
 }
 
-Image make(const ImageView& first, const ImageView& second, const Settings& settings, JobContext& context) {
-    return blendAlong(first, second, BlendCurve::at(settings.curve, settings.position, first.size()),
+Image make(const JoinPictures& pictures, const Settings& settings, JobContext& context) {
+    return blendAlong(pictures.first, pictures.second,
+                      BlendCurve::at(settings.curve, settings.position, pictures.first.size()),
                       optionsOf(settings), context);
 }
 
-void check(Size first, Size second, const Settings& settings) {
-    checkBlend(first, second, optionsOf(settings));
+void check(const JoinPictures& pictures, const Settings& settings) {
+    checkBlend(pictures.first.size(), pictures.second.size(), optionsOf(settings));
 }
 
-std::uint64_t bytes(Size first, Size, int channels, const Settings& settings) {
-    return blendBytesFor(first, channels, optionsOf(settings));
+std::uint64_t bytes(const JoinPictures& pictures, const Settings& settings) {
+    return blendBytesFor(pictures.first.size(), pictures.first.channels, optionsOf(settings));
 }
 
 ToolPreset way(std::string title, std::string help, std::string method,

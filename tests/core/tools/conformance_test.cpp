@@ -107,6 +107,10 @@ std::vector<Values> joinsOf(const Tool& tool) {
         values[param.name()] = param.type() == Param::Type::Integer
                                    ? Value(static_cast<int>(param.largestFor(kSize.shorterSide()) / 2))
                                    : suiting(param);
+    if (tool.info().handle == ToolHandle::Offset) {
+        values["offset-x"] = 7;
+        values["offset-y"] = -5;
+    }
     std::vector<Values> all;
     for (const ToolPreset& preset : tool.info().presets) {
         all.push_back(values);
@@ -120,7 +124,7 @@ Image joined(const Tool& tool, const Values& values, int threads, std::function<
     JobMonitor monitor;
     JobContext context(
         {0, threads, false}, stopped ? std::move(stopped) : [] { return false; }, monitor);
-    return tool.joined(blobs(kSize, 3, 1), blobs(kSize, 3, 2), values, context);
+    return tool.joined({blobs(kSize, 3, 1), blobs(kSize, 3, 2)}, values, context);
 }
 
 } // namespace
@@ -269,13 +273,25 @@ TEST_P(ToolConformance, AJoinTakesPicturesThatSuitAndRefusesTheOthers) {
     const Image made = joined(tool(), values, 2);
     EXPECT_EQ(made.channels(), 3);
     EXPECT_FALSE(samePixels(made, blobs(kSize, 3, 1)));
-    EXPECT_THAT([&] { tool().checkJoin(blobs(kSize, 3), blobs(kSize, 1), values); }, usageRefusal("3", "1"));
+    EXPECT_THAT(
+        [&] {
+            tool().checkJoin({blobs(kSize, 3), blobs(kSize, 1)}, values);
+        },
+        usageRefusal("3", "1"));
     if (tool().joinsSameSize()) {
         EXPECT_THAT(
             [&] {
-                tool().checkJoin(blobs(kSize, 3), blobs({30, 52}, 3), values);
+                tool().checkJoin({blobs(kSize, 3), blobs({30, 52}, 3)}, values);
             },
             usageRefusal("64 × 52", "30 × 52"));
+    }
+    if (tool().info().region) {
+        const Image mask({30, 52}, 1);
+        EXPECT_THAT(
+            [&] {
+                tool().checkJoin({blobs(kSize, 3), blobs(kSize, 3), &mask}, values);
+            },
+            usageRefusal("30 × 52", "64 × 52"));
     }
 }
 
