@@ -100,10 +100,26 @@ RecipeStep& stepFor(std::string& name, std::vector<RecipeStep>& steps) {
     return *found;
 }
 
+/// What `--preset` of a method stands for. @throws UsageError that lists the method's presets.
+const Preset& presetOf(const std::string& method, const std::string& name) {
+    const std::string prefix = findMethod(method).id() + "-";
+    if (const Preset* preset = findPreset(prefix + name))
+        return *preset;
+    std::vector<std::string> known;
+    for (const Preset& preset : presets())
+        if (preset.id.rfind(prefix, 0) == 0)
+            known.push_back(preset.id.substr(prefix.size()));
+    if (known.empty())
+        failUsage("--preset {}: {} has no presets.", name, method);
+    failUsage("--preset {}: {} has no such preset; choose one of {}.", name, method, listOf(known));
+}
+
 /// The methods of a run in order, from the command's METHOD or preset, --then and --set.
 std::vector<RecipeStep> stepsOf(const SynthOptions& options) {
     std::vector<RecipeStep> steps;
-    if (const Preset* preset = findPreset(options.method))
+    if (!options.preset.empty())
+        steps = presetOf(options.method, options.preset).steps;
+    else if (const Preset* preset = findPreset(options.method))
         steps = preset->steps;
     else
         steps.push_back({findMethod(options.method).id(), {}});

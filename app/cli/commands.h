@@ -29,6 +29,7 @@ struct OutputOptions {
 
 struct SynthOptions {
     std::string method;            ///< or a preset
+    std::string preset;            ///< of the method: "published" for METHOD-published; empty for none
     std::vector<std::string> then; ///< methods that follow
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;

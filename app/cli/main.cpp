@@ -80,6 +80,8 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
     command.add_option("method", options.method, "Id of the method or preset; see `methods`")->required();
     command.add_option("exemplar", options.exemplars,
                        "Images to learn from, where the method learns from any");
+    command.add_option("--preset", options.preset,
+                       "Preset of the method: published for the settings of its source");
     cli::addSize(command, options.size,
                  "Size of the output, as 512x256 or 512; twice the exemplar if not given, 512 without one");
     cli::addSeed(command, options.seed, "Whole number from 0; another seed gives another texture");

@@ -33,6 +33,43 @@ Image alone(const SampleRun& sample, std::size_t step, std::shared_ptr<const Ima
     return std::get<Image>(job.take());
 }
 
+/// What the sources' figures and algorithms were made with, as far as they say it.
+const std::vector<std::pair<std::string, Values>> kPublished = {
+    // Raad, thesis 2016: figures 2.1, 2.6, 3.4, 3.5 and 4.21, without a balance of contrast.
+    {"gaussian-patches", {{"patch", 30}, {"neighbours", 10}, {"overlap", 0.5}, {"contrast", 0.0}}},
+    {"locally-gaussian", {{"patch", 30}, {"neighbours", 10}, {"overlap", 0.5}, {"contrast", 0.0}}},
+    {"conditional-gaussian", {{"patch", 40}, {"neighbours", 30}, {"overlap", 0.5}, {"contrast", 0.0}}},
+    {"multiscale-gaussian",
+     {{"patch", 20},
+      {"neighbours", 50},
+      {"scales", 3},
+      {"stitch", std::string("none")},
+      {"coarsest-stitch", std::string("average")},
+      {"contrast", 0.0}}},
+    {"midway-quilting", {{"patch", 40}, {"overlap", 0.45}, {"contrast", 0.0}}},
+    // Raad & Galerne, IPOL 2017, section 4.
+    {"quilting", {{"patch", 40}, {"overlap", 0.25}, {"tolerance", 0.1}, {"contrast", 0.0}}},
+    // López Recas 2011, sections 4.1 and 4.2.
+    {"near-regular", {{"block", 40}, {"border", 10}, {"join", std::string("blend")}, {"blend", 4}}},
+    {"regular-tile", {{"border", 16}, {"tolerance", 0.0}}},
+    // Gutierrez, thesis 2020, algorithm 1 and section 3.1.
+    {"patch-assignment",
+     {{"patch", 8},
+      {"scales", 3},
+      {"coarse-iterations", 50},
+      {"fine-iterations", 10},
+      {"epsilon", 0.0},
+      {"settle", 0.0},
+      {"solve", std::string("whole")}}},
+    {"texture-optimization",
+     {{"scales", 3},
+      {"largest-patch", 32},
+      {"aggregation", std::string("robust-falloff")},
+      {"histogram", false},
+      {"bidirectional", false},
+      {"uniformity", 0.0}}},
+};
+
 } // namespace
 
 TEST(Pipeline, EachStepStartsFromTheImageOfTheOneBefore) {
@@ -158,6 +195,18 @@ TEST(Preset, NamesTheWrongField) {
     EXPECT_THAT(read(R"([{"method": 3}])"), usageRefusal("preset's steps[0].method", "3", "text"));
     EXPECT_THAT(read(R"([{"method": "quilting", "parameters": {"pach": 3}}])"),
                 usageRefusal("pach", "patch"));
+}
+
+TEST(Preset, PublishedOnesHoldWhatTheSourcesSay) {
+    for (const auto& [method, values] : kPublished) {
+        const Preset* preset = findPreset(method + "-published");
+        ASSERT_TRUE(preset) << method;
+        ASSERT_EQ(preset->steps.size(), 1U);
+        EXPECT_EQ(preset->steps.front().method, method);
+        const Values given = findMethod(method).resolved(preset->steps.front().parameters, {512, 512});
+        for (const auto& [name, value] : values)
+            EXPECT_EQ(given.at(name), value) << method << ": " << name;
+    }
 }
 
 TEST(Preset, EveryShippedOneCanBeUsed) {
