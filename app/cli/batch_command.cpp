@@ -101,9 +101,11 @@ void runItem(std::size_t number, const BatchItem& item, const BatchOptions& opti
 }
 
 void printItems(const Batch& batch, const Shard& shard) {
-    for (std::size_t i = 0; i < batch.items.size(); ++i)
-        if (shard.holds(i))
-            fmt::print("{}: {}\n", batch.items[i].label(i + 1), batch.items[i].output.string());
+    for (std::size_t i = 0; i < batch.size(); ++i)
+        if (shard.holds(i)) {
+            const BatchItem item = batch.item(i);
+            fmt::print("{}: {}\n", item.label(i + 1), item.output.string());
+        }
 }
 
 void writeSummary(const BatchOptions& options, const Tally& tally) {
@@ -131,17 +133,14 @@ void announce(const BatchItem& item, OutputGuard& guard) {
 OutputGuard checkOutputs(const Batch& batch, const Shard& shard, const BatchOptions& options) {
     OutputGuard guard;
     guard.reads(options.file, "the batch itself");
-    guard.reads(batch.recipes, "a recipe of the batch");
-    const void* known = nullptr;
-    for (const BatchItem& item : batch.items)
-        if (item.exemplars.get() != std::exchange(known, item.exemplars.get()))
-            guard.reads(sourcesOf(item.whole()), "a source of the batch");
+    guard.reads(batch.recipes(), "a recipe of the batch");
+    guard.reads(batch.sources(), "a source of the batch");
     if (!options.summary.empty())
         guard.writes(options.summary, "summary");
-    for (std::size_t i = 0; i < batch.items.size(); ++i)
-        if (const BatchItem& item = batch.items[i];
-            shard.holds(i) && item.problem.empty() && !skipped(item, options))
-            announce(item, guard);
+    for (std::size_t i = 0; i < batch.size(); ++i)
+        if (shard.holds(i))
+            if (const BatchItem item = batch.item(i); item.problem.empty() && !skipped(item, options))
+                announce(item, guard);
     guard.check(options.overwrite);
     return guard;
 }
@@ -159,9 +158,9 @@ void run(const BatchOptions& options) {
     const OutputGuard around = checkOutputs(batch, shard, options);
     Tally tally;
     try {
-        for (std::size_t i = 0; i < batch.items.size(); ++i)
+        for (std::size_t i = 0; i < batch.size(); ++i)
             if (shard.holds(i))
-                runItem(i + 1, batch.items[i], options, around, tally);
+                runItem(i + 1, batch.item(i), options, around, tally);
     } catch (const Cancelled&) {
         writeSummary(options, tally);
         throw;

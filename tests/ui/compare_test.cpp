@@ -93,7 +93,8 @@ private Q_SLOTS:
             const auto file = toPath(path);
             const Batch batch = Batch::fromJson(readText(file), file.parent_path());
             QVERIFY2(!batch.title.empty() && !batch.summary.empty(), qPrintable(path));
-            for (const BatchItem& item : batch.items) {
+            for (std::size_t i = 0; i < batch.size(); ++i) {
+                const BatchItem item = batch.item(i);
                 QVERIFY2(item.problem == Message(), qPrintable(translated(item.problem)));
                 planRun(loadRecipe(item.whole()));
             }

@@ -69,8 +69,10 @@ struct Loaded {
 Loaded loaded(const QString& path) {
     const Batch batch = batchIn(path);
     Loaded all{translated(batch.title), {}, {}};
-    for (const BatchItem& item : batch.items)
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        const BatchItem item = batch.item(i);
         all.entries.push_back({labelOf(item), loadRecipe(item.whole())});
+    }
     const RunInput& first = all.entries.front().input;
     for (const RunExemplar& exemplar : first.exemplars) {
         add(exemplar.inputs, all.first);

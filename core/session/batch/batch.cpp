@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace texloom {
@@ -38,25 +39,10 @@ struct Read {
     Message problem;
 };
 
+using SharedRead = std::shared_ptr<const Read>;
+
 /// Recipes that runs share, by their files.
-using ReadFiles = std::map<fs::path, Read>;
-
-/// One entry of "runs" as it stands in the file.
-struct Run {
-    Read read;
-    std::vector<Axis> axes;
-    bool variedSeeds = false;
-    std::string title, output, report, depth, space;
-    std::vector<std::string> maps;
-    bool sidecar = true;
-
-    Combinations combinations() const {
-        std::vector<std::size_t> lengths;
-        for (const Axis& axis : axes)
-            lengths.push_back(axis.values.size());
-        return {lengths, Combinations::Fastest::Last};
-    }
-};
+using ReadFiles = std::map<fs::path, SharedRead>;
 
 std::string textOr(const JsonField& field, const std::string& key, const std::string& otherwise) {
     return field.has(key) ? field.at(key).text() : otherwise;
@@ -69,7 +55,7 @@ std::string choiceOr(const JsonField& field, const std::string& key, const std::
     return text;
 }
 
-template <class Make> Read readRecipe(const Make& make) {
+template <class Make> SharedRead readRecipe(const Make& make) {
     Read read;
     try {
         read.recipe = make();
@@ -79,10 +65,10 @@ template <class Make> Read readRecipe(const Make& make) {
     read.name = read.recipe.name();
     read.exemplars = std::make_shared<const std::vector<RecipeExemplar>>(std::move(read.recipe.exemplars));
     read.recipe.exemplars.clear();
-    return read;
+    return std::make_shared<const Read>(std::move(read));
 }
 
-Read recipeFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
+SharedRead recipeFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
     if (!field.json().is_string())
         return readRecipe([&] { return Recipe::fromJson(field.json().dump(), folder); });
     const fs::path path = (folder / field.text()).lexically_normal();
@@ -110,36 +96,6 @@ std::vector<Axis> axesFrom(const JsonField& field) {
         }
     }
     return axes;
-}
-
-Run runFrom(const JsonField& field, const fs::path& folder, ReadFiles& files) {
-    field.needObject();
-    field.only(
-        {"title", "recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
-    Run run;
-    run.read = recipeFrom(field.at("recipe"), folder, files);
-    run.output = field.at("output").text();
-    if (run.output.empty())
-        field.at("output").wrong(TR("the name of a file"));
-    run.title = textOr(field, "title", "");
-    run.report = textOr(field, "report", "");
-    run.depth = choiceOr(field, "depth", {"", "8", "16", "half", "float"});
-    run.space = textOr(field, "space", "");
-    run.variedSeeds = choiceOr(field, "seeds", {"held", "varied"}) == "varied";
-    if (field.has("sidecar")) {
-        if (!field.at("sidecar").json().is_boolean())
-            field.at("sidecar").wrong(TR("true or false"));
-        run.sidecar = field.at("sidecar").json().get<bool>();
-    }
-    if (field.has("maps")) {
-        const JsonField maps = field.at("maps");
-        maps.needArray(0, 2);
-        for (std::size_t i = 0; i < maps.size(); ++i)
-            run.maps.push_back(maps.at(i).text());
-    }
-    if (field.has("sweep"))
-        run.axes = axesFrom(field.at("sweep"));
-    return run;
 }
 
 /// A value as it stands in names: 32, 0.25, smooth-cut, 512x256; regions as 4096x0x512x256, place and size.
@@ -197,15 +153,84 @@ NameWords wordsFor(const Recipe& recipe, const std::string& name, std::size_t in
             {"index", std::to_string(index)}};
 }
 
-/// The item for one combination of a run's values, `chosen` by axis.
-BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std::size_t>& chosen,
-                  std::size_t number, const fs::path& folder) {
-    BatchItem item{run.read.recipe, run.read.exemplars, run.read.problem, run.title, {}, {}, {}, {},
-                   run.depth,       run.space,          run.sidecar};
+/// Names of files with a swept item's words in them.
+fs::path namedBy(const std::string& pattern, const NameWords& words, const fs::path& folder) {
+    return pattern.empty() ? fs::path() : (folder / expandName(pattern, words)).lexically_normal();
+}
+
+std::vector<std::string> filesOf(const BatchItem& item) {
+    std::vector<std::string> files{item.output.string()};
+    for (const fs::path& map : item.maps)
+        files.push_back(map.string());
+    if (!item.report.empty())
+        files.push_back(item.report.string());
+    if (item.sidecar)
+        files.push_back(fs::path(item.output).replace_extension(".json").string());
+    return files;
+}
+
+} // namespace
+
+/// One entry of "runs" as it stands in the file.
+struct Batch::Run {
+    SharedRead read;
+    std::vector<Axis> axes;
+    bool variedSeeds = false;
+    std::string title, output, report, depth, space;
+    std::vector<std::string> maps;
+    bool sidecar = true;
+
+    static Run from(const JsonField& field, const fs::path& folder, ReadFiles& files);
+    Combinations combinations() const;
+    /// @param number of the item in the whole batch, from 1.
+    BatchItem itemFor(std::size_t combination, std::size_t number, const fs::path& folder) const;
+};
+
+Batch::Run Batch::Run::from(const JsonField& field, const fs::path& folder, ReadFiles& files) {
+    field.needObject();
+    field.only(
+        {"title", "recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
+    Run run;
+    run.read = recipeFrom(field.at("recipe"), folder, files);
+    run.output = field.at("output").text();
+    if (run.output.empty())
+        field.at("output").wrong(TR("the name of a file"));
+    run.title = textOr(field, "title", "");
+    run.report = textOr(field, "report", "");
+    run.depth = choiceOr(field, "depth", {"", "8", "16", "half", "float"});
+    run.space = textOr(field, "space", "");
+    run.variedSeeds = choiceOr(field, "seeds", {"held", "varied"}) == "varied";
+    if (field.has("sidecar")) {
+        if (!field.at("sidecar").json().is_boolean())
+            field.at("sidecar").wrong(TR("true or false"));
+        run.sidecar = field.at("sidecar").json().get<bool>();
+    }
+    if (field.has("maps")) {
+        const JsonField maps = field.at("maps");
+        maps.needArray(0, 2);
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            run.maps.push_back(maps.at(i).text());
+    }
+    if (field.has("sweep"))
+        run.axes = axesFrom(field.at("sweep"));
+    return run;
+}
+
+Combinations Batch::Run::combinations() const {
+    std::vector<std::size_t> lengths;
+    for (const Axis& axis : axes)
+        lengths.push_back(axis.values.size());
+    return {lengths, Combinations::Fastest::Last};
+}
+
+BatchItem Batch::Run::itemFor(std::size_t combination, std::size_t number, const fs::path& folder) const {
+    BatchItem item{read->recipe, read->exemplars, read->problem, title,  {}, {}, {},
+                   {},           depth,           space,         sidecar};
+    const std::vector<std::size_t> chosen = combinations().at(combination);
     NameWords swept;
-    for (std::size_t i = 0; i < run.axes.size(); ++i) {
-        const std::string& name = run.axes[i].name;
-        const Json& value = run.axes[i].values[chosen[i]];
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const std::string& name = axes[i].name;
+        const Json& value = axes[i].values[chosen[i]];
         swept[name] = nameText(value);
         item.cell += (item.cell.empty() ? "" : ", ") + name + "=" + nameText(value);
         try {
@@ -215,42 +240,16 @@ BatchItem itemFor(const Run& run, std::size_t combination, const std::vector<std
             item.problem = error.message();
         }
     }
-    if (run.variedSeeds)
+    if (variedSeeds)
         item.recipe.seed += combination;
-    NameWords words = wordsFor(item.recipe, run.read.name, number);
+    NameWords words = wordsFor(item.recipe, read->name, number);
     words.merge(swept);
-    const auto path = [&](const std::string& pattern) {
-        return pattern.empty() ? fs::path() : (folder / expandName(pattern, words)).lexically_normal();
-    };
-    item.output = path(run.output);
-    item.report = path(run.report);
-    for (const std::string& map : run.maps)
-        item.maps.push_back(path(map));
+    item.output = namedBy(output, words, folder);
+    item.report = namedBy(report, words, folder);
+    for (const std::string& map : maps)
+        item.maps.push_back(namedBy(map, words, folder));
     return item;
 }
-
-/// Refuses items that would write over one another's files.
-void checkOutputs(const std::vector<BatchItem>& items) {
-    std::map<fs::path, std::size_t> writers;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (!items[i].problem.empty())
-            continue;
-        std::vector<fs::path> files = items[i].maps;
-        files.push_back(items[i].output);
-        if (!items[i].report.empty())
-            files.push_back(items[i].report);
-        if (items[i].sidecar)
-            files.push_back(fs::path(items[i].output).replace_extension(".json"));
-        for (const fs::path& file : files)
-            if (const auto [known, added] = writers.try_emplace(file, i); !added)
-                failUsage("The batch's {} and {} would both write {}; put $index, or what sets them apart, "
-                          "into the name.",
-                          items[known->second].label(known->second + 1), items[i].label(i + 1),
-                          file.string());
-    }
-}
-
-} // namespace
 
 Recipe BatchItem::whole() const {
     Recipe all = recipe;
@@ -278,20 +277,53 @@ Batch Batch::fromJson(std::string_view text, const fs::path& folder, const fs::p
     Batch batch;
     batch.title = textOr(root, "title", "");
     batch.summary = textOr(root, "summary", "");
+    batch.m_folder = outputs.empty() ? folder : outputs;
     ReadFiles files;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Run run = runFrom(runs.at(i), folder, files);
-        const Combinations combinations = run.combinations();
-        if (combinations.count() > kMostRuns - batch.items.size())
+        batch.m_runs.push_back(std::make_shared<const Run>(Run::from(runs.at(i), folder, files)));
+        batch.m_firsts.push_back(batch.m_size);
+        const std::size_t count = batch.m_runs.back()->combinations().count();
+        if (count > kMostRuns - batch.m_size)
             failUsage("The batch holds more than {} runs; divide it.", grouped(kMostRuns));
-        for (std::size_t k = 0; k < combinations.count(); ++k)
-            batch.items.push_back(itemFor(run, k, combinations.at(k), batch.items.size() + 1,
-                                          outputs.empty() ? folder : outputs));
+        batch.m_size += count;
     }
-    checkOutputs(batch.items);
+    batch.checkOutputs();
     for (const auto& [path, read] : files)
-        batch.recipes.push_back(path);
+        batch.m_recipes.push_back(path);
     return batch;
+}
+
+BatchItem Batch::item(std::size_t index) const {
+    const auto after = std::upper_bound(m_firsts.begin(), m_firsts.end(), index);
+    const auto run = static_cast<std::size_t>(after - m_firsts.begin()) - 1;
+    return m_runs[run]->itemFor(index - m_firsts[run], index + 1, m_folder);
+}
+
+std::vector<fs::path> Batch::sources() const {
+    std::vector<fs::path> sources;
+    const Read* known = nullptr;
+    for (const std::shared_ptr<const Run>& run : m_runs)
+        if (run->read.get() != std::exchange(known, run->read.get())) {
+            Recipe whole = known->recipe;
+            whole.exemplars = *known->exemplars;
+            for (const RecipeFile* file : whole.files())
+                sources.push_back(file->path);
+        }
+    return sources;
+}
+
+void Batch::checkOutputs() const {
+    std::unordered_map<std::string, std::size_t> writers;
+    for (std::size_t i = 0; i < m_size; ++i) {
+        const BatchItem one = item(i);
+        if (!one.problem.empty())
+            continue;
+        for (std::string& file : filesOf(one))
+            if (const auto [known, added] = writers.try_emplace(std::move(file), i); !added)
+                failUsage("The batch's {} and {} would both write {}; put $index, or what sets them apart, "
+                          "into the name.",
+                          item(known->second).label(known->second + 1), one.label(i + 1), known->first);
+    }
 }
 
 Shard Shard::parse(std::string_view text) {

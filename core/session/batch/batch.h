@@ -32,7 +32,8 @@ struct BatchItem {
     std::string label(std::size_t number) const;
 };
 
-/// Many recipes in one file, in their order. The JSON text is
+/// Many recipes in one file, in their order. A sweep is kept as it is written, and its items are made when
+/// they are asked for: a hundred thousand of them take little more memory than one. The JSON text is
 /// `{"batch": 1, "title": …, "summary": …, "runs": [{"title": …, "recipe": …, "output": …, "sweep": {…},
 /// "seeds": "held", …}]}`: a recipe is the name of a file or is written out in place; names of outputs are
 /// templates (see expandName()) of $name, $method, $seed, $w, $h, $size, $index and each swept word; a sweep
@@ -40,13 +41,12 @@ struct BatchItem {
 /// and "region" ([x, y, width, height]: parts of an output that may be larger than memory), of which all
 /// combinations are made, the last one fastest; with "seeds": "varied" each combination has a seed of its
 /// own.
-struct Batch {
+class Batch {
+public:
     /// Version of the format that this build writes and the newest it reads.
     static constexpr int kFormat = 1;
 
     std::string title, summary; ///< what it shows, where it is an example
-    std::vector<BatchItem> items;
-    std::vector<std::filesystem::path> recipes; ///< files that recipes were read from
 
     /// A recipe that cannot be read becomes its items' problem, so that the number of items depends on this
     /// text alone.
@@ -55,6 +55,27 @@ struct Batch {
     /// @throws UsageError that names the wrong field, or two items that would write the same file.
     static Batch fromJson(std::string_view text, const std::filesystem::path& folder,
                           const std::filesystem::path& outputs = {});
+
+    /// Number of items.
+    std::size_t size() const { return m_size; }
+    /// @param index less than size().
+    BatchItem item(std::size_t index) const;
+    /// Files that recipes were read from.
+    const std::vector<std::filesystem::path>& recipes() const { return m_recipes; }
+    /// Files that the recipes name: exemplars and all else that items read.
+    std::vector<std::filesystem::path> sources() const;
+
+private:
+    struct Run;
+
+    /// Refuses items that would write over one another's files.
+    void checkOutputs() const;
+
+    std::filesystem::path m_folder; ///< of the files to write
+    std::vector<std::shared_ptr<const Run>> m_runs;
+    std::vector<std::size_t> m_firsts; ///< of each run, its first item
+    std::size_t m_size = 0;
+    std::vector<std::filesystem::path> m_recipes;
 };
 
 /// One of several equal shares of a batch: every count-th item, from `index` on.

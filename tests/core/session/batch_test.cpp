@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/job/memory.h"
 #include "core/session/batch/batch.h"
 #include "core/session/export/name_template.h"
 #include "tests/core/refusal.h"
@@ -6,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <set>
 
 namespace texloom::test {
@@ -41,8 +43,8 @@ TEST(Batch, ReadsARecipeWithItsOutputs) {
     const Batch batch = batchOf(R"({"recipe": )" + kRecipe +
                                 R"(, "output": "out/$name_$method_s$seed_$size.tif", "maps": ["$name.exr"],
                                     "report": "$index.json", "depth": "16", "sidecar": false})");
-    ASSERT_EQ(batch.items.size(), 1U);
-    const BatchItem& item = batch.items.front();
+    ASSERT_EQ(batch.size(), 1U);
+    const BatchItem item = batch.item(0);
     EXPECT_EQ(item.problem, Message());
     EXPECT_EQ(item.output, "/data/out/bark_quilting_s5_64x60.tif");
     EXPECT_EQ(item.maps.front(), "/data/bark.exr");
@@ -61,51 +63,74 @@ TEST(Batch, MaySayWhatItShowsAndWriteElsewhere) {
                                        "/data", "/made");
     EXPECT_EQ(told.title, "Patches");
     EXPECT_EQ(told.summary, "Two sizes.");
-    EXPECT_EQ(told.items.front().title, "Small ones");
-    EXPECT_EQ(told.items.front().output, "/made/out/bark.png");
-    EXPECT_EQ(told.items.front().whole().exemplars.front().image.path, "/data/bark.png");
+    EXPECT_EQ(told.item(0).title, "Small ones");
+    EXPECT_EQ(told.item(0).output, "/made/out/bark.png");
+    EXPECT_EQ(told.item(0).whole().exemplars.front().image.path, "/data/bark.png");
 }
 
 TEST(Batch, SweepsThroughEveryCombination) {
     const Batch batch = sweep(R"({"patch": [8, 16], "stitch": ["cut", "smooth-cut"], "size": [[32, 32]]})");
-    ASSERT_EQ(batch.items.size(), 4U);
+    ASSERT_EQ(batch.size(), 4U);
     std::set<std::string> cells;
-    for (const BatchItem& item : batch.items) {
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        const BatchItem item = batch.item(i);
         EXPECT_EQ(item.problem, Message());
         EXPECT_EQ(item.recipe.seed, 5U);
         EXPECT_EQ(item.recipe.size, (Size{32, 32}));
         cells.insert(item.cell);
     }
     EXPECT_EQ(cells.size(), 4U);
-    EXPECT_EQ(batch.items[1].cell, "patch=8, stitch=smooth-cut, size=32x32");
-    EXPECT_EQ(std::get<int>(batch.items[2].recipe.steps.front().parameters.at("patch")), 16);
+    EXPECT_EQ(batch.item(1).cell, "patch=8, stitch=smooth-cut, size=32x32");
+    EXPECT_EQ(std::get<int>(batch.item(2).recipe.steps.front().parameters.at("patch")), 16);
 }
 
 TEST(Batch, SweepsOverPartsOfAnOutput) {
     const Batch batch = sweep(R"({"region": [[0, 0, 32, 20], [32, 0, 32, 20]], "size": [[64, 20]]})");
-    ASSERT_EQ(batch.items.size(), 2U);
-    EXPECT_EQ(batch.items[1].recipe.region, (Region{32, 0, {32, 20}}));
-    EXPECT_EQ(batch.items[1].recipe.size, (Size{64, 20}));
-    EXPECT_EQ(batch.items[1].cell, "region=32x0x32x20, size=64x20");
+    ASSERT_EQ(batch.size(), 2U);
+    EXPECT_EQ(batch.item(1).recipe.region, (Region{32, 0, {32, 20}}));
+    EXPECT_EQ(batch.item(1).recipe.size, (Size{64, 20}));
+    EXPECT_EQ(batch.item(1).cell, "region=32x0x32x20, size=64x20");
     EXPECT_THROW(sweep(R"({"region": [[0, 0, 32]]})"), UsageError);
-    EXPECT_NE(sweep(R"({"region": [[0, 0, 32, 0.5]]})").items.front().problem.text(), "");
+    EXPECT_NE(sweep(R"({"region": [[0, 0, 32, 0.5]]})").item(0).problem.text(), "");
 }
 
 TEST(Batch, VariesTheSeedsOfASweepWhenAsked) {
     const Batch batch = sweep(R"({"patch": [8, 16, 24]})", R"(, "seeds": "varied")");
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(batch.items[i].recipe.seed, 5 + i);
+        EXPECT_EQ(batch.item(i).recipe.seed, 5 + i);
+}
+
+TEST(Batch, MakesItemsWhenTheyAreAskedFor) {
+    std::string exemplars = R"({"file": "0.png"})", seeds = "0";
+    for (int i = 1; i < 4096; ++i)
+        exemplars += R"(, {"file": ")" + std::to_string(i) + R"(.png"})";
+    for (int i = 1; i < 20000; ++i)
+        seeds += "," + std::to_string(i);
+    const std::uint64_t before = residentMemory();
+    const Batch batch =
+        batchOf(R"({"recipe": {"texloom": 1, "method": "quilting", "exemplars": [)" + exemplars +
+                R"(], "size": [64, 60]}, "output": "$index.png", "sweep": {"seed": [)" + seeds + "]}}");
+    ASSERT_EQ(batch.size(), 20000U);
+    const std::uint64_t after = residentMemory();
+    constexpr std::uint64_t kLittle = 64U
+                                      << 20; // the exemplars alone would be 2 GiB if each item had its own
+    EXPECT_LT(after - std::min(before, after), kLittle);
+    EXPECT_EQ(batch.item(19999).recipe.seed, 19999U);
+    EXPECT_EQ(batch.item(7).output, "/data/8.png");
+    EXPECT_EQ(batch.item(0).exemplars, batch.item(19999).exemplars) << "one recipe, shared";
+    EXPECT_EQ(batch.item(3).whole().exemplars.size(), 4096U);
+    EXPECT_EQ(batch.sources().size(), 4096U);
 }
 
 TEST(Batch, ABrokenRunIsItsOwnProblem) {
     const Batch batch = batchOf(R"({"recipe": "missing.json", "output": "a.png", "sweep": {"patch": [1, 2]}},
                                    {"recipe": )" +
                                 kRecipe + R"(, "output": "b.png"})");
-    ASSERT_EQ(batch.items.size(), 3U);
-    EXPECT_THAT(batch.items[1].problem, says("missing.json"));
-    EXPECT_EQ(batch.items[2].problem, Message());
-    EXPECT_THAT(sweep(R"({"patch": [8, 9999]})").items[1].problem, says("9999"));
-    EXPECT_THAT(sweep(R"({"pitch": [8]})").items[0].problem, says("patch"));
+    ASSERT_EQ(batch.size(), 3U);
+    EXPECT_THAT(batch.item(1).problem, says("missing.json"));
+    EXPECT_EQ(batch.item(2).problem, Message());
+    EXPECT_THAT(sweep(R"({"patch": [8, 9999]})").item(1).problem, says("9999"));
+    EXPECT_THAT(sweep(R"({"pitch": [8]})").item(0).problem, says("patch"));
 }
 
 TEST(Batch, RefusesWhatCannotBeMeant) {
