@@ -1090,10 +1090,6 @@
         <translation>Wie der geometrische Median überlappender Patches gefunden wird; das Ergebnis ist auf vier Stellen dasselbe.</translation>
     </message>
     <message>
-        <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars.</source>
-        <translation>Wie der ähnlichste Patch gefunden wird: genau, oder annähernd und bei großen Vorlagen schneller.</translation>
-    </message>
-    <message>
         <source>Hybrid</source>
         <translation>Gemischt</translation>
     </message>
@@ -2036,10 +2032,6 @@
     <message>
         <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
         <translation>Je Skala: mehr bringen die Patches näher an die der Vorlage.</translation>
-    </message>
-    <message>
-        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
-        <translation>Bei dieser Größe wählte jeder Patch unter wenigen passenden, sodass manche etwas öfter benutzt werden als andere.</translation>
     </message>
     <message>
         <source>Blocks of {} px hold whole ones.</source>
@@ -3798,10 +3790,6 @@
         <translation>Anamorphose</translation>
     </message>
     <message>
-        <source>Another number draws another deformation of the same kind.</source>
-        <translation>Eine andere Zahl zieht eine andere Verformung derselben Art.</translation>
-    </message>
-    <message>
         <source>Ashikhmin: pieces that grow</source>
         <translation>Ashikhmin: Stücke, die wachsen</translation>
     </message>
@@ -3900,10 +3888,6 @@
     <message>
         <source>Deforming</source>
         <translation>Verformen</translation>
-    </message>
-    <message>
-        <source>Deforms the exemplar lightly and without folds, so that several of it look less alike.</source>
-        <translation>Verformt das Muster leicht und ohne Falten, damit sich mehrere davon weniger gleichen.</translation>
     </message>
     <message>
         <source>Deforms the exemplar, or what another method made of it, lightly and without folds: stretched along one axis, or as if seen through hot air. Hides repetitions a little; what is salient is still known again.</source>
@@ -4446,10 +4430,6 @@
         <translation>Verschieden</translation>
     </message>
     <message>
-        <source>Warp</source>
-        <translation>Verformen</translation>
-    </message>
-    <message>
         <source>Waves of the sinusoid over the whole: more of them move less far.</source>
         <translation>Wellen des Sinus über das Ganze: Mehr davon verschieben weniger weit.</translation>
     </message>
@@ -4540,6 +4520,286 @@
     <message>
         <source>{} made an output {} that it does not declare; this is a mistake in the method.</source>
         <translation>{} hat eine Ausgabe {} erzeugt, die es nicht angibt; das ist ein Fehler im Verfahren.</translation>
+    </message>
+    <message>
+        <source>Algorithm 1 of Gutierrez&apos; thesis: the whole assignment at 3 scales with 50, 50 and 10 rounds, medians by Douglas–Rachford splitting. Hours and gigabytes for large outputs.</source>
+        <translation>Algorithmus 1 aus Gutierrez’ Dissertation: die ganze Zuordnung auf 3 Stufen mit 50, 50 und 10 Runden, Mediane durch Douglas-Rachford-Aufspaltung. Stunden und Gigabytes bei großen Ausgaben.</translation>
+    </message>
+    <message>
+        <source>All channels together</source>
+        <translation>Alle Kanäle zusammen</translation>
+    </message>
+    <message>
+        <source>As the source prints it: channels may choose differently.</source>
+        <translation>Wie es die Quelle druckt: Kanäle können verschieden wählen.</translation>
+    </message>
+    <message>
+        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others; the setting “Solved” = Whole takes much longer and uses all as they should be.</source>
+        <translation>Bei dieser Größe wählte jedes Stück unter wenigen passenden; daher werden einige etwas öfter verwendet als andere. Die Einstellung „Gelöst“ = Ganz dauert viel länger und verwendet alle, wie sie sollen.</translation>
+    </message>
+    <message>
+        <source>Black where the second image is cloned. Without it, that is the middle half of its width and height.</source>
+        <translation>Schwarz, wo das zweite Bild geklont wird. Ohne sie ist das die mittlere Hälfte seiner Breite und Höhe.</translation>
+    </message>
+    <message>
+        <source>Border of the first</source>
+        <translation>Rand des ersten</translation>
+    </message>
+    <message>
+        <source>Choosing gradients</source>
+        <translation>Gradienten wählen</translation>
+    </message>
+    <message>
+        <source>Clone seamlessly</source>
+        <translation>Nahtlos klonen</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Conditional Gaussian, as published</source>
+        <translation>Bedingt gaußsch, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Constant tolerance</source>
+        <translation>Gleichbleibende Toleranz</translation>
+    </message>
+    <message>
+        <source>Each channel for itself</source>
+        <translation>Jeder Kanal für sich</translation>
+    </message>
+    <message>
+        <source>Each channel takes its own stronger gradient, as printed; otherwise the length over all channels decides for the pixel, so that no false colours appear.</source>
+        <translation>Jeder Kanal nimmt seinen eigenen stärkeren Gradienten, wie gedruckt; sonst entscheidet die Länge über alle Kanäle für das Pixel, sodass keine falschen Farben auftreten.</translation>
+    </message>
+    <message>
+        <source>Every patch chose among a few that suit it, as asked, so some are used a little more often than others.</source>
+        <translation>Jedes Stück wählte, wie verlangt, unter wenigen passenden; daher werden einige etwas öfter verwendet als andere.</translation>
+    </message>
+    <message>
+        <source>Factor on the first image&apos;s gradients before they are compared: larger keeps more of the first image.</source>
+        <translation>Faktor auf die Gradienten des ersten Bildes vor dem Vergleich: größer behält mehr vom ersten Bild.</translation>
+    </message>
+    <message>
+        <source>Free, mean of the first</source>
+        <translation>Frei, Mittel des ersten</translation>
+    </message>
+    <message>
+        <source>Gaussian patches, as published</source>
+        <translation>Gauß-Stücke, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Goes on over the border, for images that wrap.</source>
+        <translation>Geht über den Rand weiter, für Bilder, die sich schließen.</translation>
+    </message>
+    <message>
+        <source>How far below its place in the second image the region comes to lie in the first.</source>
+        <translation>Wie weit unter seinem Platz im zweiten Bild der Bereich im ersten zu liegen kommt.</translation>
+    </message>
+    <message>
+        <source>How far right of its place in the second image the region comes to lie in the first.</source>
+        <translation>Wie weit rechts von seinem Platz im zweiten Bild der Bereich im ersten zu liegen kommt.</translation>
+    </message>
+    <message>
+        <source>How overlapping patches are joined: the geometric median (r = 1) as published, the mean (r = 2), which blurs, or robust weights (r = 0.8).</source>
+        <translation>Wie überlappende Stücke verbunden werden: der geometrische Median (r = 1), wie veröffentlicht, der Mittelwert (r = 2), der weichzeichnet, oder robuste Gewichte (r = 0,8).</translation>
+    </message>
+    <message>
+        <source>How patches are assigned: whole, as published, uses every patch as often as it should be and may take hours and gigabytes for large outputs; narrowed lets each patch choose among a few; automatic is whole up to some minutes.</source>
+        <translation>Wie Stücke zugeordnet werden: ganz, wie veröffentlicht, verwendet jedes Stück so oft, wie es soll, und kann bei großen Ausgaben Stunden und Gigabytes brauchen; eingeschränkt lässt jedes Stück unter wenigen wählen; automatisch ist ganz bis zu einigen Minuten.</translation>
+    </message>
+    <message>
+        <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars. With uniformity, always exactly.</source>
+        <translation>Wie das ähnlichste Stück gefunden wird: genau, oder annähernd und bei großen Vorlagen schneller. Mit Gleichmäßigkeit immer genau.</translation>
+    </message>
+    <message>
+        <source>Joining gradients</source>
+        <translation>Gradienten zusammenfügen</translation>
+    </message>
+    <message>
+        <source>Keeps the tolerance as it is on the finest scale, as published, where it otherwise falls from round to round.</source>
+        <translation>Lässt die Toleranz auf der feinsten Stufe, wie sie ist, wie veröffentlicht; sonst fällt sie dort von Runde zu Runde.</translation>
+    </message>
+    <message>
+        <source>Kwatra et al. as Gutierrez&apos; thesis, section 3.1, gives it: patches of 32, 16 and 8 px at 3 scales, robust weights with a Gaussian falloff, no uniformity.</source>
+        <translation>Kwatra et al., wie Gutierrez’ Dissertation, Abschnitt 3.1, es wiedergibt: Stücke von 32, 16 und 8 px auf 3 Stufen, robuste Gewichte mit gaußschem Abfall, keine Gleichmäßigkeit.</translation>
+    </message>
+    <message>
+        <source>Lays the structure of one image over another: each pixel gets the stronger of the two gradients. Suits a plain material and one with marks of the same kind.</source>
+        <translation>Legt die Struktur eines Bildes über ein anderes: Jedes Pixel erhält den stärkeren der beiden Gradienten. Passt zu einem schlichten Material und einem gleicher Art mit Zeichnung.</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian, as published</source>
+        <translation>Lokal gaußsch, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Midway quilting, as published</source>
+        <translation>Midway-Quilting, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Mix by gradients</source>
+        <translation>Nach Gradienten mischen</translation>
+    </message>
+    <message>
+        <source>Mixed</source>
+        <translation>Gemischt</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Moved by {}, {} px, the region of the second image does not lie over the first of {} × {} px; move it less, or paint it elsewhere.</source>
+        <translation>Um {}, {} px verschoben liegt der Bereich des zweiten Bildes nicht über dem ersten von {} × {} px; verschieben Sie ihn weniger, oder malen Sie ihn anderswo.</translation>
+    </message>
+    <message>
+        <source>Moved down</source>
+        <translation>Nach unten verschoben</translation>
+    </message>
+    <message>
+        <source>Moved right</source>
+        <translation>Nach rechts verschoben</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian, as published</source>
+        <translation>Mehrskalig gaußsch, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Narrowed</source>
+        <translation>Eingeschränkt</translation>
+    </message>
+    <message>
+        <source>Near-regular, as published</source>
+        <translation>Fast regelmäßig, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Pasted</source>
+        <translation>Eingefügt</translation>
+    </message>
+    <message>
+        <source>Patch assignment, as published</source>
+        <translation>Stückzuordnung, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Patches used beyond their share</source>
+        <translation>Über ihren Anteil hinaus verwendete Stücke</translation>
+    </message>
+    <message>
+        <source>Preference</source>
+        <translation>Vorzug</translation>
+    </message>
+    <message>
+        <source>Puts a region of the second image into the first one, so that no seam shows: its structure comes along, its light and colour are those around it.</source>
+        <translation>Setzt einen Bereich des zweiten Bildes in das erste, ohne dass eine Naht zu sehen ist: Seine Struktur kommt mit, Licht und Farbe sind die der Umgebung.</translation>
+    </message>
+    <message>
+        <source>Quilting, as published</source>
+        <translation>Quilting, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Regular tile, as published</source>
+        <translation>Regelmäßige Kachel, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Replaced</source>
+        <translation>Ersetzt</translation>
+    </message>
+    <message>
+        <source>Settled at</source>
+        <translation>Beendet bei</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Gelöst</translation>
+    </message>
+    <message>
+        <source>Texture optimisation, as published</source>
+        <translation>Texturoptimierung, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>That of the first</source>
+        <translation>Der des ersten</translation>
+    </message>
+    <message>
+        <source>The experiment of Raad&apos;s thesis, figure 2.1: patches of 30 px from 10 neighbours, contrast not balanced.</source>
+        <translation>Der Versuch aus Raads Dissertation, Abbildung 2.1: Stücke von 30 px aus 10 Nachbarn, Kontrast nicht ausgeglichen.</translation>
+    </message>
+    <message>
+        <source>The longer gradient over all channels: no colour that neither image has.</source>
+        <translation>Der längere Gradient über alle Kanäle: keine Farbe, die keines der Bilder hat.</translation>
+    </message>
+    <message>
+        <source>The mask is {} × {} px, the second image {} × {} px; paint it on that image.</source>
+        <translation>Die Maske hat {} × {} px, das zweite Bild {} × {} px; malen Sie sie auf dieses Bild.</translation>
+    </message>
+    <message>
+        <source>The pixels as they are, to compare with.</source>
+        <translation>Die Pixel, wie sie sind, zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>The pixels at the border stay as they are in the first image.</source>
+        <translation>Die Pixel am Rand bleiben, wie sie im ersten Bild sind.</translation>
+    </message>
+    <message>
+        <source>The region covers all of the first image of {} × {} px, so that there is nothing to join it with; paint a smaller one.</source>
+        <translation>Der Bereich bedeckt das ganze erste Bild von {} × {} px, sodass nichts da ist, woran er anschließt; malen Sie einen kleineren.</translation>
+    </message>
+    <message>
+        <source>The rule of López Recas 2011, section 4.1: the tile that joins itself best, compared over borders of 2 × 8 px.</source>
+        <translation>Die Regel von López Recas 2011, Abschnitt 4.1: die Kachel, die am besten an sich selbst anschließt, verglichen über Ränder von 2 × 8 px.</translation>
+    </message>
+    <message>
+        <source>The settings of López Recas 2011, section 4.2: blocks of 40 px with borders of 10 px, blended over 4 px, light left as it is.</source>
+        <translation>Die Einstellungen von López Recas 2011, Abschnitt 4.2: Blöcke von 40 px mit Rändern von 10 px, über 4 px überblendet, Licht wie es ist.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad &amp; Galerne, IPOL 2017: patches of 40 px, a quarter of overlap, a tolerance of 0.1.</source>
+        <translation>Die Einstellungen von Raad &amp; Galerne, IPOL 2017: Stücke von 40 px, ein Viertel Überlappung, eine Toleranz von 0,1.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 2.6: patches of 30 px from 10 neighbours joined along cuts, contrast not balanced.</source>
+        <translation>Die Einstellungen aus Raads Dissertation, Abbildung 2.6: Stücke von 30 px aus 10 Nachbarn, entlang von Schnitten verbunden, Kontrast nicht ausgeglichen.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 3.4: patches of 40 px from 30 neighbours that overlap by half, contrast not balanced. Fades on most photographs, as the source says.</source>
+        <translation>Die Einstellungen aus Raads Dissertation, Abbildung 3.4: Stücke von 40 px aus 30 Nachbarn, die sich zur Hälfte überlappen, Kontrast nicht ausgeglichen. Verblasst bei den meisten Fotos, wie die Quelle sagt.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 3.5: patches of 20 px from 50 neighbours at 3 scales, averaged at the coarsest and pasted at the others, contrast not balanced.</source>
+        <translation>Die Einstellungen aus Raads Dissertation, Abbildung 3.5: Stücke von 20 px aus 50 Nachbarn auf 3 Stufen, auf der gröbsten gemittelt und auf den anderen eingesetzt, Kontrast nicht ausgeglichen.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 4.21: patches of 40 px that overlap by 0.45, contrast not balanced.</source>
+        <translation>Die Einstellungen aus Raads Dissertation, Abbildung 4.21: Stücke von 40 px, die sich zu 0,45 überlappen, Kontrast nicht ausgeglichen.</translation>
+    </message>
+    <message>
+        <source>The stronger structure of both, so that the first shows through.</source>
+        <translation>Die stärkere Struktur von beiden, sodass das erste durchscheint.</translation>
+    </message>
+    <message>
+        <source>The structure of the second image alone.</source>
+        <translation>Allein die Struktur des zweiten Bildes.</translation>
+    </message>
+    <message>
+        <source>What holds at the border: nothing, and the mean is that of the first image; the pixels of the first image; or that the image closes on itself.</source>
+        <translation>Was am Rand gilt: nichts, und das Mittel ist das des ersten Bildes; die Pixel des ersten Bildes; oder dass das Bild sich schließt.</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Whose gradients fill the region: those of the second image, the stronger ones of both, or none: pixels are pasted.</source>
+        <translation>Wessen Gradienten den Bereich füllen: die des zweiten Bildes, die stärkeren von beiden oder keine: Pixel werden eingefügt.</translation>
+    </message>
+    <message>
+        <source>With a tolerance or relaxed: rounds end when the cost falls by less than this share; 0 goes on to the last round, as published.</source>
+        <translation>Mit Toleranz oder gelockert: Die Runden enden, wenn die Kosten um weniger als diesen Anteil fallen; 0 geht bis zur letzten Runde, wie veröffentlicht.</translation>
     </message>
 </context>
 <context>
@@ -5018,6 +5278,18 @@
     <message>
         <source>“%1” is %2 px, “%3” is %4 px: both are cropped to %5 px from the top left.</source>
         <translation>„%1“ hat %2 px, „%3“ hat %4 px: beide werden von links oben auf %5 px beschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>&amp;Paint the region…</source>
+        <translation>Bereich &amp;malen…</translation>
+    </message>
+    <message>
+        <source>Show the re&amp;gion’s outline</source>
+        <translation>Umriss des &amp;Bereichs zeigen</translation>
     </message>
 </context>
 <context>

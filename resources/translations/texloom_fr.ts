@@ -1090,10 +1090,6 @@
         <translation>Comment est trouvée la médiane géométrique des patchs qui se recouvrent ; le résultat est le même à quatre chiffres.</translation>
     </message>
     <message>
-        <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars.</source>
-        <translation>Comment est trouvé le patch le plus semblable : exactement, ou presque et plus vite avec de grands échantillons.</translation>
-    </message>
-    <message>
         <source>Hybrid</source>
         <translation>Hybride</translation>
     </message>
@@ -2036,10 +2032,6 @@
     <message>
         <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
         <translation>À chaque échelle : davantage rapproche les patchs de ceux de l’échantillon.</translation>
-    </message>
-    <message>
-        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others.</source>
-        <translation>À cette taille, chaque patch a choisi parmi quelques-uns qui lui conviennent, et certains servent un peu plus que d’autres.</translation>
     </message>
     <message>
         <source>Blocks of {} px hold whole ones.</source>
@@ -3798,10 +3790,6 @@
         <translation>Anamorphose</translation>
     </message>
     <message>
-        <source>Another number draws another deformation of the same kind.</source>
-        <translation>Un autre nombre tire une autre déformation du même genre.</translation>
-    </message>
-    <message>
         <source>Ashikhmin: pieces that grow</source>
         <translation>Ashikhmin : des morceaux qui grandissent</translation>
     </message>
@@ -3900,10 +3888,6 @@
     <message>
         <source>Deforming</source>
         <translation>Déformation</translation>
-    </message>
-    <message>
-        <source>Deforms the exemplar lightly and without folds, so that several of it look less alike.</source>
-        <translation>Déforme légèrement l'exemple, sans plis, afin que plusieurs copies se ressemblent moins.</translation>
     </message>
     <message>
         <source>Deforms the exemplar, or what another method made of it, lightly and without folds: stretched along one axis, or as if seen through hot air. Hides repetitions a little; what is salient is still known again.</source>
@@ -4446,10 +4430,6 @@
         <translation>Variées</translation>
     </message>
     <message>
-        <source>Warp</source>
-        <translation>Déformer</translation>
-    </message>
-    <message>
         <source>Waves of the sinusoid over the whole: more of them move less far.</source>
         <translation>Ondes de la sinusoïde sur l’ensemble : plus nombreuses, elles déplacent moins loin.</translation>
     </message>
@@ -4540,6 +4520,286 @@
     <message>
         <source>{} made an output {} that it does not declare; this is a mistake in the method.</source>
         <translation>{} a produit une sortie {} qu’elle n’annonce pas ; c’est une erreur dans la méthode.</translation>
+    </message>
+    <message>
+        <source>Algorithm 1 of Gutierrez&apos; thesis: the whole assignment at 3 scales with 50, 50 and 10 rounds, medians by Douglas–Rachford splitting. Hours and gigabytes for large outputs.</source>
+        <translation>L’algorithme 1 de la thèse de Gutierrez : l’affectation entière à 3 échelles avec 50, 50 et 10 tours, médianes par éclatement de Douglas–Rachford. Des heures et des gigaoctets pour de grandes sorties.</translation>
+    </message>
+    <message>
+        <source>All channels together</source>
+        <translation>Tous les canaux ensemble</translation>
+    </message>
+    <message>
+        <source>As the source prints it: channels may choose differently.</source>
+        <translation>Comme la source l’imprime : les canaux peuvent choisir différemment.</translation>
+    </message>
+    <message>
+        <source>At this size every patch chose among a few that suit it, so some are used a little more often than others; the setting “Solved” = Whole takes much longer and uses all as they should be.</source>
+        <translation>À cette taille, chaque morceau a choisi parmi quelques-uns qui lui conviennent ; certains sont donc employés un peu plus souvent que d’autres. Le réglage « Résolution » = Entière prend bien plus de temps et les emploie tous comme il se doit.</translation>
+    </message>
+    <message>
+        <source>Black where the second image is cloned. Without it, that is the middle half of its width and height.</source>
+        <translation>Noir là où la seconde image est clonée. Sans lui, c’est la moitié centrale de sa largeur et de sa hauteur.</translation>
+    </message>
+    <message>
+        <source>Border of the first</source>
+        <translation>Bord de la première</translation>
+    </message>
+    <message>
+        <source>Choosing gradients</source>
+        <translation>Choix des gradients</translation>
+    </message>
+    <message>
+        <source>Clone seamlessly</source>
+        <translation>Cloner sans raccord</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fermé</translation>
+    </message>
+    <message>
+        <source>Conditional Gaussian, as published</source>
+        <translation>Gaussien conditionnel, comme publié</translation>
+    </message>
+    <message>
+        <source>Constant tolerance</source>
+        <translation>Tolérance constante</translation>
+    </message>
+    <message>
+        <source>Each channel for itself</source>
+        <translation>Chaque canal séparément</translation>
+    </message>
+    <message>
+        <source>Each channel takes its own stronger gradient, as printed; otherwise the length over all channels decides for the pixel, so that no false colours appear.</source>
+        <translation>Chaque canal prend son propre gradient le plus fort, comme imprimé ; sinon la longueur sur tous les canaux décide pour le pixel, sans fausses couleurs.</translation>
+    </message>
+    <message>
+        <source>Every patch chose among a few that suit it, as asked, so some are used a little more often than others.</source>
+        <translation>Chaque morceau a choisi, comme demandé, parmi quelques-uns qui lui conviennent ; certains sont donc employés un peu plus souvent que d’autres.</translation>
+    </message>
+    <message>
+        <source>Factor on the first image&apos;s gradients before they are compared: larger keeps more of the first image.</source>
+        <translation>Facteur sur les gradients de la première image avant la comparaison : plus grand garde plus de la première image.</translation>
+    </message>
+    <message>
+        <source>Free, mean of the first</source>
+        <translation>Libre, moyenne de la première</translation>
+    </message>
+    <message>
+        <source>Gaussian patches, as published</source>
+        <translation>Morceaux gaussiens, comme publié</translation>
+    </message>
+    <message>
+        <source>Goes on over the border, for images that wrap.</source>
+        <translation>Continue par-delà le bord, pour des images qui se referment.</translation>
+    </message>
+    <message>
+        <source>How far below its place in the second image the region comes to lie in the first.</source>
+        <translation>De combien la région se place dans la première image au-dessous de sa place dans la seconde.</translation>
+    </message>
+    <message>
+        <source>How far right of its place in the second image the region comes to lie in the first.</source>
+        <translation>De combien la région se place dans la première image à droite de sa place dans la seconde.</translation>
+    </message>
+    <message>
+        <source>How overlapping patches are joined: the geometric median (r = 1) as published, the mean (r = 2), which blurs, or robust weights (r = 0.8).</source>
+        <translation>Comment les morceaux qui se chevauchent sont joints : la médiane géométrique (r = 1), comme publié, la moyenne (r = 2), qui rend flou, ou des poids robustes (r = 0,8).</translation>
+    </message>
+    <message>
+        <source>How patches are assigned: whole, as published, uses every patch as often as it should be and may take hours and gigabytes for large outputs; narrowed lets each patch choose among a few; automatic is whole up to some minutes.</source>
+        <translation>Comment les morceaux sont affectés : entière, comme publié, emploie chaque morceau aussi souvent qu’il le faut et peut prendre des heures et des gigaoctets pour de grandes sorties ; restreinte laisse chaque morceau choisir parmi quelques-uns ; automatique est entière jusqu’à quelques minutes.</translation>
+    </message>
+    <message>
+        <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars. With uniformity, always exactly.</source>
+        <translation>Comment le morceau le plus semblable est trouvé : exactement, ou à peu près et plus vite avec de grands exemplaires. Avec l’uniformité, toujours exactement.</translation>
+    </message>
+    <message>
+        <source>Joining gradients</source>
+        <translation>Assemblage des gradients</translation>
+    </message>
+    <message>
+        <source>Keeps the tolerance as it is on the finest scale, as published, where it otherwise falls from round to round.</source>
+        <translation>Garde la tolérance telle quelle à l’échelle la plus fine, comme publié, alors qu’elle y baisse sinon d’un tour à l’autre.</translation>
+    </message>
+    <message>
+        <source>Kwatra et al. as Gutierrez&apos; thesis, section 3.1, gives it: patches of 32, 16 and 8 px at 3 scales, robust weights with a Gaussian falloff, no uniformity.</source>
+        <translation>Kwatra et al. selon la thèse de Gutierrez, section 3.1 : morceaux de 32, 16 et 8 px à 3 échelles, poids robustes avec atténuation gaussienne, sans uniformité.</translation>
+    </message>
+    <message>
+        <source>Lays the structure of one image over another: each pixel gets the stronger of the two gradients. Suits a plain material and one with marks of the same kind.</source>
+        <translation>Pose la structure d’une image sur une autre : chaque pixel reçoit le plus fort des deux gradients. Convient à un matériau sobre et à un autre du même genre qui porte des marques.</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian, as published</source>
+        <translation>Localement gaussien, comme publié</translation>
+    </message>
+    <message>
+        <source>Midway quilting, as published</source>
+        <translation>Quilting midway, comme publié</translation>
+    </message>
+    <message>
+        <source>Mix by gradients</source>
+        <translation>Mêler par gradients</translation>
+    </message>
+    <message>
+        <source>Mixed</source>
+        <translation>Mêlée</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Moved by {}, {} px, the region of the second image does not lie over the first of {} × {} px; move it less, or paint it elsewhere.</source>
+        <translation>Déplacée de {}, {} px, la région de la seconde image n’est pas sur la première de {} × {} px ; déplacez-la moins, ou peignez-la ailleurs.</translation>
+    </message>
+    <message>
+        <source>Moved down</source>
+        <translation>Décalage vers le bas</translation>
+    </message>
+    <message>
+        <source>Moved right</source>
+        <translation>Décalage à droite</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian, as published</source>
+        <translation>Gaussien multi-échelle, comme publié</translation>
+    </message>
+    <message>
+        <source>Narrowed</source>
+        <translation>Restreinte</translation>
+    </message>
+    <message>
+        <source>Near-regular, as published</source>
+        <translation>Presque régulier, comme publié</translation>
+    </message>
+    <message>
+        <source>Pasted</source>
+        <translation>Collée</translation>
+    </message>
+    <message>
+        <source>Patch assignment, as published</source>
+        <translation>Affectation de morceaux, comme publié</translation>
+    </message>
+    <message>
+        <source>Patches used beyond their share</source>
+        <translation>Morceaux employés au-delà de leur part</translation>
+    </message>
+    <message>
+        <source>Preference</source>
+        <translation>Préférence</translation>
+    </message>
+    <message>
+        <source>Puts a region of the second image into the first one, so that no seam shows: its structure comes along, its light and colour are those around it.</source>
+        <translation>Met une région de la seconde image dans la première sans raccord visible : sa structure l’accompagne, sa lumière et sa couleur sont celles du voisinage.</translation>
+    </message>
+    <message>
+        <source>Quilting, as published</source>
+        <translation>Quilting, comme publié</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Région</translation>
+    </message>
+    <message>
+        <source>Regular tile, as published</source>
+        <translation>Carreau régulier, comme publié</translation>
+    </message>
+    <message>
+        <source>Replaced</source>
+        <translation>Remplacée</translation>
+    </message>
+    <message>
+        <source>Settled at</source>
+        <translation>Stabilisé à</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Résolution</translation>
+    </message>
+    <message>
+        <source>Texture optimisation, as published</source>
+        <translation>Optimisation de texture, comme publié</translation>
+    </message>
+    <message>
+        <source>That of the first</source>
+        <translation>Celui de la première</translation>
+    </message>
+    <message>
+        <source>The experiment of Raad&apos;s thesis, figure 2.1: patches of 30 px from 10 neighbours, contrast not balanced.</source>
+        <translation>L’expérience de la thèse de Raad, figure 2.1 : morceaux de 30 px à partir de 10 voisins, contraste non équilibré.</translation>
+    </message>
+    <message>
+        <source>The longer gradient over all channels: no colour that neither image has.</source>
+        <translation>Le gradient le plus long sur tous les canaux : aucune couleur absente des deux images.</translation>
+    </message>
+    <message>
+        <source>The mask is {} × {} px, the second image {} × {} px; paint it on that image.</source>
+        <translation>Le masque fait {} × {} px, la seconde image {} × {} px ; peignez-le sur cette image.</translation>
+    </message>
+    <message>
+        <source>The pixels as they are, to compare with.</source>
+        <translation>Les pixels tels quels, pour comparer.</translation>
+    </message>
+    <message>
+        <source>The pixels at the border stay as they are in the first image.</source>
+        <translation>Les pixels du bord restent ceux de la première image.</translation>
+    </message>
+    <message>
+        <source>The region covers all of the first image of {} × {} px, so that there is nothing to join it with; paint a smaller one.</source>
+        <translation>La région couvre toute la première image de {} × {} px, il n’y a donc rien à quoi la joindre ; peignez-en une plus petite.</translation>
+    </message>
+    <message>
+        <source>The rule of López Recas 2011, section 4.1: the tile that joins itself best, compared over borders of 2 × 8 px.</source>
+        <translation>La règle de López Recas 2011, section 4.1 : le carreau qui se raccorde le mieux à lui-même, comparé sur des bords de 2 × 8 px.</translation>
+    </message>
+    <message>
+        <source>The settings of López Recas 2011, section 4.2: blocks of 40 px with borders of 10 px, blended over 4 px, light left as it is.</source>
+        <translation>Les réglages de López Recas 2011, section 4.2 : blocs de 40 px avec des bords de 10 px, fondus sur 4 px, lumière laissée telle quelle.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad &amp; Galerne, IPOL 2017: patches of 40 px, a quarter of overlap, a tolerance of 0.1.</source>
+        <translation>Les réglages de Raad &amp; Galerne, IPOL 2017 : morceaux de 40 px, un quart de recouvrement, une tolérance de 0,1.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 2.6: patches of 30 px from 10 neighbours joined along cuts, contrast not balanced.</source>
+        <translation>Les réglages de la thèse de Raad, figure 2.6 : morceaux de 30 px à partir de 10 voisins, joints le long de coupes, contraste non équilibré.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 3.4: patches of 40 px from 30 neighbours that overlap by half, contrast not balanced. Fades on most photographs, as the source says.</source>
+        <translation>Les réglages de la thèse de Raad, figure 3.4 : morceaux de 40 px à partir de 30 voisins qui se chevauchent de moitié, contraste non équilibré. S’efface sur la plupart des photographies, comme le dit la source.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 3.5: patches of 20 px from 50 neighbours at 3 scales, averaged at the coarsest and pasted at the others, contrast not balanced.</source>
+        <translation>Les réglages de la thèse de Raad, figure 3.5 : morceaux de 20 px à partir de 50 voisins à 3 échelles, moyennés à la plus grossière et collés aux autres, contraste non équilibré.</translation>
+    </message>
+    <message>
+        <source>The settings of Raad&apos;s thesis, figure 4.21: patches of 40 px that overlap by 0.45, contrast not balanced.</source>
+        <translation>Les réglages de la thèse de Raad, figure 4.21 : morceaux de 40 px avec un recouvrement de 0,45, contraste non équilibré.</translation>
+    </message>
+    <message>
+        <source>The stronger structure of both, so that the first shows through.</source>
+        <translation>La structure la plus forte des deux, si bien que la première transparaît.</translation>
+    </message>
+    <message>
+        <source>The structure of the second image alone.</source>
+        <translation>La structure de la seconde image seule.</translation>
+    </message>
+    <message>
+        <source>What holds at the border: nothing, and the mean is that of the first image; the pixels of the first image; or that the image closes on itself.</source>
+        <translation>Ce qui vaut au bord : rien, et la moyenne est celle de la première image ; les pixels de la première image ; ou que l’image se referme.</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Entière</translation>
+    </message>
+    <message>
+        <source>Whose gradients fill the region: those of the second image, the stronger ones of both, or none: pixels are pasted.</source>
+        <translation>De qui viennent les gradients de la région : de la seconde image, les plus forts des deux, ou aucun : les pixels sont collés.</translation>
+    </message>
+    <message>
+        <source>With a tolerance or relaxed: rounds end when the cost falls by less than this share; 0 goes on to the last round, as published.</source>
+        <translation>Avec une tolérance ou relâché : les tours s’arrêtent quand le coût baisse de moins que cette part ; 0 va jusqu’au dernier tour, comme publié.</translation>
     </message>
 </context>
 <context>
@@ -5018,6 +5278,18 @@
     <message>
         <source>“%1” is %2 px, “%3” is %4 px: both are cropped to %5 px from the top left.</source>
         <translation>« %1 » fait %2 px, « %3 » fait %4 px : les deux sont recadrées à %5 px depuis le coin supérieur gauche.</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>&amp;Paint the region…</source>
+        <translation>&amp;Peindre la région…</translation>
+    </message>
+    <message>
+        <source>Show the re&amp;gion’s outline</source>
+        <translation>Montrer le contour de la ré&amp;gion</translation>
     </message>
 </context>
 <context>
