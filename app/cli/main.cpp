@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/io/decoder_process.h"
+#include "core/job/leave_program.h"
 
 #include <CLI/CLI.hpp>
 
@@ -250,8 +251,9 @@ int run(int argc, char** argv) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-    DecoderProcess::start(cli::checkInterrupt); // before anything has threads
+namespace {
+
+int ended(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const Cancelled&) {
@@ -261,4 +263,11 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         return complain(messageOf(error).text(), Failed);
     }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    DecoderProcess::start(cli::checkInterrupt); // before anything has threads
+    leaveProgram(ended(argc, argv));
 }

@@ -1,5 +1,6 @@
 #include "core/base/version.h"
 #include "core/io/decoder_process.h"
+#include "core/job/leave_program.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/language.h"
@@ -10,8 +11,9 @@
 
 #include <memory>
 
-int main(int argc, char** argv) {
-    texloom::DecoderProcess::start(); // before anything has threads
+namespace {
+
+int run(int argc, char** argv) {
     const QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("Texloom"));
     QApplication::setApplicationName(QStringLiteral("texloom"));
@@ -41,4 +43,11 @@ int main(int argc, char** argv) {
     window.reset();
     texloom::ui::workers().waitForDone();
     return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    texloom::DecoderProcess::start(); // before anything has threads
+    texloom::leaveProgram(run(argc, argv));
 }

@@ -36,6 +36,9 @@ Maker& maker() {
     return one;
 }
 
+/// The innermost of this thread.
+thread_local const DecoderProcess::Watch* watching = nullptr;
+
 /// Lets nothing that a library prints, or waits for, reach what the program was given.
 void leaveTerminal() {
     const int nowhere = ::open("/dev/null", O_RDWR);
@@ -167,6 +170,15 @@ bool DecoderProcess::running() {
 void DecoderProcess::check() {
     if (maker().check)
         maker().check();
+    if (watching != nullptr)
+        watching->m_check();
+}
+
+DecoderProcess::Watch::Watch(std::function<void()> check)
+    : m_check(std::move(check)), m_outer(std::exchange(watching, this)) {}
+
+DecoderProcess::Watch::~Watch() {
+    watching = m_outer;
 }
 
 DecoderProcess::Decoded DecoderProcess::decode(const DecodeRequest& request) {

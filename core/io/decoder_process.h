@@ -35,8 +35,23 @@ public:
     static void start(std::function<void()> check = {});
     /// Whether there is one.
     static bool running();
-    /// Calls what start() was given.
+    /// Calls what start() was given, and what this thread's Watch was.
     static void check();
+
+    /// While one of these exists, `check` is called as often for what this thread decodes. Watches of one
+    /// thread nest; the innermost counts.
+    class Watch {
+    public:
+        explicit Watch(std::function<void()> check);
+        ~Watch();
+        Watch(const Watch&) = delete;
+        Watch& operator=(const Watch&) = delete;
+
+    private:
+        std::function<void()> m_check;
+        const Watch* m_outer;
+        friend class DecoderProcess;
+    };
 
     struct Decoded {
         DecodedHeader header;

@@ -1,5 +1,7 @@
 #include "core/job/job_context.h"
 
+#include "core/job/address_space.h"
+
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -83,7 +85,7 @@ public:
     explicit Arena(int threads)
         : m_limit(tbb::global_control::max_allowed_parallelism,
                   static_cast<std::size_t>(std::max(threads, threadCount(0)))),
-          m_arena(threads) {}
+          m_arena(startableThreads(threads, addressesLeft())) {}
     tbb::task_arena& arena() { return m_arena; }
 
 private:

@@ -187,6 +187,23 @@ TEST_F(Doors, AVolumeIsSavedAndTakenUp) {
                   {"y 0 to 15", "y 0 to 16"});
 }
 
+TEST_F(Doors, SlicesOfOthersAreNotReplaced) {
+    const std::vector<std::string> save = {"synth", "solid-noise", "bark.png", "--size",          "20x16",
+                                           "-o",    "new.png",     "--save",   "volume=block.tif"};
+    writeText(m_folder / "block-0000.tif", "mine");
+    writeText(m_folder / "block-0001.tif", "mine");
+    writeText(m_folder / "block.tif", "no slice");
+    expectRefusal(save, {"block-0000.tif", "did not write"});
+    fs::remove(m_folder / "block-0000.tif");
+    expectRefusal(save, {"block-0001.tif", "did not write"});
+    EXPECT_EQ(readText(m_folder / "block-0001.tif"), "mine");
+    EXPECT_FALSE(fs::exists(m_folder / "new.png"));
+    fs::remove(m_folder / "block-0001.tif");
+    run(save);
+    run(save); // its own may be replaced
+    EXPECT_EQ(readText(m_folder / "block.tif"), "no slice");
+}
+
 TEST_F(Doors, WhatCannotBeSavedIsRefusedBeforeTheRun) {
     const auto learn = [](const std::string& save) {
         return std::vector<std::string>{"synth",   "learn-moments", "bark.png", "-o",

@@ -1,15 +1,20 @@
 #include "core/base/version.h"
+#include "core/io/decoder_process.h"
 #include "core/io/image_file.h"
 #include "core/session/export/export.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/reading_bar.h"
+#include "ui/common/readings.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
+#include "ui/exemplar/layer_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/maps/result_view.h"
+#include "ui/session/undo_history.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -21,6 +26,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QThread>
 #include <QUrl>
 
 using namespace texloom;
@@ -98,6 +104,72 @@ private Q_SLOTS:
                  qPrintable(m_window->messages()->text()));
         QVERIFY(m_window->store()->current()->file().image == before);
         QCOMPARE(m_window->store()->loading(), 0);
+    }
+
+    void aLayerIsChosenOnOpeningAndChangedLater() {
+        const QString path = m_folder.filePath(QStringLiteral("layers.exr"));
+        Image image(Size{48, 40}, 6);
+        for (int c = 0; c < 6; ++c)
+            for (int y = 0; y < 40; ++y)
+                for (int x = 0; x < 48; ++x)
+                    image(x, y, c) = c < 3 ? 0.25F : 0.5F;
+        WriteOptions options;
+        options.depth = Depth::Float;
+        options.channelNames = {"R", "G", "B", "diffuse.R", "diffuse.G", "diffuse.B"};
+        writeImage(toPath(path), image, options);
+        m_window->openFiles({path});
+        QTRY_VERIFY(m_window->findChild<LayerDialog*>() != nullptr);
+        auto* dialog = m_window->findChild<LayerDialog*>();
+        auto* list = child<QListWidget>(*dialog, "layers");
+        QCOMPARE(list->count(), 2);
+        QCOMPARE(list->item(1)->text(), QStringLiteral("diffuse"));
+        list->setCurrentRow(1);
+        QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
+        dialog->accept();
+        QVERIFY(opened.wait());
+        const auto file = [this] { return m_window->store()->current()->file(); };
+        QCOMPARE(file().layer, std::string("diffuse"));
+        QCOMPARE(file().image->channels(), 3);
+        QCOMPARE((*file().image)(5, 5, 0), 0.5F);
+        QCOMPARE(m_window->session().settings.exemplars.front().image.layer, std::string("diffuse"));
+        auto* layer = child<QComboBox>(*m_window, "layer");
+        QVERIFY(!layer->isHidden());
+        QCOMPARE(layer->currentText(), QStringLiteral("diffuse"));
+        layer->setCurrentIndex(0);
+        Q_EMIT layer->activated(0);
+        QTRY_COMPARE(file().image->channels(), 6);
+        m_window->undoHistory()->undoAction()->trigger();
+        QTRY_COMPARE(file().image->channels(), 3);
+        QTRY_COMPARE(layer->currentText(), QStringLiteral("diffuse"));
+    }
+
+    void aFileOfOneLayerAsksNothing() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("one.png"), {64, 64})));
+        QVERIFY(m_window->findChild<LayerDialog*>() == nullptr);
+        QVERIFY(child<QComboBox>(*m_window, "layer")->isHidden());
+    }
+
+    void whatTakesLongToReadIsSaidAndCanBeCancelled() {
+        auto* bar = child<ReadingBar>(*m_window, "readingBar");
+        QVERIFY(bar->isHidden());
+        bool done = false, cancelled = false;
+        readInBackground(
+            m_window.get(), QStringLiteral("slow.tif"),
+            [] {
+                for (;;) {
+                    DecoderProcess::check();
+                    QThread::msleep(1);
+                }
+                return 0;
+            },
+            [&done](int) { done = true; }, [&cancelled](const QString& why) { cancelled = why.isEmpty(); });
+        QTRY_VERIFY(bar->isVisible());
+        QVERIFY(child<ElidedLabel>(*bar, "readingText")->fullText().contains(QStringLiteral("slow.tif")));
+        child<QPushButton>(*bar, "cancelReading")->click();
+        QTRY_VERIFY(cancelled);
+        QVERIFY(!done);
+        QVERIFY(bar->isHidden());
+        QCOMPARE(Readings::all().count(), 0);
     }
 
     void listHasWhatIsOpenAndRemovesIt() {

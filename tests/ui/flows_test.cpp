@@ -19,6 +19,7 @@
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/session/document.h"
+#include "ui/session/recovery_dialog.h"
 #include "ui/viewers/viewer_keys.h"
 #include "ui/window/start_page.h"
 
@@ -32,7 +33,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QTRY_VERIFY(read);
         window.document()->recovery()->setFolder(kept.path());
         window.document()->offerRecovery();
-        auto* box = child<QMessageBox>(window, "recoveryDialog");
+        auto* box = child<RecoveryDialog>(window, "recoveryDialog");
         child<QPushButton>(*box, "recover")->click();
         QTRY_COMPARE(window.store()->entries().size(), 1U);
         QVERIFY((window.store()->current()->exemplar.edits == ExemplarEdits{{{"rotate", 90.0}}}));

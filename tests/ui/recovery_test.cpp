@@ -6,9 +6,13 @@
 #include "ui/inspector/output_group.h"
 #include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
+#include "ui/session/recovery_dialog.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
+#include <QListWidget>
+#include <QLockFile>
 #include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
@@ -121,11 +125,50 @@ private Q_SLOTS:
         const QString copy = folder + QStringLiteral("/lost.texloom");
         writeSession(toPath(copy), session);
         m_window->document()->offerRecovery();
-        child<QPushButton>(*child<QMessageBox>(*m_window, "recoveryDialog"), "recover")->click();
+        child<QPushButton>(*child<RecoveryDialog>(*m_window, "recoveryDialog"), "recover")->click();
         QTRY_VERIFY(m_window->findChild<MissingFilesDialog*>() != nullptr);
         m_window->findChild<MissingFilesDialog*>()->reject();
         m_window.reset();
         QVERIFY(QFile::exists(copy));
+    }
+
+    void allThatCrashesLeftIsOfferedAndSweptWhenRefused() {
+        const QString folder = m_folder->filePath(QStringLiteral("recovery"));
+        QVERIFY(QDir().mkpath(folder));
+        const QDateTime now = QDateTime::currentDateTime();
+        for (int age = 0; age < 4; ++age) {
+            Session session = m_window->session();
+            session.settings.exemplars = {
+                {{toPath(m_folder->filePath(QStringLiteral("bark%1.png").arg(age))), "srgb", "", ""},
+                 {},
+                 {}}};
+            session.used = {true};
+            const QString copy = folder + QStringLiteral("/lost%1.texloom").arg(age);
+            writeSession(toPath(copy), session);
+            QFile file(copy);
+            QVERIFY(file.open(QIODevice::ReadWrite));
+            QVERIFY(file.setFileTime(now.addDays(-age), QFileDevice::FileModificationTime));
+        }
+        QLockFile alive(folder + QStringLiteral("/lost3.texloom.lock")); // a window that is still there
+        QVERIFY(alive.tryLock());
+        m_window->document()->offerRecovery();
+        auto* dialog = child<RecoveryDialog>(*m_window, "recoveryDialog");
+        auto* list = child<QListWidget>(*dialog, "lostSessions");
+        QCOMPARE(list->count(), 3);
+        for (int row = 0; row < 3; ++row)
+            QTRY_VERIFY2(list->item(row)->text().endsWith(QStringLiteral("bark%1.png").arg(row)),
+                         qPrintable(list->item(row)->text()));
+        list->selectAll();
+        QVERIFY(!child<QPushButton>(*dialog, "recover")->isEnabled());
+        list->setCurrentRow(1, QItemSelectionModel::ClearAndSelect);
+        child<QPushButton>(*dialog, "throwAway")->click();
+        QCOMPARE(list->count(), 2);
+        QVERIFY(!QFile::exists(folder + QStringLiteral("/lost1.texloom")));
+        list->selectAll();
+        child<QPushButton>(*dialog, "throwAway")->click();
+        QVERIFY(!dialog->isVisible());
+        QCOMPARE(QDir(folder).entryList(QDir::Files),
+                 QStringList({QStringLiteral("lost3.texloom"), QStringLiteral("lost3.texloom.lock")}));
     }
 
     void anOrderlyEndLeavesNothingToRecover() {
@@ -156,7 +199,7 @@ private Q_SLOTS:
 
         m_window->document()->recovery()->setFolder(kept.path());
         m_window->document()->offerRecovery();
-        auto* box = m_window->findChild<QMessageBox*>(QStringLiteral("recoveryDialog"));
+        auto* box = m_window->findChild<RecoveryDialog*>(QStringLiteral("recoveryDialog"));
         QVERIFY(box != nullptr);
         child<QPushButton>(*box, "recover")->click();
         QTRY_COMPARE(m_window->store()->entries().size(), 1U);

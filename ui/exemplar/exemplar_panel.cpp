@@ -19,6 +19,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace texloom::ui {
 
 namespace {
@@ -61,10 +63,10 @@ QIcon pictureIcon(const QImage& image) {
 
 ExemplarPanel::ExemplarPanel(ExemplarStore* store, const QList<QAction*>& actions, QWidget* parent)
     : QWidget(parent), m_store(store), m_viewer(new ImageViewer(this)), m_name(new ElidedLabel(this)),
-      m_facts(new QLabel(this)), m_space(new QComboBox(this)), m_maskName(new ElidedLabel(this)),
-      m_setMask(new QToolButton(this)), m_clearMask(new QToolButton(this)), m_maskRow(new QWidget(this)),
-      m_weight(new QDoubleSpinBox(this)), m_companions(new CompanionList(store, this)),
-      m_list(new QListWidget(this)) {
+      m_facts(new QLabel(this)), m_layer(new QComboBox(this)), m_space(new QComboBox(this)),
+      m_maskName(new ElidedLabel(this)), m_setMask(new QToolButton(this)), m_clearMask(new QToolButton(this)),
+      m_maskRow(new QWidget(this)), m_weight(new QDoubleSpinBox(this)),
+      m_companions(new CompanionList(store, this)), m_list(new QListWidget(this)) {
     setObjectName(QStringLiteral("exemplarPanel"));
     m_viewer->setObjectName(QStringLiteral("exemplarViewer"));
     m_viewer->setAccessibleName(tr("Exemplar"));
@@ -102,6 +104,9 @@ ExemplarPanel::ExemplarPanel(ExemplarStore* store, const QList<QAction*>& action
 }
 
 QWidget* ExemplarPanel::makeDetails() {
+    m_layer->setObjectName(QStringLiteral("layer"));
+    m_layer->setToolTip(tr("The file holds several pictures; this is the one that is learnt from."));
+    m_layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_space->setObjectName(QStringLiteral("colourSpace"));
     m_space->setToolTip(
         tr("The colour space that the file's values are in. Data, such as heights, is never converted."));
@@ -133,6 +138,7 @@ QWidget* ExemplarPanel::makeDetails() {
     auto* details = new QWidget(this);
     m_form = new QFormLayout(details);
     m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->addRow(tr("&Layer"), m_layer);
     m_form->addRow(tr("&Colour space"), m_space);
     m_form->addRow(tr("Wei&ght"), m_weight);
     m_form->addRow(tr("Mask"), m_maskRow);
@@ -150,6 +156,10 @@ void ExemplarPanel::connectStore() {
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (!m_filling && m_abilities.several)
             m_store->setChecked(item->data(Qt::UserRole).toInt(), item->checkState() == Qt::Checked);
+    });
+    connect(m_layer, &QComboBox::activated, this, [this] {
+        if (const ExemplarEntry* entry = m_store->current())
+            m_store->setLayer(entry->id, m_layer->currentData().toString().toStdString());
     });
     connect(m_space, &QComboBox::activated, this, [this] {
         if (const ExemplarEntry* entry = m_store->current())
@@ -223,6 +233,7 @@ void ExemplarPanel::showDetails(const ExemplarEntry* entry) {
         detail->setEnabled(entry != nullptr);
     m_clearMask->setVisible(mask);
     showWeight(entry);
+    showLayer(entry);
     const QString maskFile = mask ? toQString(entry->exemplar.mask->path) : QString();
     m_maskName->setFullText(!mask                              ? tr("None")
                             : maskFile.startsWith(ownFolder()) ? tr("Painted")
@@ -251,6 +262,17 @@ void ExemplarPanel::showWeight(const ExemplarEntry* entry) {
     const QSignalBlocker blocker(m_weight);
     if (entry != nullptr)
         m_weight->setValue(entry->exemplar.weight);
+}
+
+void ExemplarPanel::showLayer(const ExemplarEntry* entry) {
+    const std::vector<LayerEntry> layers =
+        entry != nullptr ? layerEntries(entry->file().info) : std::vector<LayerEntry>();
+    m_form->setRowVisible(m_layer, !layers.empty());
+    m_layer->clear();
+    for (const LayerEntry& layer : layers)
+        m_layer->addItem(layer.title, QString::fromStdString(layer.layer));
+    if (entry != nullptr)
+        m_layer->setCurrentIndex(std::max(0, m_layer->findData(QString::fromStdString(entry->file().layer))));
 }
 
 void ExemplarPanel::showSource(const ExemplarEntry& entry, QPoint pixel) {

@@ -53,12 +53,14 @@ private:
     void showCurrent();
     void showDetails(const ExemplarEntry* entry);
     void showWeight(const ExemplarEntry* entry);
+    void showLayer(const ExemplarEntry* entry);
     void showPicture(const ExemplarEntry* entry);
 
     ExemplarStore* m_store;
     ImageViewer* m_viewer;
     ElidedLabel* m_name;
     QLabel* m_facts;
+    QComboBox* m_layer;
     QComboBox* m_space;
     ElidedLabel* m_maskName;
     QToolButton* m_setMask;

@@ -5,6 +5,7 @@
 #include "core/session/run/edited_exemplar.h"
 #include "core/tools/edits.h"
 #include "ui/common/background.h"
+#include "ui/common/readings.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 
@@ -114,23 +115,24 @@ bool belongTogether(const QString& companion, const QString& other) {
 } // namespace
 
 template <class Work, class Done, class Failed>
-void ExemplarStore::load(Work work, Done done, Failed onFailed) {
+void ExemplarStore::load(const QString& what, Work work, Done done, Failed onFailed) {
     beginLoading(1);
-    inBackground(
-        this, std::move(work),
+    readInBackground(
+        this, what, std::move(work),
         [this, done = std::move(done)](auto loaded) {
             beginLoading(-1);
             done(std::move(loaded));
         },
         [this, onFailed = std::move(onFailed)](const QString& why) {
             beginLoading(-1);
-            Q_EMIT failed(why);
+            if (!why.isEmpty())
+                Q_EMIT failed(why);
             onFailed();
         });
 }
 
-template <class Work, class Done> void ExemplarStore::load(Work work, Done done) {
-    load(std::move(work), std::move(done), [] {});
+template <class Work, class Done> void ExemplarStore::load(const QString& what, Work work, Done done) {
+    load(what, std::move(work), std::move(done), [] {});
 }
 
 void ExemplarStore::beginLoading(int step) {
@@ -204,12 +206,28 @@ void ExemplarStore::openAll(const QStringList& paths) {
     }
 }
 
+/// The entry that a file, or a layer of it, is open as; of a file with several layers only a chosen one.
+const ExemplarEntry* ExemplarStore::known(const std::filesystem::path& file,
+                                          const std::optional<std::string>& layer) const {
+    const auto it = std::find_if(m_entries.begin(), m_entries.end(), [&](const ExemplarEntry& entry) {
+        const bool same = layer ? entry.file().layer == *layer : entry.file().info.layers.empty();
+        return entry.file().path == file && same;
+    });
+    return it == m_entries.end() ? nullptr : &*it;
+}
+
 void ExemplarStore::openFirst(const QString& path, const QStringList& companions) {
-    const auto file = toPath(path);
-    const auto known = std::find_if(m_entries.begin(), m_entries.end(),
-                                    [&](const auto& entry) { return entry.file().path == file; });
-    if (known != m_entries.end()) {
-        const int id = known->id;
+    readFirst(path, companions, std::nullopt);
+}
+
+void ExemplarStore::openLayer(const LayerQuestion& question, const std::string& layer) {
+    readFirst(question.path, question.companions, layer);
+}
+
+void ExemplarStore::readFirst(const QString& path, const QStringList& companions,
+                              const std::optional<std::string>& layer) {
+    if (const ExemplarEntry* const open = known(toPath(path), layer)) {
+        const int id = open->id;
         for (const QString& companion : companions)
             addCompanion(id, companion);
         setCurrent(id);
@@ -217,25 +235,39 @@ void ExemplarStore::openFirst(const QString& path, const QStringList& companions
         return;
     }
     load(
-        [file, companions] {
-            RunExemplar exemplar{loadExemplar(file), {}, {}};
-            QStringList refused;
-            for (const QString& companion : companions)
-                try {
-                    exemplar.companions.push_back(loadCompanion(exemplar, companion));
-                } catch (const std::exception& error) {
-                    refused += sentence(error);
-                }
-            return std::pair(shown(std::move(exemplar)), refused);
-        },
-        [this](std::pair<Shown, QStringList> made) {
-            const int id = add(std::move(made.first));
+        QFileInfo(path).fileName(), [path, companions, layer] { return opening(path, companions, layer); },
+        [this](Opening made) {
+            if (!made.shown) {
+                Q_EMIT layerWanted(made.question);
+                return;
+            }
+            const int id = add(std::move(*made.shown));
             Q_EMIT changed();
             setCurrent(id);
             Q_EMIT opened(id);
-            for (const QString& refusal : made.second)
+            for (const QString& refusal : made.refused)
                 Q_EMIT failed(refusal);
         });
+}
+
+ExemplarStore::Opening ExemplarStore::opening(const QString& path, const QStringList& companions,
+                                              const std::optional<std::string>& layer) {
+    const std::filesystem::path file = toPath(path);
+    Opening made;
+    if (!layer) {
+        made.question = {path, companions, layerEntries(readImageInfo(file))};
+        if (!made.question.entries.empty())
+            return made;
+    }
+    RunExemplar exemplar{loadExemplar(file, {}, layer.value_or("")), {}, {}};
+    for (const QString& companion : companions)
+        try {
+            exemplar.companions.push_back(loadCompanion(exemplar, companion));
+        } catch (const std::exception& error) {
+            made.refused += sentence(error);
+        }
+    made.shown = shown(std::move(exemplar));
+    return made;
 }
 
 void ExemplarStore::replaceAll(std::vector<RunExemplar> exemplars) {
@@ -245,7 +277,7 @@ void ExemplarStore::replaceAll(std::vector<RunExemplar> exemplars) {
             made.push_back(shown(exemplar));
         return made;
     };
-    load(make, [this](std::vector<Shown> made) {
+    load(tr("exemplars"), make, [this](std::vector<Shown> made) {
         m_entries.clear();
         for (Shown& one : made)
             add(std::move(one));
@@ -323,6 +355,7 @@ void ExemplarStore::nextChange() {
     }
     m_changing = true;
     load(
+        toQString(known->file().path.filename()),
         [apply = next.apply, entry = *known] {
             ExemplarState state = stateOf(entry.exemplar);
             apply(state);
@@ -378,6 +411,24 @@ void ExemplarStore::setSpace(int id, const QString& space) {
             [space = space.toStdString()](ExemplarState& state) {
                 state.original.image =
                     loadExemplar(state.original.image.path, space, state.original.image.layer);
+            },
+            true});
+}
+
+void ExemplarStore::setLayer(int id, const std::string& layer) {
+    const ExemplarEntry* const known = find(id);
+    if (known == nullptr || known->file().layer == layer)
+        return;
+    change({id,
+            tr("Layer"),
+            {},
+            [layer](ExemplarState& state) {
+                RunExemplar& original = state.original;
+                original.image = loadExemplar(original.image.path, original.image.space, layer);
+                if (original.mask)
+                    checkSizeLike(original.image, *original.mask, TR("mask"));
+                for (const ExemplarFile& companion : original.companions)
+                    checkSizeLike(original.image, companion, TR("companion"));
             },
             true});
 }

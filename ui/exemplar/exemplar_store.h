@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/session/run/run.h"
+#include "ui/exemplar/layer_dialog.h"
 #include "ui/picture/display_picture.h"
 
 #include <QImage>
@@ -9,6 +10,7 @@
 #include <QStringList>
 
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -54,8 +56,11 @@ public:
     /// Number of files being read.
     int loading() const { return m_loading; }
 
-    /// Reads an image and adds it, or looks at it again if it is open.
+    /// Reads an image and adds it, or looks at it again if it is open. Of a file with several layers asks
+    /// which, by layerWanted().
     void open(const QString& path);
+    /// Answers layerWanted(). @param layer as ReadOptions::layer
+    void openLayer(const LayerQuestion& question, const std::string& layer);
     /// Opens several; those whose names say that they belong to another, as bark_normal to bark_albedo or to
     /// an open exemplar bark, become its companion maps.
     void openAll(const QStringList& paths);
@@ -69,6 +74,8 @@ public:
     void setWeight(int id, double weight);
     /// Reads the file again with its values taken to be in another colour space.
     void setSpace(int id, const QString& space);
+    /// Takes another layer of its file; refused where the mask or a companion map is of another size.
+    void setLayer(int id, const std::string& layer);
     void setMask(int id, const QString& path);
     void clearMask(int id);
     /// Adds a stroke, one channel of the exemplar's size, to the mask. @param hide or shows again.
@@ -94,6 +101,8 @@ Q_SIGNALS:
     void changed();
     void currentChanged();
     void loadingChanged(int count);
+    /// A file that is to be opened holds several layers; openLayer() goes on.
+    void layerWanted(const texloom::ui::LayerQuestion& question);
     /// An image was opened by open().
     void opened(int id);
     void replaced();
@@ -102,7 +111,8 @@ Q_SIGNALS:
                 const QString& what, const QString& key);
     /// An exemplar was taken into use or left out, which can be undone.
     void ticked(int id, bool checked, const QString& what);
-    /// A file could not be read; the sentence says why. Everything is as it was before.
+    /// A file could not be read; the sentence says why. Everything is as it was before, as it is where the
+    /// user broke the reading off, of which nothing is said.
     void failed(const QString& sentence);
 
 private:
@@ -122,17 +132,31 @@ private:
         std::vector<QImage> companionThumbs;
     };
 
+    /// What came of reading a file: an exemplar, or a question.
+    struct Opening {
+        std::optional<Shown> shown;
+        QStringList refused; ///< companions, each with the reason
+        LayerQuestion question;
+    };
+
+    static Opening opening(const QString& path, const QStringList& companions,
+                           const std::optional<std::string>& layer);
     static Shown shown(RunExemplar exemplar, const ExemplarEntry* before = nullptr);
     ExemplarEntry* entry(int id);
     int add(Shown made);
     void openFirst(const QString& path, const QStringList& companions);
+    const ExemplarEntry* known(const std::filesystem::path& file,
+                               const std::optional<std::string>& layer) const;
+    void readFirst(const QString& path, const QStringList& companions,
+                   const std::optional<std::string>& layer);
     void change(Change change);
     void nextChange();
     void endChange();
     void changeDone(const Change& change, const ExemplarState& before, Shown made);
     void beginLoading(int step);
-    template <class Work, class Done, class Failed> void load(Work work, Done done, Failed onFailed);
-    template <class Work, class Done> void load(Work work, Done done);
+    template <class Work, class Done, class Failed>
+    void load(const QString& what, Work work, Done done, Failed onFailed);
+    template <class Work, class Done> void load(const QString& what, Work work, Done done);
 
     std::vector<ExemplarEntry> m_entries;
     std::deque<Change> m_changes; ///< the first one is under way while m_changing

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/session/run/edited_exemplar.h"
 #include "ui/common/background.h"
+#include "ui/common/readings.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/session/missing_files_dialog.h"
@@ -208,13 +209,17 @@ void Document::askForMissing(const Session& session, const QStringList& missing,
 }
 
 void Document::load(const Session& session, const QString& file, const QString& copy) {
-    inBackground(
-        this, [session] { return loadAll(session); },
+    const QString name = file.isEmpty() ? tr("the session") : QFileInfo(file).fileName();
+    readInBackground(
+        this, name, [session] { return loadAll(session); },
         [this, file, copy](const LoadedSession& loaded) {
             m_loading = true;
             m_window.show(loaded, [this, loaded, file, copy] { opened(loaded, file, copy); });
         },
-        [this](const QString& why) { m_window.refuse(why); });
+        [this](const QString& why) {
+            if (!why.isEmpty())
+                m_window.refuse(why);
+        });
 }
 
 void Document::opened(const LoadedSession& loaded, const QString& file, const QString& copy) {

@@ -63,7 +63,7 @@ public:
     /// Whether the window may close: asks where changes of a saved session, or what was made by hand in one
     /// that was never saved, would be lost. Results and their settings are kept in any case.
     bool mayClose();
-    /// Looks for sessions whose program ended without closing them, and asks about the newest.
+    /// Looks for sessions whose program ended without closing them, and offers them all.
     void offerRecovery();
 
     /// The copy that would be left by a crash.

@@ -2,14 +2,12 @@
 
 #include "ui/common/background.h"
 #include "ui/common/text.h"
+#include "ui/session/recovery_dialog.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
 #include <QLockFile>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QThreadPool>
 #include <QUuid>
 
@@ -100,34 +98,23 @@ void RecoveryCopy::drop() {
 void RecoveryCopy::offer(QWidget* parent) {
     const QFileInfoList found =
         QDir(m_folder).entryInfoList({QLatin1Char('*') + kRecoveryEnding}, QDir::Files, QDir::Time);
+    QStringList copies;
     for (const QFileInfo& copy : found) {
         QLockFile lock(lockOf(copy.filePath()));
         lock.setStaleLockTime(0);
         if (lock.tryLock()) // else the program that writes it is still there
-            return ask(copy.filePath(), parent);
+            copies += copy.filePath();
     }
-}
-
-void RecoveryCopy::ask(const QString& path, QWidget* parent) {
-    const QString when = QLocale().toString(QFileInfo(path).lastModified(), QLocale::ShortFormat);
-    auto* box =
-        new QMessageBox(QMessageBox::Question, tr("Recover a session"),
-                        tr("Texloom was not closed properly. The session of %1 can be recovered.").arg(when),
-                        QMessageBox::NoButton, parent);
-    box->setObjectName(QStringLiteral("recoveryDialog"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton* const yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);
-    yes->setObjectName(QStringLiteral("recover"));
-    QPushButton* const no = box->addButton(tr("&Throw away"), QMessageBox::DestructiveRole);
-    no->setObjectName(QStringLiteral("throwAway"));
-    box->setDefaultButton(yes);
-    box->setEscapeButton(box->addButton(tr("&Later"), QMessageBox::RejectRole));
-    connect(yes, &QPushButton::clicked, this, [this, path] { Q_EMIT recoverWanted(path); });
-    connect(no, &QPushButton::clicked, this, [path] {
-        QFile::remove(path);
-        QFile::remove(lockOf(path));
+    if (copies.isEmpty())
+        return;
+    auto* dialog = new RecoveryDialog(copies, parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &RecoveryDialog::recoverWanted, this, &RecoveryCopy::recoverWanted);
+    connect(dialog, &RecoveryDialog::refused, this, [](const QString& copy) {
+        QFile::remove(copy);
+        QFile::remove(lockOf(copy));
     });
-    box->open();
+    dialog->open();
 }
 
 } // namespace texloom::ui

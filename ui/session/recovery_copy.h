@@ -44,7 +44,8 @@ public:
     void drop();
     /// Goes on with the copy of a session that was recovered.
     void takeOver(const QString& path);
-    /// Looks for copies whose program ended without removing them, and asks about the newest.
+    /// Looks for copies whose program ended without removing them, and offers them all; those that are
+    /// refused are removed.
     void offer(QWidget* parent);
 
 Q_SIGNALS:
@@ -55,7 +56,6 @@ Q_SIGNALS:
 
 private:
     void write();
-    void ask(const QString& path, QWidget* parent);
 
     Read m_read;
     QThreadPool* m_writer;

@@ -2,6 +2,7 @@
 
 #include "ui/common/background.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/reading_bar.h"
 #include "ui/common/shortcuts.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
@@ -136,6 +137,7 @@ void MainWindow::makeCentre() {
     m_export = new ResultExport(m_desk, m_messages, this);
     auto* column = new QVBoxLayout(middle);
     column->addWidget(m_messages);
+    column->addWidget(new ReadingBar(middle));
     column->addWidget(m_centre, 1);
     setCentralWidget(middle);
 }
@@ -231,6 +233,7 @@ void MainWindow::connectStore() {
     connect(m_store, &ExemplarStore::changed, this, &MainWindow::exemplarsChanged);
     connect(m_store, &ExemplarStore::currentChanged, this, &MainWindow::exemplarsChanged);
     connect(m_store, &ExemplarStore::opened, this, &MainWindow::exemplarOpened);
+    connect(m_store, &ExemplarStore::layerWanted, this, &MainWindow::askForLayer);
     connect(m_store, &ExemplarStore::failed, this, &MainWindow::fail);
     connect(m_store, &ExemplarStore::loadingChanged, this, &MainWindow::planSoon);
     connect(m_inspector, &Inspector::edited, this, &MainWindow::settingsEdited);

@@ -141,6 +141,7 @@ private:
     void dropOn(DropTargets::Target target, const QMimeData& offered);
     void dropInto(const std::string& port, const QMimeData& offered);
     void exemplarOpened(int id);
+    void askForLayer(const LayerQuestion& question);
     void offerRecipe(const QString& path, const QString& text);
     void loadRecipeFrom(const QString& path);
     /// Says so where another build made a recipe.

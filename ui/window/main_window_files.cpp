@@ -3,9 +3,11 @@
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/readings.h"
 #include "ui/common/shortcuts_dialog.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
+#include "ui/exemplar/layer_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/maps/result_view.h"
@@ -211,14 +213,22 @@ void MainWindow::exemplarOpened(int id) {
         startRun(true);
 }
 
+void MainWindow::askForLayer(const LayerQuestion& question) {
+    auto* dialog = new LayerDialog(question, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, question] { m_store->openLayer(question, dialog->layer()); });
+    dialog->open();
+}
+
 void MainWindow::offerRecipe(const QString& path, const QString& text) {
     m_messages->say(MessageBar::Kind::Information, text, tr("Restore settings"),
                     [this, path] { loadRecipeFrom(path); });
 }
 
 void MainWindow::loadRecipeFrom(const QString& path) {
-    inBackground(
-        this, [file = toPath(path)] { return loadAll(file); },
+    readInBackground(
+        this, QFileInfo(path).fileName(), [file = toPath(path)] { return loadAll(file); },
         [this](const LoadedRecipe& loaded) {
             restore(loaded.input);
             if (!loaded.changed.isEmpty())
@@ -229,7 +239,10 @@ void MainWindow::loadRecipeFrom(const QString& path) {
             else
                 sayOtherBuild(loaded.version);
         },
-        [this](const QString& why) { fail(why); });
+        [this](const QString& why) {
+            if (!why.isEmpty())
+                fail(why);
+        });
 }
 
 void MainWindow::sayOtherBuild(const std::string& version) {

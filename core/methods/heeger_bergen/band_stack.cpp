@@ -65,10 +65,14 @@ void BandStack::synthesise(const PlaneSpan& image) {
 }
 
 std::uint64_t BandStack::bytesFor(Size size, int scales, int orientations, int threads) {
-    const std::uint64_t spectrum =
-        RealFft2d(size).spectrumSize() * sizeof(SteerablePyramid::Complex) * 4 / 3 + (1U << 16);
-    return spectrum * static_cast<std::uint64_t>((scales > 0 ? orientations : 0) + 2) +
-           static_cast<std::uint64_t>(threads) * (Image::bytesFor(size, 1) + SampleRanks::bytesFor(size));
+    constexpr std::uint64_t kForThread = 1U << 20; // its stack, and what the allocator keeps for it
+    const std::uint64_t plain = RealFft2d(size).spectrumSize() * sizeof(SteerablePyramid::Complex);
+    const std::uint64_t spectrum = plain * 4 / 3 + (1U << 16);
+    // One thread may plan a transform, which takes arrays to plan with, while all others are at their most.
+    const std::uint64_t planning = threads > 1 ? 2 * plain : 0;
+    return spectrum * static_cast<std::uint64_t>((scales > 0 ? orientations : 0) + 2) + planning +
+           static_cast<std::uint64_t>(threads) *
+               (Image::bytesFor(size, 1) + SampleRanks::bytesFor(size) + kForThread);
 }
 
 } // namespace texloom::heeger_bergen

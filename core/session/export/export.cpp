@@ -7,6 +7,7 @@
 #include "core/io/map_file.h"
 #include "core/io/own_file.h"
 #include "core/session/export/output_files.h"
+#include "core/volume/volume_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,6 +33,17 @@ struct Step {
 
 fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// The files that a volume may replace. How many slices it will have is known only when it is there: those
+/// that another volume of this name left all count.
+std::vector<fs::path> filesForVolume(const fs::path& path) {
+    std::vector<fs::path> files = volumeFiles(path, 1);
+    if (files.size() == 1)
+        for (const fs::path& slice : filesOfVolume(files.front()))
+            if (slice.filename() != files.front().filename())
+                files.push_back(slice);
+    return files;
 }
 
 /// NAME_SUFFIX.ext beside NAME.ext.
@@ -346,9 +358,9 @@ void announce(const RunPlan& plan, const ExportOptions& options, OutputGuard& gu
     for (const auto& [id, path] : options.outputs) {
         const Port* const port = outputPort(plan, id);
         const Message content = port != nullptr ? Message(port->title) : Message::verbatim(id);
-        guard.writes(path, content);
-        if (port != nullptr && port->kind == AssetKind::Volume && path.extension() == ".json")
-            guard.writes(fs::path(path).replace_extension(".raw"), content);
+        for (const fs::path& file :
+             port != nullptr && port->kind == AssetKind::Volume ? filesForVolume(path) : std::vector{path})
+            guard.writes(file, content);
     }
 }
 

@@ -9,6 +9,24 @@ namespace texloom {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+/// What a position map says of the image, as a word.
+const char* wordFor(MapKind kind) {
+    switch (kind) {
+    case MapKind::Exact:
+        return "exact";
+    case MapKind::Dominant:
+        return "dominant";
+    case MapKind::Estimated:
+        return "estimated";
+    default:
+        return "none";
+    }
+}
+
+} // namespace
+
 std::string reportJson(const Result& result, const fs::path& folder) {
     Json json = {{"texloomReport", 1}};
     json["recipe"] = Json::parse(result.plan.recipe.toJson(folder));
@@ -21,6 +39,7 @@ std::string reportJson(const Result& result, const fs::path& folder) {
     json["peakMemoryBytes"] = peakMemory();
     json["memoryBeforeBytes"] = result.plan.memoryBefore;
     json["estimate"] = {{"bytes", result.plan.estimate.bytes}, {"seconds", result.plan.estimate.seconds}};
+    json["map"] = wordFor(result.synthesis.mapKind);
     for (const Message& note : result.synthesis.notes)
         json["notes"].push_back(note.text());
     for (const Figure& figure : result.figures)

@@ -16,6 +16,7 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
+#include <thread>
 
 namespace texloom::test {
 
@@ -114,6 +115,29 @@ TEST(DecoderProcess, StopsWhenItsCheckThrows) {
             throw Cancelled{};
     });
     EXPECT_THROW(readImage(folder / "large.tif"), Cancelled);
+}
+
+TEST(DecoderProcess, StopsForTheThreadThatIsWatched) {
+    const TemporaryFolder folder;
+    writeEmptyTiff(folder / "large.tif", 6000, true);
+    int calls = 0;
+    const auto stop = [&calls] {
+        if (++calls > 1)
+            throw Cancelled{};
+    };
+    {
+        const DecoderProcess::Watch outer(stop);
+        const DecoderProcess::Watch inner([] {});
+        EXPECT_NO_THROW(readImageInfo(folder / "large.tif"));
+        EXPECT_EQ(calls, 0) << "the innermost counts";
+    }
+    {
+        const DecoderProcess::Watch watch(stop);
+        std::thread([&folder] { EXPECT_NO_THROW(readImageInfo(folder / "large.tif")); }).join();
+        EXPECT_EQ(calls, 0) << "of this thread alone";
+        EXPECT_THROW(readImage(folder / "large.tif"), Cancelled);
+    }
+    EXPECT_NO_THROW(readImageInfo(folder / "large.tif"));
 }
 
 TEST(DecoderProcess, OutlivesADecoderThatDies) {
