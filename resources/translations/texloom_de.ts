@@ -4801,6 +4801,10 @@
         <source>With a tolerance or relaxed: rounds end when the cost falls by less than this share; 0 goes on to the last round, as published.</source>
         <translation>Mit Toleranz oder gelockert: Die Runden enden, wenn die Kosten um weniger als diesen Anteil fallen; 0 geht bis zur letzten Runde, wie veröffentlicht.</translation>
     </message>
+    <message>
+        <source>The system gives the program no further thread; raise its limits (ulimit -v and -u), or use fewer threads.</source>
+        <translation>Das System gibt dem Programm keinen weiteren Thread; heben Sie seine Grenzen an (ulimit -v und -u) oder nehmen Sie weniger Threads.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -5674,6 +5678,10 @@
         <source>Opened, but these files changed since the session was saved, so results will differ: %1.</source>
         <translation>Geöffnet, aber diese Dateien haben sich seit dem Speichern geändert, sodass Ergebnisse anders ausfallen: %1.</translation>
     </message>
+    <message>
+        <source>the session</source>
+        <translation>die Sitzung</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::DropTargets</name>
@@ -5908,6 +5916,14 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>The method learns from one exemplar, the one that is chosen.</source>
         <translation>Das Verfahren lernt von einer Vorlage, der gewählten.</translation>
     </message>
+    <message>
+        <source>The file holds several pictures; this is the one that is learnt from.</source>
+        <translation>Die Datei enthält mehrere Bilder; aus diesem wird gelernt.</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>&amp;Ebene</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarStore</name>
@@ -5954,6 +5970,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Leave exemplar out</source>
         <translation>Vorlage weglassen</translation>
+    </message>
+    <message>
+        <source>exemplars</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
     </message>
 </context>
 <context>
@@ -6702,6 +6726,33 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines, ziehen Sie die Vektoren auf das, was Sie sehen, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn sich nichts wiederholt, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LayerDialog</name>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>All channels</source>
+        <translation>Alle Kanäle</translation>
+    </message>
+    <message>
+        <source>Choose a layer</source>
+        <translation>Ebene wählen</translation>
+    </message>
+    <message>
+        <source>%1 holds several pictures. Which one is to be the exemplar?</source>
+        <translation>%1 enthält mehrere Bilder. Welches soll die Vorlage sein?</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
     </message>
 </context>
 <context>
@@ -7663,6 +7714,29 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::ReadingBar</name>
+    <message>
+        <source>Reading</source>
+        <translation>Wird gelesen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops reading; everything stays as it was.</source>
+        <translation>Beendet das Lesen; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Reading %1 and %2 more…</source>
+        <translation>%1 und %2 weitere werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::Readout</name>
     <message>
         <source>%1 · %2</source>
@@ -7672,8 +7746,31 @@ Ziehen Sie ein Bild hierher.</translation>
 <context>
     <name>texloom::ui::RecoveryCopy</name>
     <message>
+        <source>The session could not be kept for recovery, so a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RecoveryDialog</name>
+    <message>
+        <source>no exemplars</source>
+        <translation>keine Vorlagen</translation>
+    </message>
+    <message>
         <source>Recover a session</source>
         <translation>Sitzung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed properly. This session can be recovered.</source>
+        <translation>Texloom wurde nicht ordentlich beendet. Diese Sitzung kann wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed properly. These sessions can be recovered, the newest first; those that you leave are offered again.</source>
+        <translation>Texloom wurde nicht ordentlich beendet. Diese Sitzungen können wiederhergestellt werden, die neueste zuerst; was Sie liegen lassen, wird wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sitzungen</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -7684,16 +7781,16 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Ver&amp;werfen</translation>
     </message>
     <message>
+        <source>Removes those that are chosen in the list.</source>
+        <translation>Entfernt die in der Liste gewählten.</translation>
+    </message>
+    <message>
         <source>&amp;Later</source>
         <translation>&amp;Später</translation>
     </message>
     <message>
-        <source>The session could not be kept for recovery, so a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>Die Sitzung konnte nicht zur Wiederherstellung gesichert werden und ginge bei einem Absturz verloren; schaffen Sie Platz oder speichern Sie sie anderswo. %1</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed properly. The session of %1 can be recovered.</source>
-        <translation>Texloom wurde nicht ordentlich beendet. Die Sitzung vom %1 kann wiederhergestellt werden.</translation>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

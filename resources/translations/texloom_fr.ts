@@ -4801,6 +4801,10 @@
         <source>With a tolerance or relaxed: rounds end when the cost falls by less than this share; 0 goes on to the last round, as published.</source>
         <translation>Avec une tolérance ou relâché : les tours s’arrêtent quand le coût baisse de moins que cette part ; 0 va jusqu’au dernier tour, comme publié.</translation>
     </message>
+    <message>
+        <source>The system gives the program no further thread; raise its limits (ulimit -v and -u), or use fewer threads.</source>
+        <translation>Le système ne donne plus de fil d’exécution au programme ; relevez ses limites (ulimit -v et -u) ou utilisez moins de fils.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -5674,6 +5678,10 @@
         <source>Opened, but these files changed since the session was saved, so results will differ: %1.</source>
         <translation>Ouverte, mais ces fichiers ont changé depuis l’enregistrement, et les résultats différeront : %1.</translation>
     </message>
+    <message>
+        <source>the session</source>
+        <translation>la session</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::DropTargets</name>
@@ -5908,6 +5916,14 @@ Déposez une image ici.</translation>
         <source>The method learns from one exemplar, the one that is chosen.</source>
         <translation>La méthode apprend d’un seul modèle, celui qui est choisi.</translation>
     </message>
+    <message>
+        <source>The file holds several pictures; this is the one that is learnt from.</source>
+        <translation>Le fichier contient plusieurs images ; c’est de celle-ci que l’on apprend.</translation>
+    </message>
+    <message>
+        <source>&amp;Layer</source>
+        <translation>Ca&amp;lque</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarStore</name>
@@ -5954,6 +5970,14 @@ Déposez une image ici.</translation>
     <message>
         <source>Leave exemplar out</source>
         <translation>Laisser l’échantillon de côté</translation>
+    </message>
+    <message>
+        <source>exemplars</source>
+        <translation>échantillons</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Calque</translation>
     </message>
 </context>
 <context>
@@ -6702,6 +6726,33 @@ Déposez une image ici.</translation>
     <message>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous, glissez les vecteurs sur ce que vous voyez, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::LayerDialog</name>
+    <message>
+        <source>Page %1</source>
+        <translation>Page %1</translation>
+    </message>
+    <message>
+        <source>Part %1</source>
+        <translation>Partie %1</translation>
+    </message>
+    <message>
+        <source>All channels</source>
+        <translation>Tous les canaux</translation>
+    </message>
+    <message>
+        <source>Choose a layer</source>
+        <translation>Choisir un calque</translation>
+    </message>
+    <message>
+        <source>%1 holds several pictures. Which one is to be the exemplar?</source>
+        <translation>%1 contient plusieurs images. Laquelle sera l’échantillon ?</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Calques</translation>
     </message>
 </context>
 <context>
@@ -7663,6 +7714,29 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::ReadingBar</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Stops reading; everything stays as it was.</source>
+        <translation>Arrête la lecture ; tout reste comme avant.</translation>
+    </message>
+    <message>
+        <source>Reading %1 and %2 more…</source>
+        <translation>Lecture de %1 et de %2 autres…</translation>
+    </message>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Lecture de %1…</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::Readout</name>
     <message>
         <source>%1 · %2</source>
@@ -7672,8 +7746,31 @@ Déposez une image ici.</translation>
 <context>
     <name>texloom::ui::RecoveryCopy</name>
     <message>
+        <source>The session could not be kept for recovery, so a crash would lose it; make room or save it elsewhere. %1</source>
+        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RecoveryDialog</name>
+    <message>
+        <source>no exemplars</source>
+        <translation>aucun échantillon</translation>
+    </message>
+    <message>
         <source>Recover a session</source>
         <translation>Récupérer une session</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed properly. This session can be recovered.</source>
+        <translation>Texloom n’a pas été fermé correctement. Cette session peut être récupérée.</translation>
+    </message>
+    <message>
+        <source>Texloom was not closed properly. These sessions can be recovered, the newest first; those that you leave are offered again.</source>
+        <translation>Texloom n’a pas été fermé correctement. Ces sessions peuvent être récupérées, la plus récente d’abord ; celles que vous laissez seront proposées de nouveau.</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sessions</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
@@ -7684,16 +7781,16 @@ Déposez une image ici.</translation>
         <translation>&amp;Jeter</translation>
     </message>
     <message>
+        <source>Removes those that are chosen in the list.</source>
+        <translation>Supprime celles qui sont choisies dans la liste.</translation>
+    </message>
+    <message>
         <source>&amp;Later</source>
         <translation>Plus &amp;tard</translation>
     </message>
     <message>
-        <source>The session could not be kept for recovery, so a crash would lose it; make room or save it elsewhere. %1</source>
-        <translation>La session n’a pas pu être gardée pour récupération et serait perdue en cas de plantage ; libérez de la place ou enregistrez-la ailleurs. %1</translation>
-    </message>
-    <message>
-        <source>Texloom was not closed properly. The session of %1 can be recovered.</source>
-        <translation>Texloom n’a pas été fermé normalement. La session du %1 peut être récupérée.</translation>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
