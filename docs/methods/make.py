@@ -18,6 +18,7 @@ EXEMPLARS = HERE.parent.parent / "resources/exemplars"
 # What shows a method at its best; all others are shown on soil_clods.png.
 SHOWN_ON = {
     "analogy": "crazy_paving.png",
+    "anamorphosis": "plank_wall_dark.png",
     "ashikhmin": "grass_dry_gray.png",
     "fourier-mask": "solar_cells_blue.jpg",
     "gaussian-patches": "crazy_paving.png",
@@ -27,8 +28,10 @@ SHOWN_ON = {
     "near-regular": "solar_cells_blue.jpg",
     "patchmatch": "railway_ballast.png",
     "quilting": "crazy_paving.png",
+    "random-mosaic": "plank_wall_dark.png",
     "random-phase": "sand_ripples.png",
     "regular-tile": "solar_cells_blue.jpg",
+    "sparse": "brick_pavement_gray.png",
     "texture-optimization": "crazy_paving.png",
 }
 # Methods that are given pictures by ports of their own are shown with them, two by two: A and the exemplar A', B and the

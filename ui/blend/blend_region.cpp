@@ -77,7 +77,7 @@ void BlendWindow::paintRegion() {
                                             translated(m_tool->info().region->help), this);
             painter->setAttribute(Qt::WA_DeleteOnClose);
             painter->setWindowTitle(tr("%1 · %2").arg(translated(m_tool->info().region->title), title));
-            connect(painter, &QDialog::accepted, this, [=, this] { setRegion(painter->selection()); });
+            connect(painter, &QDialog::accepted, this, [=, this] { setRegion(painter->painted()); });
             painter->open();
         },
         [this](const QString& why) { say(why); });
