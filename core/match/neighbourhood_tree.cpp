@@ -65,6 +65,11 @@ TEXLOOM_WIDE_VECTORS void consider(const NeighbourhoodSet& set, std::span<const 
 
 } // namespace
 
+void NeighbourhoodTree::inTurn(int count, const std::function<void(int)>& body) {
+    for (int i = 0; i < count; ++i)
+        body(i);
+}
+
 NeighbourhoodTree::NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, const Check& check,
                                      const Each& each)
     : m_set(set) {

@@ -25,15 +25,13 @@ public:
 
     /// Calls body(i) for each i from 0 to count − 1, in any order, on any threads.
     using Each = std::function<void(int count, const std::function<void(int)>& body)>;
+    /// One after the other.
+    static void inTurn(int count, const std::function<void(int)>& body);
 
     /// @param set must outlive the tree. @param check called every few milliseconds; may throw. @param each
     /// does what can be done at the same time.
-    NeighbourhoodTree(
-        const NeighbourhoodSet& set, const Options& options, const std::function<void()>& check,
-        const Each& each = [](int count, const std::function<void(int)>& body) {
-            for (int i = 0; i < count; ++i)
-                body(i);
-        });
+    NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, const std::function<void()>& check,
+                      const Each& each = &NeighbourhoodTree::inTurn);
 
     /// The leaves near a vector, its own first.
     class Lookup {

@@ -1,5 +1,6 @@
 #include "core/math/anamorphosis.h"
 
+#include "core/base/at.h"
 #include "core/image/mirror.h"
 
 #include <algorithm>
@@ -169,8 +170,7 @@ void Anamorphosis::blur(std::vector<double>& values, bool alongY) const {
         for (int x = 0; x < m_columns.count; ++x) {
             double sum = 0;
             for (int i = -radius; i <= radius; ++i)
-                sum += weights[static_cast<std::size_t>(i + radius)] *
-                       from[alongY ? node(x, y + i) : node(x + i, y)];
+                sum += weights[at(i + radius)] * from[alongY ? node(x, y + i) : node(x + i, y)];
             values[node(x, y)] = sum;
         }
 }
@@ -189,8 +189,7 @@ void Anamorphosis::normalise(std::vector<double>& values) const {
             double value = 0;
             for (int j = -1; j <= 1; ++j)
                 for (int i = -1; i <= 1; ++i)
-                    value += kSpline[static_cast<std::size_t>(i + 1)] *
-                             kSpline[static_cast<std::size_t>(j + 1)] * values[node(x + i, y + j)];
+                    value += kSpline[at(i + 1)] * kSpline[at(j + 1)] * values[node(x + i, y + j)];
             squares += value * value;
         }
     const double deviation = std::sqrt(squares / static_cast<double>(values.size()));

@@ -323,9 +323,9 @@ std::vector<int> roundedShares(std::span<const double> shares) {
 }
 
 std::uint64_t pursuitBytes(std::int64_t signals, int length, int atoms, int most, int threads) {
-    const auto wide = static_cast<std::uint64_t>(atoms), long_ = static_cast<std::uint64_t>(length);
+    const auto wide = static_cast<std::uint64_t>(atoms), tall = static_cast<std::uint64_t>(length);
     return static_cast<std::uint64_t>(signals) * (4 * wide + 24) + SparseCode::bytesFor(signals, most) +
-           4 * wide * wide + static_cast<std::uint64_t>(threads) * kBlock * 4 * (long_ + wide) * 2;
+           4 * wide * wide + static_cast<std::uint64_t>(threads) * kBlock * 4 * (tall + wide) * 2;
 }
 
 } // namespace texloom

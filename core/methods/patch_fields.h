@@ -57,10 +57,11 @@ template <class Settings> Param scalesField(int Settings::*member) {
         .help(TR("Most scales, each half the size of the one before: more keep larger structures."));
 }
 
-/// λ_occ of the spatial uniformity (Gutierrez, thesis 2020, section 3.2.3).
-template <class Settings> Param uniformityField(double Settings::*member) {
+/// λ_occ of the spatial uniformity (Gutierrez, thesis 2020, section 3.2.3). @param most beyond which patches
+/// no longer fit one another.
+template <class Settings> Param uniformityField(double Settings::*member, double most) {
     return field(member, "uniformity", TR("Uniformity"))
-        .range(0, 100)
+        .range(0, most)
         .symbol("λ_occ")
         .help(TR(
             "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "

@@ -155,7 +155,7 @@ TEST_F(Cli, SetsEveryParameter) {
            "softness=2", "--set", "contrast=0.5"});
     EXPECT_EQ(json("out.json").at("parameters"),
               Json::parse(R"({"patch": 12, "overlap": 0.5, "tolerance": 1.5, "contrast": 0.5,
-                                                                "stitch": "smooth-cut", "softness": 2})"));
+                              "stitch": "smooth-cut", "softness": 2, "radius": 0, "context": 80})"));
 }
 
 TEST_F(Cli, Wraps) {

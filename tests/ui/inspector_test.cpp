@@ -173,7 +173,7 @@ private Q_SLOTS:
                 slider->setValue(slider->maximum());
                 const Value largest = row->param().type() == Param::Type::Integer
                                           ? Value(static_cast<int>(row->param().largest()))
-                                          : Value(row->param().largest());
+                                          : Value(row->param().usualTo());
                 QVERIFY(row->value() == largest);
                 row->setValue(row->param().checked(row->param().defaultFor(0)));
                 QVERIFY(slider->value() < slider->maximum() || row->value() == largest);

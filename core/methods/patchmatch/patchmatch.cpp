@@ -80,7 +80,7 @@ const Method self = method<Settings>(
          .range(1, 50)
          .help(TR("Rounds of matching and voting on each scale: more join better, but take longer.")),
      scalesField(&Settings::scales),
-     uniformityField(&Settings::uniformity)
+     uniformityField(&Settings::uniformity, 4)
          .help(TR(
              "How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes "
              "whatever fits best, as a hole does that is filled.")),

@@ -102,7 +102,7 @@ const Method self = method<Settings>(
          .help(TR(
              "How much the output's patches count against the exemplar's: larger joins better, smaller loses "
              "less.")),
-     uniformityField(&Settings::uniformity).group(TR("Uniformity")), finishField(&Settings::finish)},
+     uniformityField(&Settings::uniformity, 10).group(TR("Uniformity")), finishField(&Settings::finish)},
     run, check, estimate);
 
 } // namespace texloom::texture_optimization

