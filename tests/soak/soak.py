@@ -291,21 +291,30 @@ class Soak:
         method = self.methods[number % len(self.methods)]
         exemplar, arguments = self.prepared(folder, rng, method)
         arguments[arguments.index("--size") + 1] = "512"
-        started = time.monotonic()
         process = subprocess.Popen([self.program, *map(str, arguments), "-o", "one.png", "--quiet"], cwd=folder,
                                    stderr=subprocess.PIPE)
-        time.sleep(rng.uniform(0.05, 4))
+        while process.poll() is None and not listens(process.pid):
+            time.sleep(0.02)
+        time.sleep(rng.uniform(0, 4))
         process.send_signal(signal.SIGINT)
-        sent = time.monotonic()
         said = process.communicate(timeout=60)[1]
         if process.returncode in (0, *REFUSED):
             return
-        early = process.returncode == -signal.SIGINT and sent - started < 2  # before main() could listen
-        if process.returncode != CANCELLED and not early:
+        if process.returncode != CANCELLED:
             raise Broken(f"status {process.returncode} after an interrupt: {said[-300:]}")
         left = [name for name in left_over(folder) if not name.endswith(".checkpoint")]
         if left:
             raise Broken(f"cancelled, but left {left}")
+
+
+def listens(process):
+    """Whether a process has a handler for interrupts by now."""
+    try:
+        status = pathlib.Path(f"/proc/{process}/status").read_text()
+    except OSError:
+        return False
+    caught = next(line for line in status.splitlines() if line.startswith("SigCgt:"))
+    return int(caught.split()[1], 16) >> (signal.SIGINT - 1) & 1
 
 
 def soak(options):
