@@ -157,6 +157,7 @@ int moveBlocks(Canvas& canvas, const Request& request, const Settings& settings,
     for (int tile = 0; tile < columns * rows; ++tile) {
         context.progress(static_cast<double>(tile) / (columns * rows));
         context.preview(canvas.image, &canvas.map);
+        const int column = tile % columns, row = tile / columns;
         const int turns = 1 + static_cast<int>(random.below(kMostTurns, tile, -1));
         for (int block = 0; block < blocks; ++block) {
             context.check();
@@ -164,8 +165,8 @@ int moveBlocks(Canvas& canvas, const Request& request, const Settings& settings,
             const Size exemplar = request.exemplars[static_cast<std::size_t>(from.exemplar)].image->size();
             const auto [x, y] = sent(static_cast<double>(from.x) / exemplar.width,
                                      static_cast<double>(from.y) / exemplar.height, turns);
-            mover.lay(from, settled((tile % columns + x) * cell.width, side, size.width, request.wrap.x),
-                      settled((tile / columns + y) * cell.height, side, size.height, request.wrap.y));
+            mover.lay(from, settled((column + x) * cell.width, side, size.width, request.wrap.x),
+                      settled((row + y) * cell.height, side, size.height, request.wrap.y));
         }
     }
     context.progress(1);

@@ -319,7 +319,7 @@ void Synthesizer::work(int scale, double weight) {
 double Synthesizer::iterate(Level& level) {
     const SparseCode code =
         constrainedPursuit(level.dictionary.atoms, level.columns.of(m_image), level.limits, m_context);
-    const auto make = [&](int number, Eigen::Ref<Eigen::VectorXf> to) {
+    const auto make = [&](int number, const Eigen::Ref<Eigen::VectorXf>& to) {
         code.combine(level.dictionary.atoms, number, to);
     };
     Image joined(m_image.size(), m_image.channels());
