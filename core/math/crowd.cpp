@@ -1,7 +1,5 @@
 #include "core/math/crowd.h"
 
-#include "core/base/at.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,7 +28,7 @@ void Crowd::refresh(const AssignmentCosts& costs, const std::vector<int>& assign
         double* rows = m_row.data() + at(block + 1);
         std::fill_n(lowest, m_columns, kInfinite);
         for (int place = block * m_side; place < std::min(m_places, (block + 1) * m_side); ++place) {
-            const int row = assigned[at(m_begin + place)];
+            const int row = assigned[static_cast<std::size_t>(m_begin) + static_cast<std::size_t>(place)];
             const float* values = costs.valuesOf(row);
             const auto here = static_cast<double>(values[m_column]);
             const auto number = static_cast<double>(row);
