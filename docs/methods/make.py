@@ -64,11 +64,12 @@ def synthesise(cli, method, exemplar, output, *options, side=SIDE):
 def two_by_two(pictures, output, side, gap=8):
     """Puts the top left of four pictures on white."""
     whole = 2 * side + gap
-    command = ["oiiotool", "--pattern", "constant:color=1,1,1", f"{whole}x{whole}", "3"]
+    # Otherwise the picture would keep this command with all its paths.
+    command = ["oiiotool", "--nosoftwareattrib", "--pattern", "constant:color=1,1,1", f"{whole}x{whole}", "3"]
     for i, picture in enumerate(pictures):
         x, y = i % 2 * (side + gap), i // 2 * (side + gap)
         command += [picture, "--ch", "R,G,B", "--cut", f"{side}x{side}+0+0", "--swap", "--paste", f"+{x}+{y}"]
-    subprocess.run([*command, "-d", "uint8", "-o", output], check=True)
+    subprocess.run([*command, "--eraseattrib", ".*", "-d", "uint8", "-o", output], check=True)
 
 
 def make_guided(cli, method, folder, output):
