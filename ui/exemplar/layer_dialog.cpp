@@ -19,7 +19,7 @@ namespace {
 constexpr int kWidth = 56, kLines = 12;
 
 QString titleOf(const std::string& layer, const ImageFileInfo& info) {
-    const QString name = QString::fromStdString(layer);
+    QString name = QString::fromStdString(layer);
     bool number = false;
     name.toInt(&number);
     if (!number)
