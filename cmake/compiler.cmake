@@ -25,6 +25,13 @@ string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_REL
 # Lines and functions are enough for traces and profiles, and compile and link a third faster than all there is to know.
 string(REPLACE "-g " "-g1 " CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
 
+# gold links in a third of the time of the linker that g++ takes by itself.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold TEXLOOM_HAS_GOLD)
+if(TEXLOOM_HAS_GOLD)
+  add_link_options(-fuse-ld=gold)
+endif()
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})

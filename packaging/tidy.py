@@ -19,7 +19,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/dev"
 TIDY = BUILD / "tidy"
-GROUP = 8
+GROUP = 24
 GCC_ONLY = ("-Winvalid-pch", "-Werror", "-fpch-preprocess", "-mno-direct-extern-access")
 Source = collections.namedtuple("Source", "path arguments stamp")
 

@@ -56,6 +56,7 @@ Json toJson(const Method& method) {
                  {"gives", Json::array()},
                  {"repeats", info.repeats == Repeats::Bits ? "bits" : "nearly"},
                  {"usesSeed", info.usesSeed},
+                 {"cancelsWithinMilliseconds", info.cancelsWithin.count()},
                  {"parameters", Json::array()}};
     for (const Port& port : info.takes)
         json["takes"].push_back(toJson(port));
@@ -305,6 +306,15 @@ Result runWithCheckpoints(RunPlan plan, const OutputOptions& out) {
         const CheckpointFile earlier = readCheckpoint(file); // also refuses to write over something else
         if (out.resume)
             checkpoints.resumed = resumable(earlier, plan);
+        else
+            fmt::print(messages(),
+                       "texloom-cli: {} is of an earlier run, at {:.0f} %, and is replaced as this one goes "
+                       "on; --resume takes it up.\n",
+                       file.string(), 100 * earlier.checkpoint.progress);
+    } else if (out.resume) {
+        fmt::print(messages(),
+                   "texloom-cli: There is no checkpoint {}, so the run begins at the beginning.\n",
+                   file.string());
     }
     checkpoints.keep = [file, recipe = plan.recipe](const Checkpoint& checkpoint) {
         writeCheckpoint(file, recipe, checkpoint);
@@ -391,13 +401,18 @@ void listMethods(const std::string& id, bool json) {
             printMethod(*method);
         last = &category;
     }
+    for (const AbsentMethod& absent : absentMethods()) {
+        if (!id.empty())
+            break;
+        if (json)
+            all.push_back({{"id", absent.id}, {"absent", absent.reason}});
+        else
+            fmt::print("{}: not part of this build\n  {}\n", absent.id, absent.reason);
+    }
     if (json) {
         fmt::print("{}\n", all.dump(2));
         return;
     }
-    for (const AbsentMethod& absent : absentMethods())
-        if (id.empty())
-            fmt::print("{}: not part of this build\n  {}\n", absent.id, absent.reason);
     for (const Preset& preset : presets())
         if (id.empty() || preset.id == id)
             printPreset(preset);

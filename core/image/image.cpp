@@ -1,6 +1,7 @@
 #include "core/image/image.h"
 
 #include "core/base/error.h"
+#include "core/base/large_memory.h"
 #include "core/base/text.h"
 
 #include <algorithm>
@@ -11,20 +12,19 @@ namespace texloom {
 
 namespace {
 
-constexpr std::size_t kAlignment = 64;
-constexpr int kAlignedFloats = kAlignment / sizeof(float);
+constexpr int kAlignedFloats = 64 / sizeof(float);
 
 std::ptrdiff_t alignedRow(int width) {
     return (static_cast<std::ptrdiff_t>(width) + kAlignedFloats - 1) / kAlignedFloats * kAlignedFloats;
 }
 
-/// Memory for an image, uninitialised.
+/// Memory for an image, zero if it is large.
 float* allocated(Size size, int channels) {
     if (size.empty() || channels < 1)
         fail("An image of {} × {} px with {} channels has no pixels.", size.width, size.height, channels);
     const std::uint64_t bytes = Image::bytesFor(size, channels);
     try {
-        return static_cast<float*>(::operator new[](bytes, std::align_val_t{kAlignment}));
+        return static_cast<float*>(allocateMemory(bytes));
     } catch (const std::bad_alloc&) {
         fail("There is not enough memory for an image of {} × {} px with {} channels ({}).", size.width,
              size.height, channels, byteText(bytes));
@@ -33,8 +33,8 @@ float* allocated(Size size, int channels) {
 
 } // namespace
 
-void Image::AlignedDelete::operator()(float* data) const {
-    ::operator delete[](data, std::align_val_t{kAlignment});
+void Image::Free::operator()(float* data) const {
+    freeMemory(data, bytes);
 }
 
 std::uint64_t Image::bytesFor(Size size, int channels) {
@@ -44,13 +44,16 @@ std::uint64_t Image::bytesFor(Size size, int channels) {
 
 Image::Image(Size size, int channels)
     : m_size(size), m_channels(channels), m_rowStride(alignedRow(size.width)),
-      m_planeStride(m_rowStride * size.height), m_data(allocated(size, channels)) {
-    std::fill_n(m_data.get(), m_planeStride * channels, 0.0F);
+      m_planeStride(m_rowStride * size.height),
+      m_data(allocated(size, channels), {bytesFor(size, channels)}) {
+    if (bytesFor(size, channels) < kLargeMemory)
+        std::fill_n(m_data.get(), m_planeStride * channels, 0.0F);
 }
 
 Image::Image(const ImageView& view)
     : m_size(view.size()), m_channels(view.channels), m_rowStride(alignedRow(view.width)),
-      m_planeStride(m_rowStride * view.height), m_data(allocated(view.size(), view.channels)) {
+      m_planeStride(m_rowStride * view.height),
+      m_data(allocated(view.size(), view.channels), {bytesFor(view.size(), view.channels)}) {
     for (int c = 0; c < m_channels; ++c)
         for (int y = 0; y < height(); ++y) {
             float* end = std::copy_n(view.plane(c).row(y), width(), plane(c).row(y));

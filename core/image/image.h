@@ -3,6 +3,7 @@
 #include "core/image/size.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -101,7 +102,8 @@ public:
     void shrink(Size size);
 
 private:
-    struct AlignedDelete {
+    struct Free {
+        std::uint64_t bytes;
         void operator()(float* data) const;
     };
 
@@ -109,7 +111,7 @@ private:
     int m_channels = 0;
     std::ptrdiff_t m_rowStride = 0;
     std::ptrdiff_t m_planeStride = 0;
-    std::unique_ptr<float[], AlignedDelete> m_data;
+    std::unique_ptr<float[], Free> m_data;
 };
 
 /// The channels of all images, which have the same size, in one image.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/large_memory.h"
 #include "core/image/image.h"
 
 #include <cstdint>
@@ -63,7 +64,7 @@ private:
 
     Size m_size;
     std::vector<Size> m_exemplarSizes;
-    std::vector<Source> m_sources;
+    std::vector<Source, LargeAllocator<Source>> m_sources;
 };
 
 } // namespace texloom

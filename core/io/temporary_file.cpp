@@ -1,6 +1,7 @@
 #include "core/io/temporary_file.h"
 
 #include "core/base/error.h"
+#include "core/base/folder_of.h"
 
 #include <OpenImageIO/hash.h>
 #include <fcntl.h>
@@ -27,10 +28,6 @@ namespace {
 constexpr mode_t kPermissions = 0666; // less what the user's mask takes away
 
 constexpr const char* kPrefix = ".texloom-";
-
-fs::path folderOf(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 /// What a name stands for behind all symbolic links, so that writing replaces the file and not the link.
 fs::path linkTarget(fs::path file) {

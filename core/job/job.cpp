@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/job/freed_memory.h"
 
 #include <exception>
 
@@ -10,6 +11,7 @@ namespace texloom {
 void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)> work,
                       std::function<void()> cancelled, std::function<void(Failure)> failed,
                       std::function<void()> onFinished) {
+    keepFreedMemory();
     m_thread = std::jthread([=, this](const std::stop_token& stop) {
         try {
             JobContext context(
@@ -31,6 +33,7 @@ void JobRunner::start(const JobOptions& options, std::function<void(JobContext&)
         } catch (...) {
             failed({TR("The work ended for an unknown reason; try again."), false});
         }
+        giveBackFreedMemory();
         m_finished = true;
         if (onFinished)
             onFinished();

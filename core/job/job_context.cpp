@@ -98,7 +98,7 @@ JobContext::JobContext(const JobOptions& options, std::function<bool()> stopped,
                        std::function<bool()> kept)
     : m_seed(options.seed), m_random(options.seed), m_threads(threadCount(options.threads)),
       m_previews(options.previews), m_stopped(std::move(stopped)), m_kept(std::move(kept)),
-      m_keep(options.keep), m_resumed(options.resumed), m_monitor(monitor),
+      m_keep(options.keep), m_resumed(options.resumed), m_keepEvery(options.keepEvery), m_monitor(monitor),
       m_arena(std::make_unique<Arena>(m_threads)) {}
 
 JobContext::~JobContext() = default;
@@ -145,7 +145,7 @@ void JobContext::curve(const Message& name, double value) {
 }
 
 void JobContext::checkpoint(std::chrono::milliseconds every, const std::function<std::string()>& state) {
-    if (!m_keep || Clock::now() - m_lastCheckpoint < every)
+    if (!m_keep || Clock::now() - m_lastCheckpoint < m_keepEvery.value_or(every))
         return;
     m_keep({m_step, m_monitor.progress(), state(), m_monitor.curves()});
     m_lastCheckpoint = Clock::now();

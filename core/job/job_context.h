@@ -83,6 +83,8 @@ struct JobOptions {
     std::function<void(const Checkpoint&)> keep = {};
     /// What to go on from; null to begin at the beginning.
     std::shared_ptr<const Checkpoint> resumed = nullptr;
+    /// How often checkpoints are kept, in place of what the work asks for, as tests do.
+    std::optional<std::chrono::milliseconds> keepEvery = std::nullopt;
 };
 
 /// All that a method knows of the world while it runs. check(), random() and threads() may be called
@@ -159,6 +161,7 @@ private:
     std::function<bool()> m_stopped, m_kept;
     std::function<void(const Checkpoint&)> m_keep;
     std::shared_ptr<const Checkpoint> m_resumed;
+    std::optional<std::chrono::milliseconds> m_keepEvery;
     std::optional<PartialWork> m_partial;
     std::uint32_t m_step = 0;
     bool m_curvesTakenUp = false;

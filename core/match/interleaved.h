@@ -1,10 +1,10 @@
 #pragma once
 
+#include "core/base/large_memory.h"
 #include "core/image/image.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace texloom {
 
@@ -14,7 +14,7 @@ struct Interleaved {
 
     Interleaved(Size extent, int channels)
         : size(extent), pixel(pixelFor(channels)),
-          data(static_cast<std::size_t>(extent.area()) * static_cast<std::size_t>(pixel), 0.0F) {}
+          data(static_cast<std::size_t>(extent.area()) * static_cast<std::size_t>(pixel)) {}
 
     static int pixelFor(int channels) {
         return channels <= 2 ? channels : (channels + kLanes - 1) / kLanes * kLanes;
@@ -40,7 +40,7 @@ struct Interleaved {
 
     Size size;
     int pixel; ///< floats from one pixel to the next
-    std::vector<float> data;
+    ZeroedBuffer<float> data;
 };
 
 /// Sum of squared differences over `rows` rows of `length` floats, abandoned once it exceeds `limit`.

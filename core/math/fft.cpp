@@ -1,5 +1,6 @@
 #include "core/math/fft.h"
 
+#include "core/base/large_memory.h"
 #include "core/math/line_transform.h"
 
 #include <fftw3.h>
@@ -10,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <numbers>
 #include <tuple>
 #include <type_traits>
@@ -52,7 +52,7 @@ fftwf_plan makeRealPlan(const Batch& b, float* reals, fftwf_r2r_kind kind) {
 }
 
 /// ESTIMATE plans read nothing from the arrays and depend on their alignment alone, so that one plan serves
-/// all buffers whose blocks start at the alignment of fftwf_malloc.
+/// all buffers whose blocks start at the alignment of allocateMemory().
 fftwf_plan makePlan(const Batch& b) {
     const auto inSize =
         static_cast<std::size_t>(b.inDistance) * b.count + static_cast<std::size_t>(b.inStride) * b.length;
@@ -126,14 +126,12 @@ int fastFftLength(int length) {
 }
 
 template <class T> void FftBuffer<T>::Free::operator()(T* data) const {
-    fftwf_free(data);
+    freeMemory(data, count * sizeof(T));
 }
 
-template <class T> FftBuffer<T>::FftBuffer(std::size_t count) : m_size(count) {
-    m_data.reset(static_cast<T*>(fftwf_malloc(std::max<std::size_t>(1, count) * sizeof(T))));
-    if (!m_data)
-        throw std::bad_alloc();
-}
+template <class T>
+FftBuffer<T>::FftBuffer(std::size_t count)
+    : m_data(static_cast<T*>(allocateMemory(count * sizeof(T))), {count}) {}
 
 template class FftBuffer<float>;
 template class FftBuffer<std::complex<float>>;

@@ -20,13 +20,13 @@ public:
     explicit FftBuffer(std::size_t count);
 
     T* data() const { return m_data.get(); }
-    std::size_t size() const { return m_size; }
+    std::size_t size() const { return m_data.get_deleter().count; }
 
 private:
     struct Free {
+        std::size_t count;
         void operator()(T* data) const;
     };
-    std::size_t m_size = 0;
     std::unique_ptr<T[], Free> m_data;
 };
 

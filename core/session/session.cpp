@@ -1,6 +1,7 @@
 #include "core/session/session.h"
 
 #include "core/base/error.h"
+#include "core/base/folder_of.h"
 #include "core/base/version.h"
 #include "core/io/file_name_json.h"
 #include "core/io/image_file.h"
@@ -20,10 +21,6 @@ namespace fs = std::filesystem;
 using Json = JsonField::Json;
 
 namespace {
-
-fs::path folderOf(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 void checkFormat(const JsonField& root) {
     const JsonField format = root.at("session");

@@ -21,6 +21,7 @@ namespace texloom::test {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
@@ -240,9 +241,10 @@ TEST_F(Doors, ModelsThatDoNotFitAreRefusedAndNothingIsWritten) {
 }
 
 TEST_F(Doors, EachIsListedAsOthersAre) {
-    std::set<std::string> ids;
+    std::set<std::string> ids, absent;
     for (const Json& method : Json::parse(run({"methods", "--json"})))
-        ids.insert(method.at("id").get<std::string>());
+        (method.contains("absent") ? absent : ids).insert(method.at("id").get<std::string>());
+    EXPECT_EQ(absent, std::set<std::string>{"left-out"});
     for (const char* id : {"mirror-tile", "stipple", "learn-moments", "solid-noise"})
         EXPECT_TRUE(ids.contains(id)) << id;
     run({"methods", "--markdown", "pages"});
@@ -275,12 +277,30 @@ TEST_F(Doors, ARunThatWasKilledGoesOnAsThoughItHadNotBeen) {
     writeText(m_folder / "out.exr.checkpoint",
               checkpoint.replace(checkpoint.find(first), first.size(), R"("values":[7.5)"));
     run(with({"--set", "pause=50", "-o", "out.exr", "--resume", "--report", "report.json"}));
+    EXPECT_THAT(ended(with({"-o", "out.exr", "--resume"})).err, HasSubstr("no checkpoint"));
     EXPECT_TRUE(samePixels(image("uninterrupted.exr"), image("out.exr")));
     std::vector<double> rounds(40);
     std::iota(rounds.begin(), rounds.end(), 1.0);
     rounds.front() = 7.5;
     EXPECT_EQ(json("report.json").at("curves").at("Round").get<std::vector<double>>(), rounds);
     EXPECT_FALSE(fs::exists(m_folder / "out.exr.checkpoint"));
+}
+
+TEST_F(Doors, ARunBegunAnewSaysThatItReplacesACheckpoint) {
+    const std::vector<std::string> arguments = {"synth", "slow-diffusion", "bark.png", "-o", "out.exr"};
+    run(arguments);
+    {
+        std::vector<std::string> slowly = arguments;
+        slowly.insert(slowly.end(), {"--overwrite", "--set", "pause=50"});
+        Program slow(slowly, m_folder.path(), TEXLOOM_CLI_DOORS);
+        while (slow.running() && !fs::exists(m_folder / "out.exr.checkpoint"))
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        slow.signal(SIGKILL);
+        slow.wait();
+    }
+    std::vector<std::string> again = arguments;
+    again.emplace_back("--overwrite");
+    EXPECT_THAT(ended(again).err, AllOf(HasSubstr("out.exr.checkpoint"), HasSubstr("--resume")));
 }
 
 TEST_F(Doors, ADamagedCheckpointOrAnotherFileOfItsNameIsLeftAlone) {

@@ -5,6 +5,8 @@
 #include "core/io/model_file.h"
 #include "core/io/recipe.h"
 #include "core/session/batch/batch.h"
+#include "core/session/run/checkpoint_file.h"
+#include "core/session/session.h"
 #include "core/volume/mesh_file.h"
 #include "core/volume/volume_file.h"
 #include "tests/core/tools/sample_edits.h"
@@ -211,6 +213,30 @@ TEST(Fuzz, BatchesAreReadOrRefused) {
             "output":"$name_${patch}_$w.png","sweep":{"patch":[8,12],"seed":[1,2]},"seeds":"varied"}]})",
         R"({"batch":1,"runs":[{"recipe":"gone.json","output":"${a}$$.png","maps":["m.exr"],"depth":"half"}]})"};
     fuzz("batch", originals, 10 * iterations(), [](const std::string& text) { Batch::fromJson(text, "/a"); });
+}
+
+TEST(Fuzz, SessionsAreReadOrRefused) {
+    Session session;
+    session.settings.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, {}, {}}};
+    session.settings.size = {512, 256};
+    session.used = {true};
+    fuzz("session", {session.toJson("/a"), R"({"session":1,"settings":{"texloom":1},"used":[],"current":-1})"},
+         10 * iterations(), [](const std::string& text) { Session::fromJson(text, "/a"); });
+}
+
+TEST(Fuzz, CheckpointsAreReadOrRefused) {
+    const TemporaryFolder folder;
+    Recipe recipe;
+    recipe.steps.front().method = "sparse";
+    recipe.size = {64, 48};
+    const fs::path file = folder / "a.png.checkpoint";
+    writeCheckpoint(file, recipe, {1, 0.4, std::string("state\0\n{}", 9), {{TR("Energy"), {3, 2, 1}}}});
+    const std::string original = get(file);
+    fuzz("checkpoint", {original}, 5 * iterations(), [&](const std::string& bytes) {
+        put(file, bytes);
+        // What is read was not damaged, as its hash says.
+        EXPECT_EQ(readCheckpoint(file).checkpoint.state, std::string("state\0\n{}", 9));
+    });
 }
 
 TEST(Fuzz, RecipesInFilesAreReadOrRefused) {

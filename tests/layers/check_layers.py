@@ -9,11 +9,11 @@ import re
 import sys
 import tempfile
 
-CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "volume", "tools", "methods", "session"]
+CORE = ["base", "image", "color", "job", "io", "math", "match", "analysis", "volume", "render", "tools", "methods", "session"]
 # From the cellar to the roof: a folder of ui/ knows only those before it.
 UI = [
-    "common", "picture", "runs", "viewers", "paint", "exemplar", "inspector", "jobs", "results", "log", "maps", "export",
-    "compare", "lattice", "blend", "plots", "volume", "session", "window",
+    "common", "picture", "runs", "viewers", "paint", "exemplar", "inspector", "ports", "jobs", "results", "log", "maps", "export",
+    "compare", "lattice", "blend", "plots", "volume", "material", "session", "window",
 ]
 ORDERS = {"core": CORE, "ui": UI}
 TOPS = {

@@ -11,15 +11,17 @@
 namespace texloom::test {
 namespace {
 
-/// A made-up picture that tiles, as inputs of outputs that wrap must.
+/// A made-up picture that tiles, as inputs of outputs that wrap must; a large one repeats itself.
 std::shared_ptr<const Image> mirroredBlobs(Size size, int channels) {
-    const Image quarter = blobs({(size.width + 1) / 2, (size.height + 1) / 2}, channels, 3);
+    constexpr int kMost = 256;
+    const Image part =
+        blobs({std::min(kMost, (size.width + 1) / 2), std::min(kMost, (size.height + 1) / 2)}, channels, 3);
     Image whole(size, channels);
     for (int c = 0; c < channels; ++c)
         for (int y = 0; y < size.height; ++y)
             for (int x = 0; x < size.width; ++x)
-                whole(x, y, c) =
-                    quarter(std::min(x, size.width - 1 - x), std::min(y, size.height - 1 - y), c);
+                whole(x, y, c) = part(std::min(x, size.width - 1 - x) % part.width(),
+                                      std::min(y, size.height - 1 - y) % part.height(), c);
     return std::make_shared<const Image>(std::move(whole));
 }
 

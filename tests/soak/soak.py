@@ -168,7 +168,7 @@ class Soak:
         self.exemplars = options.exemplar
         self.thorough = options.thorough
         listed = subprocess.run([self.program, "methods", "--json"], capture_output=True, check=True).stdout
-        self.methods = json.loads(listed)
+        self.methods = [method for method in json.loads(listed) if "absent" not in method]
         self.refused = self.maps = self.moments = 0
 
     def prepared(self, folder, rng, method):

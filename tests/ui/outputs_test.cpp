@@ -225,6 +225,34 @@ private Q_SLOTS:
         targets->hide();
     }
 
+    void aWindowWithoutExemplarsTakesWhatIsDroppedIntoAPort() {
+        MainWindow empty;
+        auto* targets = child<DropTargets>(empty, "dropTargets");
+        QMimeData file;
+        file.setUrls({QUrl::fromLocalFile(writeTexture(m_folder, QStringLiteral("face.png"), {40, 30}))});
+        const auto enter = [&] {
+            QDragEnterEvent event(empty.rect().center(), Qt::CopyAction, &file, Qt::LeftButton,
+                                  Qt::NoModifier);
+            QApplication::sendEvent(&empty, &event);
+        };
+        auto* method = child<QComboBox>(empty, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("draw-moments")));
+        enter();
+        QVERIFY(targets->isVisibleTo(&empty));
+        QCOMPARE(targets->targetAt(targets->placeOf(DropTargets::Target::Exemplar).center()),
+                 DropTargets::Target::Exemplar);
+        QCOMPARE(targets->portAt(targets->placeOf("moments").center()), std::string("moments"));
+        QVERIFY(!targets->placeOf("moments").isEmpty());
+    }
+
+    void methodsThatTheBuildLacksAreListedWithTheReason() {
+        auto* method = child<QComboBox>(*m_window, "method");
+        const int line = method->findText(QStringLiteral("left-out"));
+        QVERIFY(line >= 0);
+        QVERIFY(!(method->model()->index(line, 0).flags() & Qt::ItemIsEnabled));
+        QVERIFY(method->itemData(line, Qt::ToolTipRole).toString().contains(QStringLiteral("install it")));
+    }
+
     void mapsAndMasksComeBackAsTheyWere() {
         run("quilting");
         const auto copied = m_window->desk()->result();

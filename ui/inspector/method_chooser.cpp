@@ -1,8 +1,10 @@
 #include "ui/inspector/method_chooser.h"
 
+#include "core/methods/registry.h"
 #include "ui/common/text.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QStandardItemModel>
 
 #include <optional>
@@ -11,15 +13,19 @@ namespace texloom::ui {
 
 namespace {
 
+/// Makes a line one that cannot be chosen.
+QStandardItem* disable(QComboBox* chooser, int line) {
+    QStandardItem* const item = qobject_cast<QStandardItemModel*>(chooser->model())->item(line);
+    item->setFlags(Qt::NoItemFlags);
+    return item;
+}
+
 /// A line that cannot be chosen, in bold.
 void addHeading(QComboBox* chooser, const QString& text) {
     chooser->addItem(text);
-    auto* const model = qobject_cast<QStandardItemModel*>(chooser->model());
-    QStandardItem* const item = model->item(chooser->count() - 1);
-    item->setFlags(Qt::NoItemFlags);
     QFont font = chooser->font();
     font.setBold(true);
-    item->setFont(font);
+    disable(chooser, chooser->count() - 1)->setFont(font);
 }
 
 } // namespace
@@ -38,6 +44,17 @@ void fillWithMethods(QComboBox* chooser, const std::function<bool(const MethodIn
             chooser->count() - 1,
             QStringLiteral("%1\n%2").arg(translated(info.summary), translated(info.citation)),
             Qt::ToolTipRole);
+    }
+}
+
+void addAbsentMethods(QComboBox* chooser) {
+    if (absentMethods().empty())
+        return;
+    addHeading(chooser, QCoreApplication::translate("MethodChooser", "Not part of this build"));
+    for (const AbsentMethod& absent : absentMethods()) {
+        chooser->addItem(QString::fromStdString(absent.id));
+        chooser->setItemData(chooser->count() - 1, translated(absent.reason), Qt::ToolTipRole);
+        disable(chooser, chooser->count() - 1);
     }
 }
 

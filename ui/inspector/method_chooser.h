@@ -12,4 +12,7 @@ namespace texloom::ui {
 /// its tooltip says what the method does. @param offered whether a method belongs into this list.
 void fillWithMethods(QComboBox* chooser, const std::function<bool(const MethodInfo&)>& offered);
 
+/// Adds the methods that this build was made without, which cannot be chosen; the tooltip of each says why.
+void addAbsentMethods(QComboBox* chooser);
+
 } // namespace texloom::ui

@@ -5,7 +5,9 @@
 #include "core/analysis/lattice_detector.h"
 #include "core/analysis/map_usage.h"
 #include "core/base/text.h"
+#include "core/io/model_file.h"
 #include "core/job/memory.h"
+#include "core/volume/mesh.h"
 #include "ui/common/text.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/runs/run_pictures.h"
@@ -193,7 +195,34 @@ std::vector<FiguresPanel::Entry> FiguresPanel::entriesOf(const Result& result, J
     for (const Picture& picture : result.synthesis.pictures)
         entries.push_back({translated(picture.name), std::make_shared<const DisplayPicture>(
                                                          std::make_shared<const Image>(picture.image))});
+    addOutputs(result, entries);
     return entries;
+}
+
+std::vector<FiguresPanel::Number> FiguresPanel::numbersOf(const Model& model) {
+    std::size_t values = 0;
+    for (const auto& [name, array] : model.arrays)
+        values += std::visit([](const auto& held) { return held.size(); }, array.values);
+    return {{tr("Kind"), QString::fromStdString(model.kind)},
+            {tr("Arrays"), QString::number(model.arrays.size())},
+            {tr("Values"), QString::number(values)}};
+}
+
+void FiguresPanel::addOutputs(const Result& result, std::vector<Entry>& entries) {
+    for (const Port& port : result.plan.lastMethod().info().gives) {
+        const std::vector<Asset>& assets = result.synthesis.outputs.at(port.id);
+        if (assets.size() != 1) // sets, such as tiles, have a picture that shows them together
+            continue;
+        const QString title = translated(port.title);
+        if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&assets.front()))
+            entries.push_back({title, std::make_shared<const DisplayPicture>(*image)});
+        else if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&assets.front()))
+            entries.push_back({title, numbersOf(**model)});
+        else if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&assets.front()))
+            entries.push_back(
+                {title, std::vector<Number>{{tr("Vertices"), QString::number((*mesh)->positions.size())},
+                                            {tr("Triangles"), QString::number((*mesh)->triangles.size())}}});
+    }
 }
 
 void FiguresPanel::addUse(const Result& result, std::vector<Entry>& entries, JobContext& context) {

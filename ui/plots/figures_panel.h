@@ -57,6 +57,9 @@ private:
     static void addHistograms(const Result& result, std::vector<Entry>& entries, JobContext& context);
     static void addUse(const Result& result, std::vector<Entry>& entries, JobContext& context);
     static void addCorrelations(const Result& result, std::vector<Entry>& entries, JobContext& context);
+    /// What else the last method made, as far as it can be looked at here.
+    static void addOutputs(const Result& result, std::vector<Entry>& entries);
+    static std::vector<Number> numbersOf(const Model& model);
     void begin();
     void drawCurves();
     void take(std::vector<Entry> entries);

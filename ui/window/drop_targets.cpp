@@ -25,10 +25,24 @@ void DropTargets::open(Dragged dragged, bool masks, const std::vector<Port>& por
                {tr("Companion map"), tr("Gets the result's layout"), files},
                {tr("Mask"), masks ? tr("Black is never copied") : tr("The method does not use a mask"),
                 files && masks}};
+    addPorts(dragged, ports);
+    cover();
+}
+
+void DropTargets::openWithoutExemplar(Dragged dragged, const std::vector<Port>& ports) {
+    m_cards = {{tr("Exemplar"), tr("Opened to learn from"), true}};
+    addPorts(dragged, ports);
+    cover();
+}
+
+void DropTargets::addPorts(Dragged dragged, const std::vector<Port>& ports) {
     for (const Port& port : ports) {
         const bool takes = dragged != Dragged::Picture || port.kind == AssetKind::Image;
         m_cards.push_back({translated(port.title), translated(port.help), takes, port.id});
     }
+}
+
+void DropTargets::cover() {
     m_over = -1;
     m_entered = false;
     setGeometry(parentWidget()->rect());

@@ -12,9 +12,9 @@ class QMimeData;
 
 namespace texloom::ui {
 
-/// The places where something can be let go while it is dragged over a window that has an exemplar: in place
-/// of the exemplar, beside it, as one of its companion maps, as its mask, or in one of the method's ports.
-/// Menus and the inspector do the same without a mouse.
+/// The places where something can be let go while it is dragged over the window: in place of the exemplar,
+/// beside it, as one of its companion maps, as its mask, or in one of the method's ports. Menus and the
+/// inspector do the same without a mouse.
 class DropTargets : public QWidget {
     Q_OBJECT
 
@@ -28,6 +28,8 @@ public:
     /// what any port takes. @param masks whether the method in use heeds a mask. @param ports that the method
     /// has beside exemplars and what belongs to them.
     void open(Dragged dragged, bool masks, const std::vector<Port>& ports = {});
+    /// The same where there is no exemplar yet: as one, or in a port.
+    void openWithoutExemplar(Dragged dragged, const std::vector<Port>& ports);
     /// Goes away unless the drag has come to it.
     void closeUnlessEntered();
     /// The target at a point, if something can be let go there.
@@ -58,6 +60,8 @@ private:
         bool enabled;
         std::string port = {}; ///< its id; empty for one of the targets, which come first
     };
+    void addPorts(Dragged dragged, const std::vector<Port>& ports);
+    void cover();
     void close();
     QRect placeAt(int index) const;
     /// The index of the card at a point where something can be let go; −1 if there is none.

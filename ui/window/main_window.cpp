@@ -19,17 +19,17 @@
 #include "ui/log/log_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
+#include "ui/ports/exemplar_inputs.h"
+#include "ui/ports/port_painting.h"
+#include "ui/ports/result_inputs.h"
 #include "ui/results/limits_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/run_recovery.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/drop_targets.h"
-#include "ui/window/exemplar_inputs.h"
 #include "ui/window/hovers.h"
-#include "ui/window/port_painting.h"
 #include "ui/window/readout.h"
 #include "ui/window/result_export.h"
-#include "ui/window/result_inputs.h"
 #include "ui/window/run_display.h"
 #include "ui/window/start_page.h"
 
@@ -106,6 +106,7 @@ void MainWindow::fillMethods() {
     m_method->setObjectName(QStringLiteral("method"));
     m_method->setAccessibleName(tr("Method"));
     fillWithMethods(m_method, [](const MethodInfo&) { return true; });
+    addAbsentMethods(m_method);
     m_method->setCurrentIndex(m_method->findData(kFirstMethod));
 }
 

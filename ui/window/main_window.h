@@ -144,8 +144,8 @@ private:
     void askForLayer(const LayerQuestion& question);
     void offerRecipe(const QString& path, const QString& text);
     void loadRecipeFrom(const QString& path);
-    /// Says so where another build made a recipe.
-    void sayOtherBuild(const std::string& version);
+    /// Says so where another build made something. @param sentence with both versions as %1 and %2
+    void sayOtherBuild(const std::string& version, const QString& sentence);
 
     void methodChosen();
     void settingsEdited();

@@ -11,10 +11,10 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/maps/result_view.h"
+#include "ui/ports/result_inputs.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
-#include "ui/window/result_inputs.h"
 #include "ui/window/start_page.h"
 
 #include <QApplication>
@@ -134,13 +134,15 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!result && !offersPicture(*event->mimeData()))
         return;
     event->acceptProposedAction();
-    if (m_store->current() != nullptr) {
-        const bool files = !localFiles(*event->mimeData()).isEmpty();
-        return m_drop->open(result  ? DropTargets::Dragged::Result
-                            : files ? DropTargets::Dragged::Files
-                                    : DropTargets::Dragged::Picture,
-                            useOf(m_inspector->steps()).masks, m_inspector->output()->ports());
-    }
+    const std::vector<Port> ports = m_inspector->output()->ports();
+    const bool files = !localFiles(*event->mimeData()).isEmpty();
+    const auto dragged = result  ? DropTargets::Dragged::Result
+                         : files ? DropTargets::Dragged::Files
+                                 : DropTargets::Dragged::Picture;
+    if (m_store->current() != nullptr)
+        return m_drop->open(dragged, useOf(m_inspector->steps()).masks, ports);
+    if (!ports.empty())
+        return m_drop->openWithoutExemplar(dragged, ports);
     m_start->setDropping(true);
     statusBar()->showMessage(tr("Let go to open it as an exemplar."));
 }
@@ -153,7 +155,10 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
 }
 
 void MainWindow::dropOn(DropTargets::Target target, const QMimeData& offered) {
-    const int current = m_store->current()->id;
+    const ExemplarEntry* const looked = m_store->current();
+    if (looked == nullptr)
+        return take(offered);
+    const int current = looked->id;
     const QStringList files = localFiles(offered);
     if (target == DropTargets::Target::Companion) {
         for (const QString& file : files)
@@ -237,7 +242,8 @@ void MainWindow::loadRecipeFrom(const QString& path) {
                     tr("Settings restored, but these files changed since, so the result will differ: %1.")
                         .arg(loaded.changed.join(QStringLiteral(", "))));
             else
-                sayOtherBuild(loaded.version);
+                sayOtherBuild(loaded.version,
+                              tr("The recipe was made by Texloom %1; this is %2, so the result may differ."));
         },
         [this](const QString& why) {
             if (!why.isEmpty())
@@ -245,11 +251,10 @@ void MainWindow::loadRecipeFrom(const QString& path) {
         });
 }
 
-void MainWindow::sayOtherBuild(const std::string& version) {
+void MainWindow::sayOtherBuild(const std::string& version, const QString& sentence) {
     if (!version.empty() && version != kVersion)
         m_messages->say(MessageBar::Kind::Information,
-                        tr("The recipe was made by Texloom %1; this is %2, so the result may differ.")
-                            .arg(QString::fromStdString(version), QLatin1String(kVersion)));
+                        sentence.arg(QString::fromStdString(version), QLatin1String(kVersion)));
 }
 
 void MainWindow::restore(const RunInput& input) {
@@ -299,7 +304,8 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
 
 void MainWindow::restoreRecipe(const Recipe& recipe, bool keepSize) {
     const Size size = keepSize ? m_inspector->output()->outputSize() : recipe.size;
-    sayOtherBuild(recipe.version);
+    sayOtherBuild(recipe.version,
+                  tr("The recipe was made by Texloom %1; this is %2, so the result may differ."));
     if (recipe.inputs.empty() && openExemplarsOf(recipe)) {
         RunInput input;
         input.steps = recipe.steps;

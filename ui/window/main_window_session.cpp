@@ -1,3 +1,4 @@
+#include "core/base/version.h"
 #include "ui/common/background.h"
 #include "ui/common/message_bar.h"
 #include "ui/exemplar/exemplar_editor.h"
@@ -84,6 +85,7 @@ Session MainWindow::session() const {
     const SettingsState state = settingsOf(*m_method, *m_inspector);
     Session session;
     session.settings = state.settings;
+    session.settings.version = kVersion;
     session.seedLocked = state.seedLocked;
     session.settings.inputs = recipeInputs(state.inputs);
     for (const ExemplarEntry& entry : m_store->entries()) {
@@ -116,6 +118,8 @@ void MainWindow::showSession(const LoadedSession& loaded, const std::function<vo
             }
             m_undo->clear();
             shown();
+            sayOtherBuild(loaded.session.settings.version,
+                          tr("The session was saved by Texloom %1; this is %2, so results may differ."));
             plan();
         },
         Qt::SingleShotConnection);

@@ -5,8 +5,12 @@
 #include "ui/common/text.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/maps/result_view.h"
+#include "ui/material/material_page.h"
 #include "ui/plots/figures_panel.h"
 #include "ui/volume/slice_panel.h"
+
+#include <QDesktopServices>
+#include <QUrl>
 
 #include <utility>
 
@@ -32,7 +36,14 @@ std::shared_ptr<const VolumeSource> volumeOf(const Result& result) {
 } // namespace
 
 RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
-    : QObject(parent), m_desk(desk), m_to(places), m_volume(new SlicePanel(places.results)) {
+    : QObject(parent), m_desk(desk), m_to(places), m_volume(new SlicePanel(places.results)),
+      m_material(new MaterialPage(places.results)) {
+    m_to.results->addPage(m_material, tr("Material"),
+                          tr("The result and its maps lit, on a shape or a mesh of your own."));
+    connect(m_material, &MaterialPage::saved, this, [this](const QString& folder) {
+        m_to.messages->say(MessageBar::Kind::Information, tr("Written to %1.").arg(folder), tr("Open folder"),
+                           [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    });
     m_to.results->addPage(m_volume, tr("Volume"),
                           tr("A slice of the volume that the result has: any plane, at any place."));
     m_to.results->setPageOffered(m_volume, false);
@@ -70,6 +81,7 @@ void RunDisplay::announce(const QueuedJob& job) {
 
 void RunDisplay::showPreview(const RunPictures& pictures) {
     m_to.results->showPictures(pictures);
+    m_material->showPictures(pictures);
     if (m_desk->running())
         m_to.results->setBadge(m_desk->controller()->quick() ? tr("Quick preview")
                                : pictures.step > 1           ? tr("Preview 1:%1").arg(pictures.step)
@@ -78,6 +90,7 @@ void RunDisplay::showPreview(const RunPictures& pictures) {
 
 void RunDisplay::showResult(const ShownResult& shown) {
     m_to.results->showPictures(shown.pictures);
+    m_material->showPictures(shown.pictures);
     const std::optional<double>& stopped = shown.result->stoppedAt;
     const QString title = titleOf(*shown.result);
     if (stopped) {
@@ -103,6 +116,7 @@ void RunDisplay::showVolume(std::shared_ptr<const VolumeSource> volume) {
 
 void RunDisplay::clear() {
     m_to.results->showPictures({});
+    m_material->showPictures({});
     m_to.results->setBadge({});
     m_to.results->setTitle({});
     m_to.results->setNotes({});

@@ -7,13 +7,14 @@
 namespace texloom::ui {
 
 class FiguresPanel;
+class MaterialPage;
 class MessageBar;
 class ResultView;
 class RunPanel;
 class SlicePanel;
 
 /// Shows what the desk tells: the pictures of the run that is shown with its title, badge, notes and figures,
-/// and in a tab of its own a slice of its volume, if it made one;
+/// in tabs of their own the material that it makes, lit, and a slice of its volume, if it made one;
 /// what the next run will need, how the one under way goes, and what could not be done.
 class RunDisplay : public QObject {
     Q_OBJECT
@@ -43,6 +44,7 @@ private:
     RunDesk* m_desk;
     Places m_to;
     SlicePanel* m_volume; ///< the page of the results' volume
+    MaterialPage* m_material;
 };
 
 } // namespace texloom::ui

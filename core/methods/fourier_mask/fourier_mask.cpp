@@ -93,9 +93,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                       {TR("Drift over the output, in cycles"), driftOf(model, request.size)},
                       {TR("Largest move to close, in cycles"), move},
                       {TR("Mean error along a cut"), *quilt.meanCutError}};
-    Image part(regular.view().channelRange(0, request.resultChannels()));
-    result.outputs.add(kRegularPort, std::make_shared<const Image>(part));
-    result.pictures.push_back({TR("Regular part"), std::move(part)});
+    result.outputs.add(kRegularPort, std::make_shared<const Image>(
+                                         regular.view().channelRange(0, request.resultChannels())));
     if (model.share < kLeastShare)
         result.notes.push_back(message("Only {:.1f} % of {} is regular, so hardly anything guides the "
                                        "patches; lower the threshold, or use image quilting.",

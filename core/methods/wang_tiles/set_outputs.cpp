@@ -93,7 +93,6 @@ void addSet(const Request& request, const Settings& settings, const TileSet& til
         result.outputs.add(kTilePort, std::make_shared<const Image>(sheet->view().crop(
                                           i % inRow * side, i / inRow * side, {side, side})));
     }
-    result.pictures.push_back({TR("Tile set"), *sheet});
     result.outputs.add(kSheetPort, std::shared_ptr<const Image>(std::move(sheet)));
     result.outputs.add(kSheetMapPort, std::shared_ptr<const PositionMap>(std::move(map)));
     result.outputs.add(kTablePort, tableOf(settings, edges));

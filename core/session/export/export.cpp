@@ -1,6 +1,7 @@
 #include "core/session/export/export.h"
 
 #include "core/base/error.h"
+#include "core/base/folder_of.h"
 #include "core/base/text.h"
 #include "core/color/color_pipeline.h"
 #include "core/image/normal_map.h"
@@ -30,10 +31,6 @@ struct Step {
     ExportEntry entry;
     std::function<void()> write;
 };
-
-fs::path folderOf(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 /// The files that a volume may replace. How many slices it will have is known only when it is there: those
 /// that another volume of this name left all count.

@@ -1,6 +1,7 @@
 #include "core/session/run/checkpoint_file.h"
 
 #include "core/base/error.h"
+#include "core/base/folder_of.h"
 #include "core/base/version.h"
 #include "core/io/curve_json.h"
 #include "core/io/image_file.h"
@@ -16,10 +17,6 @@ using Json = JsonField::Json;
 namespace {
 
 constexpr const char* kName = "texloomCheckpoint";
-
-fs::path folderOf(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 [[noreturn]] void damaged(const fs::path& path) {
     failUsage("{} is not a checkpoint, or it is damaged; begin the run anew.", path.string());

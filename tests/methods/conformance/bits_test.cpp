@@ -3,9 +3,14 @@
 #include "core/base/error.h"
 #include "core/io/model_file.h"
 #include "tests/methods/conformance/fixture.h"
+#include "tests/methods/made_up_ports.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
 
 namespace texloom::test {
 namespace {
@@ -33,17 +38,54 @@ void expectSame(const Synthesis& a, const Synthesis& b) {
     }
 }
 
-TEST_P(Conformance, sameRecipeGivesTheSameBitsForAnyNumberOfThreads) {
-    if (method().info().repeats == Repeats::Nearly)
-        GTEST_SKIP() << "skipped: " << GetParam() << " says that it repeats but for rounding";
+/// As a recipe that runs again has it: the same, or, of a method that says so, but for rounding.
+void expectRepeated(const MethodInfo& info, const Synthesis& a, const Synthesis& b) {
+    if (info.repeats == Repeats::Bits)
+        return expectSame(a, b);
+    constexpr double kRounding = 1e-4;
+    ASSERT_EQ(a.image.size(), b.image.size());
+    ASSERT_EQ(a.image.channels(), b.image.channels());
+    for (int c = 0; c < a.image.channels(); ++c)
+        for (int y = 0; y < a.image.height(); ++y)
+            for (int x = 0; x < a.image.width(); ++x)
+                ASSERT_NEAR(a.image(x, y, c), b.image(x, y, c), kRounding);
+}
+
+TEST_P(Conformance, sameRecipeGivesTheSameForAnyNumberOfThreads) {
     for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
         Request request = requestFor({48, 40}, 3, {101, 90});
         if (method().info().canWrap())
             request.wrap = wrap;
         const Synthesis one = runWith(method(), request, 1);
-        expectSame(one, runWith(method(), request, 2));
-        expectSame(one, runWith(method(), request, 7));
-        expectSame(one, runWith(method(), request, 1));
+        expectRepeated(method().info(), one, runWith(method(), request, 2));
+        expectRepeated(method().info(), one, runWith(method(), request, 7));
+        expectRepeated(method().info(), one, runWith(method(), request, 1));
+    }
+}
+
+TEST_P(Conformance, whatGoesOnFromACheckpointEndsAsThoughNothingHadHappened) {
+    Request request = requestFor({48, 40}, 3, {101, 90});
+    fillPorts(method().info(), request);
+    const RunPlan plan = planFor(method(), request, briefSettings(method(), request));
+    const auto made = [&](JobOptions options) {
+        options.seed = request.seed;
+        options.threads = 2;
+        JobMonitor monitor;
+        JobContext context(
+            options, [] { return false; }, monitor);
+        return method().run(plan.requestFor(0, method().info()), plan.steps.front().settings, context);
+    };
+    std::vector<Checkpoint> kept;
+    JobOptions keeping;
+    keeping.keep = [&](const Checkpoint& checkpoint) { kept.push_back(checkpoint); };
+    keeping.keepEvery = std::chrono::milliseconds(0);
+    const Synthesis whole = made(keeping);
+    if (kept.empty())
+        GTEST_SKIP() << "skipped: " << GetParam() << " keeps no checkpoints";
+    for (const std::size_t from : {std::size_t{0}, kept.size() / 2, kept.size() - 1}) {
+        JobOptions resumed;
+        resumed.resumed = std::make_shared<const Checkpoint>(kept[from]);
+        expectRepeated(method().info(), made(resumed), whole);
     }
 }
 

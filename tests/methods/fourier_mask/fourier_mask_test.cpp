@@ -135,8 +135,8 @@ TEST(FourierMask, patchesFollowTheWaves) {
         return findWaves(result.image, {}, {0.4, 8}, [] {}).share;
     };
     EXPECT_GT(part(guided), 1.2 * part(unguided));
-    ASSERT_EQ(guided.pictures.size(), 1U);
-    EXPECT_EQ(guided.pictures.front().image.size(), request.size);
+    ASSERT_NE(guided.outputs.image("regular-part"), nullptr);
+    EXPECT_EQ(guided.outputs.image("regular-part")->size(), request.size);
     EXPECT_EQ(guided.figures.front().value, 2);
     EXPECT_LT(guided.figures[2].value, 0.2);
     EXPECT_TRUE(guided.notes.empty());

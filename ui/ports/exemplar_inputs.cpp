@@ -1,4 +1,4 @@
-#include "ui/window/exemplar_inputs.h"
+#include "ui/ports/exemplar_inputs.h"
 
 #include "ui/common/text.h"
 #include "ui/exemplar/exemplar_store.h"

@@ -1,4 +1,4 @@
-#include "ui/window/port_painting.h"
+#include "ui/ports/port_painting.h"
 
 #include "core/image/extension.h"
 #include "core/image/selection.h"

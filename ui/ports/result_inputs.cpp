@@ -1,4 +1,4 @@
-#include "ui/window/result_inputs.h"
+#include "ui/ports/result_inputs.h"
 
 #include "core/session/export/output_files.h"
 #include "ui/common/background.h"

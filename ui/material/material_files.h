@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/render/render.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace texloom::ui {
+
+/// All that a picture of a material shows.
+struct Scene {
+    std::shared_ptr<const RenderMesh> mesh;
+    std::shared_ptr<const MaterialTexture> material;
+    std::shared_ptr<const Environment> light;
+    Look look;
+    Size size;
+};
+
+/// Writes a picture of a scene, with three samples along each side of a pixel; the extension says in which
+/// format, and formats of real numbers keep the light as it is. @return 1, the number of files. @throws
+/// Error, UsageError
+int writePicture(const Scene& scene, const std::filesystem::path& path, JobContext& context);
+
+/// Writes `pictures` of a whole turn around the mesh as turn_0000.png and so on; files of these names that
+/// are in the folder already are refused before anything is written. @return their number. @throws Error,
+/// UsageError
+int writeTurn(const Scene& scene, const std::filesystem::path& folder, int pictures, JobContext& context);
+
+} // namespace texloom::ui
