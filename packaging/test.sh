@@ -5,7 +5,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
 # What --turn goes through: each part with each sanitizer.
-parts=(job math match analysis io volume)
+parts=(job math network match analysis io volume)
 presets=(asan tsan)
 turns=$((${#parts[@]} * ${#presets[@]}))
 
