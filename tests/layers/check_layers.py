@@ -9,7 +9,7 @@ import re
 import sys
 import tempfile
 
-CORE = ["base", "image", "color", "job", "io", "math", "network", "match", "analysis", "volume", "render", "tools", "methods", "session"]
+CORE = ["base", "image", "color", "job", "io", "math", "network", "match", "analysis", "volume", "generator", "render", "tools", "methods", "session"]
 # From the cellar to the roof: a folder of ui/ knows only those before it.
 UI = [
     "common", "picture", "runs", "viewers", "paint", "exemplar", "inspector", "ports", "jobs", "results", "log", "maps", "export",

@@ -111,7 +111,7 @@ NeighbourhoodMatcher::NeighbourhoodMatcher(const Problem& problem, int scale, Pr
     for (int c = 0; c < m_channels; ++c) {
         float highest = std::numeric_limits<float>::lowest();
         for (const Match& match : m_matches) {
-            const ValueRange range = valueRange(match.patches.exemplar().view().channelRange(c, 1));
+            const ValueRange range = valueRange(match.patches.exemplar().channelRange(c, 1));
             m_lowest[at(c)] = std::min(m_lowest[at(c)], range.smallest);
             highest = std::max(highest, range.largest);
         }
