@@ -163,7 +163,8 @@ void attach(RunInput& input, const SynthOptions& options) {
                   options.companions.size(), count);
     const std::size_t each = options.companions.size() / count;
     for (std::size_t i = 0; i < options.companions.size(); ++i)
-        input.exemplars[i / each].companions.push_back(loadData(options.companions[i]));
+        for (ExemplarFile& map : loadCompanions(options.companions[i]))
+            input.exemplars[i / each].companions.push_back(std::move(map));
 }
 
 /// Loads one `--input NAME=FILE`: a port of the run's, or one of the exemplars' own, which are shared out in

@@ -36,12 +36,4 @@ const std::string& mapRoleTitle(MapRole role);
 /// @throws UsageError that lists the known ids.
 MapRole mapRoleFrom(std::string_view id);
 
-/// A file's name (without its extension) split by the suffixes that material libraries use, in any case:
-/// "Bark_NORMAL-dx" is "Bark" with a normal map of DirectX.
-struct MapName {
-    std::string base;
-    MapRole role = MapRole::Other;
-};
-MapName mapNameFrom(const std::string& stem);
-
 } // namespace texloom

@@ -33,7 +33,26 @@ Json fileJson(const RecipeFile& file, const fs::path& folder) {
         json["role"] = file.role;
     if (!file.layer.empty())
         json["layer"] = file.layer;
+    if (!file.channel.whole())
+        json["channel"] = file.channel.index;
+    if (file.channel.inverted)
+        json["inverted"] = true;
     return json;
+}
+
+MapChannel channelFrom(const JsonField& field) {
+    MapChannel channel;
+    if (!field.has("channel"))
+        return channel;
+    channel.index = field.at("channel").whole();
+    if (channel.index < 0)
+        field.at("channel").wrong(TR("a channel of the file, counted from 0"));
+    if (field.has("inverted")) {
+        if (!field.at("inverted").json().is_boolean())
+            field.at("inverted").wrong(TR("true or false"));
+        channel.inverted = field.at("inverted").json().get<bool>();
+    }
+    return channel;
 }
 
 RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
@@ -49,6 +68,7 @@ RecipeFile fileFrom(const JsonField& field, const fs::path& folder) {
     if (!file.role.empty())
         mapRoleFrom(file.role);
     file.layer = field.has("layer") ? field.at("layer").text() : "";
+    file.channel = channelFrom(field);
     return file;
 }
 

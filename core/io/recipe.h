@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/exemplar_edit.h"
+#include "core/image/map_name.h"
 #include "core/image/size.h"
 
 #include <cstdint>
@@ -23,7 +24,8 @@ struct RecipeFile {
     std::string hash;  ///< SHA-1 of its bytes, or empty
     /// Of companion maps, the id of what they hold; empty: as the file's name says.
     std::string role = {};
-    std::string layer = {}; ///< the part or layer of it, see ReadOptions::layer
+    std::string layer = {};  ///< the part or layer of it, see ReadOptions::layer
+    MapChannel channel = {}; ///< of companion maps in a file that packs several
 };
 
 /// Files by the id of the port that they go into, in the order in which they were given.

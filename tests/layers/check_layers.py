@@ -28,6 +28,7 @@ LIBRARIES = {
     "OpenColorIO": (r"<OpenColorIO/", ["core/color/"]),
     "FFTW": (r"<fftw3", ["core/math/"]),
     "oneTBB": (r"<(tbb|oneapi)/", ["core/job/"]),
+    "zlib": (r"<zlib\.h", ["core/io/"]),
     "Qt": (r"<(Q[A-Za-z]|q[a-z]+\.h|Qt[A-Z])", ["ui/", "app/gui/"]),
 }
 FIRST_LEVEL = ["core", "ui", "app", "resources", "tests", "packaging"]

@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(!fixture.view.viewer(0)->marker());
         QCOMPARE(fixture.view.viewer(1)->marker(), QPoint(5, 6));
         QVERIFY(!fixture.view.viewer(2)->marker());
-        QCOMPARE(hovered.front().at(2).toString(), QStringLiteral("1.000 0.000 0.000"));
+        QCOMPARE(hovered.front().at(2).toString(), QStringLiteral("1.000 0.000 0.000 · 255 0 0 · #FF0000"));
         Q_EMIT fixture.view.viewer(0)->unhovered();
         QVERIFY(!fixture.view.viewer(1)->marker());
     }

@@ -53,9 +53,9 @@ QPalette paletteFrom(const Tones& tones) {
     palette.setColor(QPalette::ToolTipBase, tones.base);
     palette.setColor(QPalette::ToolTipText, tones.text);
     palette.setColor(QPalette::PlaceholderText, tones.faint);
-    for (const auto role :
-         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, tones.faint);
+    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, tones.text);
     palette.setColor(QPalette::Disabled, QPalette::Highlight, tones.mid);
     return palette;
 }
@@ -65,7 +65,7 @@ QPalette lightPalette() {
                         .base = 0xffffff,
                         .button = 0xf0f0f0,
                         .text = 0x1c1c1c,
-                        .faint = 0x757575,
+                        .faint = 0x686868,
                         .light = 0xffffff,
                         .mid = 0xb8b8b8,
                         .dark = 0x9c9c9c,
@@ -79,7 +79,7 @@ QPalette darkPalette() {
                         .base = 0x1f1f1f,
                         .button = 0x3d3d3d,
                         .text = 0xe8e8e8,
-                        .faint = 0x919191,
+                        .faint = 0xa8a8a8,
                         .light = 0x565656,
                         .mid = 0x262626,
                         .dark = 0x1b1b1b,
@@ -102,12 +102,16 @@ void applyAppearance(Appearance appearance) {
 }
 
 Appearance savedAppearance() {
-    const int saved = QSettings().value(kSetting).toInt();
+    const int saved = QSettings().value(kSetting, static_cast<int>(Appearance::Dark)).toInt();
     return saved == 1 ? Appearance::Light : saved == 2 ? Appearance::Dark : Appearance::System;
 }
 
 void saveAppearance(Appearance appearance) {
     QSettings().setValue(kSetting, static_cast<int>(appearance));
+}
+
+QColor canvasColor() {
+    return 0x747474;
 }
 
 QColor errorColor(const QPalette& palette) {

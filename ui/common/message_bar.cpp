@@ -13,6 +13,12 @@
 
 namespace texloom::ui {
 
+namespace {
+
+constexpr std::chrono::seconds kBriefly{6};
+
+} // namespace
+
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_action(new QPushButton(this)) {
     setFrameShape(QFrame::StyledPanel);
@@ -35,17 +41,26 @@ MessageBar::MessageBar(QWidget* parent)
     row->addWidget(m_text, 1);
     row->addWidget(m_action);
     row->addWidget(close);
-    connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+    connect(close, &QToolButton::clicked, this, qOverload<>(&MessageBar::dismiss));
     connect(m_action, &QPushButton::clicked, this, [this] {
         const auto action = std::exchange(m_onAction, {});
         dismiss();
         if (action)
             action();
     });
+    m_brief.setSingleShot(true);
+    m_brief.setInterval(kBriefly);
+    connect(&m_brief, &QTimer::timeout, this, qOverload<>(&MessageBar::dismiss));
     hide();
 }
 
+void MessageBar::sayBriefly(const QString& text) {
+    say(Kind::Information, text);
+    m_brief.start();
+}
+
 void MessageBar::say(Kind kind, const QString& text, const QString& action, std::function<void()> onAction) {
+    m_brief.stop();
     m_kind = kind;
     m_onAction = std::move(onAction);
     const bool error = kind == Kind::Error;
@@ -64,9 +79,15 @@ void MessageBar::say(Kind kind, const QString& text, const QString& action, std:
 }
 
 void MessageBar::dismiss() {
+    m_brief.stop();
     hide();
     m_text->clear();
     m_onAction = {};
+}
+
+void MessageBar::dismiss(const QString& text) {
+    if (m_text->text() == text)
+        dismiss();
 }
 
 QString MessageBar::text() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QTimer>
 
 #include <functional>
 
@@ -22,7 +23,11 @@ public:
     /// Shows a message. @param action the label of a button that offers something to do about it; none if
     /// empty.
     void say(Kind kind, const QString& text, const QString& action = {}, std::function<void()> onAction = {});
+    /// Says what is over as soon as it is read: it leaves by itself.
+    void sayBriefly(const QString& text);
     void dismiss();
+    /// The same if it is this text that is shown: what it was about is over.
+    void dismiss(const QString& text);
     /// The message shown; empty if there is none.
     QString text() const;
     Kind kind() const { return m_kind; }
@@ -33,6 +38,7 @@ private:
     QLabel* m_text;
     QPushButton* m_action;
     std::function<void()> m_onAction;
+    QTimer m_brief;
 };
 
 } // namespace texloom::ui

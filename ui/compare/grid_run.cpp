@@ -26,6 +26,10 @@ GridRun::GridRun(RunDesk* desk, CompareView* view, QObject* parent)
     });
     connect(desk, &RunDesk::kept, this,
             [this](const QueuedJob& job, const std::string& key, const RunPictures& pictures) {
+                if (const auto varied = m_varied.find(job.id); varied != m_varied.end()) {
+                    m_history->setVaried(key, varied->second);
+                    m_varied.erase(varied);
+                }
                 keep(job.id, key, pictures);
             });
     connect(m_queue, &JobQueue::cancelled, this, [this](const QueuedJob& job) {
@@ -37,6 +41,7 @@ GridRun::GridRun(RunDesk* desk, CompareView* view, QObject* parent)
 GridRun::Planned GridRun::planned(const GridEntry& entry, const std::vector<ResultEntry>& earlier) {
     Planned planned;
     planned.label = entry.label;
+    planned.varied = entry.varied;
     planned.seconds = std::numeric_limits<double>::infinity();
     try {
         planned.plan = planRun(entry.input);
@@ -83,8 +88,24 @@ void GridRun::showAndQueue(std::vector<Planned> planned, std::vector<CompareItem
         if (run.plan) {
             // It must be known before the queue tells that the run began.
             m_open.insert(m_queue->nextId());
+            if (!run.varied.empty())
+                m_varied[m_queue->nextId()] = run.varied;
             m_queue->add(std::move(*run.plan), layout.quick, false, JobQueue::Place::Last, run.seconds);
         }
+}
+
+std::optional<int> GridRun::stop() {
+    const QueuedJob* const current = m_queue->current();
+    if (current == nullptr || !m_open.contains(current->id))
+        return {};
+    const int running = current->id;
+    int left = 0;
+    for (const int id : std::set(m_open))
+        if (id != running && m_queue->find(id) != nullptr) {
+            m_queue->cancel(id);
+            ++left;
+        }
+    return left;
 }
 
 /// The view's cell of a run that is open; −1 where it shows something else by now.

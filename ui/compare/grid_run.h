@@ -7,6 +7,8 @@
 #include <QObject>
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -18,6 +20,7 @@ class CompareView;
 struct GridEntry {
     QString label;
     RunInput input;
+    std::vector<Message> varied = {}; ///< see ResultEntry::varied
 };
 
 /// How the runs of a grid are made and shown.
@@ -40,10 +43,14 @@ public:
     void start(std::vector<GridEntry> entries, std::vector<CompareItem> first, const GridLayout& layout);
     /// Runs of the grid that have not ended.
     int open() const { return static_cast<int>(m_open.size()); }
+    /// Where one of its runs is under way: has that one end with what it has, and gives up those that wait.
+    /// @return how many were given up; none if another run is under way, or none.
+    std::optional<int> stop();
 
 private:
     struct Planned {
         QString label;
+        std::vector<Message> varied;
         std::optional<RunPlan> plan;
         QString refusal;
         double seconds = 0;
@@ -57,9 +64,10 @@ private:
     void keep(int id, const std::string& key, const RunPictures& pictures);
 
     JobQueue* m_queue;
-    const ResultHistory* m_history;
+    ResultHistory* m_history;
     CompareView* m_view;
     std::set<int> m_open;
+    std::map<int, std::vector<Message>> m_varied;
     int m_request = 0;
 };
 

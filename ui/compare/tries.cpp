@@ -32,6 +32,15 @@ QString labelOf(const SweepCell& cell) {
     return parts.join(QStringLiteral(" · "));
 }
 
+std::vector<Message> variedOf(const SweepCell& cell) {
+    std::vector<Message> varied;
+    for (const SweepCell::Part& part : cell.parts)
+        varied.push_back(part.unit.empty() ? Message("{} {}", {Message(part.title), Message(part.value)})
+                                           : Message("{} {} {}", {Message(part.title), Message(part.value),
+                                                                  Message(part.unit)}));
+    return varied;
+}
+
 /// What the runs of a sweep have in common: "Image quilting · bark · 512 × 512".
 QString headingOf(const RunInput& input) {
     QStringList methods;
@@ -82,6 +91,10 @@ void Tries::updateActions() {
     m_all->setEnabled(m_store->current() != nullptr);
     m_some->setEnabled(m_store->current() != nullptr);
     m_sweep->setEnabled(m_desk->canRun());
+}
+
+std::optional<int> Tries::stop() {
+    return m_grid->stop();
 }
 
 void Tries::tryAll() {
@@ -136,7 +149,7 @@ void Tries::startSweep() {
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         std::vector<GridEntry> entries;
         for (const SweepCell& cell : dialog->cells()) {
-            entries.push_back({labelOf(cell), cell.input});
+            entries.push_back({labelOf(cell), cell.input, variedOf(cell)});
             if (dialog->quick())
                 entries.back().input = quickOf(cell.input);
         }

@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ public:
     void updateActions();
     /// Makes a preview with every method and its default settings, the quickest first.
     void tryAll();
+    /// Stops a grid whose run is under way; see GridRun::stop().
+    std::optional<int> stop();
 
 Q_SIGNALS:
     /// Something could not be read; the sentence says why.

@@ -5,6 +5,7 @@
 #include "ui/common/text.h"
 #include "ui/exemplar/exemplar_store.h"
 #include "ui/exemplar/files.h"
+#include "ui/exemplar/material.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -20,7 +21,24 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kIconLines = 2;
-constexpr int kShownRows = 2;
+constexpr int kMostRows = 5; ///< seen at once
+
+/// "Roughness · bark_orm, green".
+QString rowText(const ExemplarFile& map) {
+    QString source = QString::fromStdString(map.name());
+    if (!map.channel.whole()) {
+        const QString channels[] = {CompanionList::tr("red"), CompanionList::tr("green"),
+                                    CompanionList::tr("blue"), CompanionList::tr("alpha")};
+        const int index = map.channel.index;
+        source = CompanionList::tr("%1, %2").arg(
+            source, index < 4 ? channels[index] : CompanionList::tr("channel %1").arg(index + 1));
+        if (map.channel.inverted)
+            source = CompanionList::tr("%1, inverted").arg(source);
+    }
+    if (isDerived(toQString(map.path)))
+        source = CompanionList::tr("%1, derived").arg(source);
+    return QStringLiteral("%1\n%2").arg(translated(mapRoleTitle(map.role)), source);
+}
 
 } // namespace
 
@@ -35,7 +53,6 @@ CompanionList::CompanionList(ExemplarStore* store, QWidget* parent)
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const int side = fontMetrics().height() * kIconLines;
     m_list->setIconSize({side, side});
-    m_list->setMaximumHeight(kShownRows * (side + fontMetrics().height() / 2) + 2 * m_list->frameWidth());
     m_role->setObjectName(QStringLiteral("companionRole"));
     m_role->setAccessibleName(tr("What the map holds"));
     m_role->setToolTip(tr("What the map holds. Normals turn with the exemplar."));
@@ -89,7 +106,7 @@ void CompanionList::fill() {
         for (std::size_t i = 0; i < count; ++i) {
             const ExemplarFile& map = entry->exemplar.companions[i];
             auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(entry->companionThumbs[i])),
-                                             QString::fromStdString(map.name()), m_list);
+                                             rowText(map), m_list);
             item->setToolTip(toQString(map.path));
         }
         m_list->setCurrentRow(row < 0 ? 0 : std::min(row, m_list->count() - 1));
@@ -97,6 +114,8 @@ void CompanionList::fill() {
     const bool any = m_list->count() > 0;
     m_empty->setVisible(!any);
     m_list->setVisible(any);
+    const int rows = std::min(m_list->count(), kMostRows);
+    m_list->setFixedHeight(rows * std::max(1, m_list->sizeHintForRow(0)) + 2 * m_list->frameWidth());
     m_add->setEnabled(entry != nullptr);
     showRole();
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace texloom::ui {
@@ -31,6 +32,7 @@ EditCanvas::EditCanvas(QWidget* parent) : ImageViewer(parent) {
 void EditCanvas::setMode(Mode mode) {
     m_mode = mode;
     m_moving = false;
+    m_drag.reset();
     m_brush.finish();
     m_brush.leave();
     setCursor(brushing() ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -91,6 +93,25 @@ void EditCanvas::setArea(const Wholes& area) {
     m_corners = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
 }
 
+QRectF EditCanvas::areaRect() const {
+    return QRectF(toQt(m_corners[0]), toQt(m_corners[2])).normalized();
+}
+
+void EditCanvas::setAreaRect(const QRectF& area) {
+    m_corners = {{area.left(), area.top()},
+                 {area.right(), area.top()},
+                 {area.right(), area.bottom()},
+                 {area.left(), area.bottom()}};
+    update();
+    Q_EMIT frameMoved();
+}
+
+void EditCanvas::setRatio(double ratio) {
+    m_ratio = ratio;
+    if (m_mode == Mode::Area && picture() && ratio > 0)
+        setAreaRect(AreaDrag::withRatio(areaRect(), ratio));
+}
+
 void EditCanvas::setBrushSize(int pixels) {
     m_brush.setWidth(pixels);
     update();
@@ -132,8 +153,11 @@ void EditCanvas::moveCorner(int corner, PlanePoint to) {
 bool EditCanvas::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
+        const int frameKeys[] = {Qt::Key_N, Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape};
         const bool own =
-            (framing() && key->key() == Qt::Key_N) || (brushing() && key->key() == Qt::Key_Space);
+            (framing() && key->modifiers() == Qt::NoModifier &&
+             std::find(std::begin(frameKeys), std::end(frameKeys), key->key()) != std::end(frameKeys)) ||
+            (brushing() && key->key() == Qt::Key_Space);
         if (own)
             event->accept();
     }
@@ -146,15 +170,8 @@ bool EditCanvas::event(QEvent* event) {
 
 void EditCanvas::mousePressEvent(QMouseEvent* event) {
     const bool left = event->button() == Qt::LeftButton && picture() != nullptr;
-    if (left && framing()) {
-        if (const int corner = cornerAt(event->position()); corner >= 0) {
-            m_active = corner;
-            m_moving = true;
-            setFocus(Qt::MouseFocusReason);
-            update();
-            return;
-        }
-    }
+    if (left && framing() && pressFrame(event->position()))
+        return;
     if (left && brushing()) {
         setFocus(Qt::MouseFocusReason);
         m_brush.begin(picture()->size(), view().toImage(event->position()));
@@ -164,34 +181,100 @@ void EditCanvas::mousePressEvent(QMouseEvent* event) {
     ImageViewer::mousePressEvent(event);
 }
 
+/// Takes hold of what of the frame lies at a point of the widget. @return whether there is anything.
+bool EditCanvas::pressFrame(QPointF point) {
+    const int corner = cornerAt(point);
+    if (corner >= 0)
+        m_active = corner;
+    m_moving = corner >= 0;
+    if (m_mode == Mode::Area) {
+        const QPointF at = view().toImage(point);
+        const double reach = fontMetrics().height() / 2.0 / view().scale();
+        const int held = corner >= 0 ? AreaDrag::edgesOf(corner) : AreaDrag::heldAt(areaRect(), at, reach);
+        m_drag.emplace(areaRect(), held, at, picture()->size());
+    }
+    if (!m_moving && !m_drag)
+        return false;
+    setFocus(Qt::MouseFocusReason);
+    update();
+    return true;
+}
+
+void EditCanvas::dragFrame(const QMouseEvent& event) {
+    const QPointF at = view().toImage(event.position());
+    constexpr double kSmallest = 2;
+    const bool square = event.modifiers().testFlag(Qt::ShiftModifier);
+    const QRectF moved = m_drag->movedTo(at, square ? 1 : m_ratio);
+    if (m_drag->held() == AreaDrag::None && (moved.width() < kSmallest || moved.height() < kSmallest))
+        return; // a click draws nothing
+    setAreaRect(moved);
+}
+
+void EditCanvas::showCursorAt(QPointF point) {
+    if (cornerAt(point) >= 0 || m_mode != Mode::Area) {
+        setCursor(cornerAt(point) >= 0 ? Qt::SizeAllCursor : Qt::ArrowCursor);
+        return;
+    }
+    const double reach = fontMetrics().height() / 2.0 / view().scale();
+    const int held = AreaDrag::heldAt(areaRect(), view().toImage(point), reach);
+    const bool sideways = held == AreaDrag::Left || held == AreaDrag::Right;
+    setCursor(held == AreaDrag::None  ? Qt::CrossCursor
+              : held == AreaDrag::All ? Qt::OpenHandCursor
+              : sideways              ? Qt::SizeHorCursor
+                                      : Qt::SizeVerCursor);
+}
+
 void EditCanvas::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = view().toImage(event->position());
     if (brushing() && picture()) {
         m_brush.moveTo(at);
         update();
+    } else if (m_drag) {
+        dragFrame(*event);
     } else if (m_moving) {
         moveCorner(m_active, {at.x(), at.y()});
-    } else if (framing()) {
-        setCursor(cornerAt(event->position()) >= 0 ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    } else if (framing() && picture()) {
+        showCursorAt(event->position());
     }
-    if (!m_moving && !m_brush.stroking())
+    if (!m_moving && !m_drag && !m_brush.stroking())
         ImageViewer::mouseMoveEvent(event);
 }
 
 void EditCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (m_brush.stroking())
         return finishStroke();
-    if (m_moving) {
+    if (m_moving || m_drag) {
         m_moving = false;
+        m_drag.reset();
         update();
         return;
     }
     ImageViewer::mouseReleaseEvent(event);
 }
 
+/// Enter takes the frame as it is; Esc ends a drag as though it had not begun, or leaves the frame.
+bool EditCanvas::frameKey(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+        Q_EMIT accepted();
+        return true;
+    }
+    if (event.key() != Qt::Key_Escape)
+        return false;
+    if (m_drag) {
+        setAreaRect(m_drag->before());
+        m_drag.reset();
+        m_moving = false;
+    } else {
+        Q_EMIT left();
+    }
+    return true;
+}
+
 void EditCanvas::keyPressEvent(QKeyEvent* event) {
     const std::pair<int, QPointF> ways[] = {
         {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, -1}}, {Qt::Key_Down, {0, 1}}};
+    if (picture() && framing() && event->modifiers() == Qt::NoModifier && frameKey(*event))
+        return;
     if (picture() && framing() && !(event->modifiers() & Qt::ShiftModifier)) {
         if (event->key() == Qt::Key_N) {
             m_active = (m_active + 1) % static_cast<int>(m_corners.size());

@@ -1,18 +1,23 @@
 #pragma once
 
 #include "core/base/param.h"
+#include "ui/exemplar/area_drag.h"
 #include "ui/paint/brush.h"
 #include "ui/viewers/image_viewer.h"
 
 #include <QImage>
 #include <QPointF>
 
+#include <optional>
+
 namespace texloom::ui {
 
 /// The viewer on which an exemplar gets a frame or a mask. A frame is an area, or points joined by lines:
 /// drag its corners, or choose one with N (the next) and move it with the arrow keys, by ten pixels with
-/// Ctrl; a loupe shows the corner that moves. The brush paints where the mouse drags, or with the space bar
-/// at the cursor that Shift and the arrow keys move. The middle button always pans.
+/// Ctrl; a loupe shows the corner that moves. An area is drawn by dragging outside it, moved by dragging in
+/// it and at its edges; Shift makes it a square. Enter says that the frame is as wanted, Esc leaves it. The
+/// brush paints where the mouse drags, or with the space bar at the cursor that Shift and the arrow keys
+/// move. The middle button always pans.
 class EditCanvas : public ImageViewer {
     Q_OBJECT
 
@@ -33,12 +38,17 @@ public:
     const PlanePoints& corners() const { return m_corners; }
     /// Diameter in pixels of the picture.
     void setBrushSize(int pixels);
+    /// The width of areas by their height; 0 for any. The area that is there follows.
+    void setRatio(double ratio);
     /// Puts frames back to where they start: a little within the picture.
     void resetFrames();
 
 Q_SIGNALS:
     /// The frame or a corner of it was moved here.
     void frameMoved();
+    /// The frame is as wanted, or not wanted any more.
+    void accepted();
+    void left();
     /// A brush stroke ended: white where it went, of the picture's size.
     void painted(const QImage& stroke);
 
@@ -54,6 +64,12 @@ private:
     bool framing() const { return m_mode == Mode::Area || m_mode == Mode::Points; }
     bool brushing() const { return m_mode == Mode::Hide || m_mode == Mode::Show; }
     void setArea(const Wholes& area);
+    QRectF areaRect() const;
+    void setAreaRect(const QRectF& area);
+    bool pressFrame(QPointF point);
+    void dragFrame(const QMouseEvent& event);
+    void showCursorAt(QPointF point);
+    bool frameKey(const QKeyEvent& event);
     int cornerAt(QPointF point) const;
     void moveCorner(int corner, PlanePoint to);
     void finishStroke();
@@ -65,6 +81,8 @@ private:
     PlanePoints m_corners = PlanePoints(4);
     int m_active = 0;      ///< the corner that keys move
     bool m_moving = false; ///< whether the mouse or keys move it now
+    std::optional<AreaDrag> m_drag;
+    double m_ratio = 0;
     Brush m_brush;
 };
 

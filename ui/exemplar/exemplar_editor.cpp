@@ -82,6 +82,11 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     connect(m_canvas, &EditCanvas::painted, this, &ExemplarEditor::hidePainted);
     connect(m_store, &ExemplarStore::changed, this, &ExemplarEditor::showCurrent);
     connect(m_store, &ExemplarStore::currentChanged, this, &ExemplarEditor::showCurrent);
+    connect(m_canvas, &EditCanvas::left, this, [this] { setMode(QStringLiteral("look")); });
+    connect(m_canvas, &EditCanvas::accepted, this, [this] {
+        if (auto* page = qobject_cast<FramePage*>(m_pages->currentWidget()))
+            page->apply();
+    });
     setMode(QStringLiteral("look"));
     showCurrent();
 }
@@ -212,6 +217,8 @@ void ExemplarEditor::setMode(const QString& mode) {
         m_canvas->setFrameFor(found->tool->params().front());
     else
         m_canvas->setMode(found->canvas);
+    if (auto* page = qobject_cast<FramePage*>(m_pages->currentWidget()))
+        page->begin();
     m_canvas->setFocus();
 }
 

@@ -200,20 +200,27 @@ void ExemplarPanel::setAbilities(const ExemplarUse& abilities) {
 
 void ExemplarPanel::fillList() {
     m_filling = true;
-    m_list->clear();
-    for (const ExemplarEntry& entry : m_store->entries()) {
-        const QImage& small = entry.picture->levelFor(iconScale(*entry.picture, m_list->iconSize().width()));
-        auto* item =
-            new QListWidgetItem(pictureIcon(small), QString::fromStdString(entry.file().name()), m_list);
-        if (m_abilities.several && m_abilities.weights && entry.exemplar.weight != 1)
-            item->setText(tr("%1 (× %2)").arg(item->text(), QLocale().toString(entry.exemplar.weight)));
-        item->setToolTip(toQString(entry.file().path));
-        item->setData(Qt::UserRole, entry.id);
-        if (m_abilities.several)
-            item->setCheckState(entry.checked ? Qt::Checked : Qt::Unchecked);
-    }
+    // Rows are kept where that is possible: a click on one may be what this follows from.
+    while (m_list->count() > static_cast<int>(m_store->entries().size()))
+        delete m_list->takeItem(m_list->count() - 1);
+    while (m_list->count() < static_cast<int>(m_store->entries().size()))
+        m_list->addItem(new QListWidgetItem);
+    int row = 0;
+    for (const ExemplarEntry& entry : m_store->entries())
+        fillRow(*m_list->item(row++), entry);
     m_filling = false;
     showCurrent();
+}
+
+void ExemplarPanel::fillRow(QListWidgetItem& item, const ExemplarEntry& entry) const {
+    item.setIcon(pictureIcon(entry.picture->levelFor(iconScale(*entry.picture, m_list->iconSize().width()))));
+    const QString name = QString::fromStdString(entry.file().name());
+    const bool weighted = m_abilities.several && m_abilities.weights && entry.exemplar.weight != 1;
+    item.setText(weighted ? tr("%1 (× %2)").arg(name, QLocale().toString(entry.exemplar.weight)) : name);
+    item.setToolTip(toQString(entry.file().path));
+    item.setData(Qt::UserRole, entry.id);
+    item.setData(Qt::CheckStateRole,
+                 m_abilities.several ? QVariant(entry.checked ? Qt::Checked : Qt::Unchecked) : QVariant());
 }
 
 void ExemplarPanel::showCurrent() {

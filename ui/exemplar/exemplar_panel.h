@@ -13,6 +13,7 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QListWidget;
+class QListWidgetItem;
 class QToolButton;
 
 namespace texloom::ui {
@@ -50,6 +51,7 @@ private:
     QWidget* makeDetails();
     void connectStore();
     void fillList();
+    void fillRow(QListWidgetItem& item, const ExemplarEntry& entry) const;
     void showCurrent();
     void showDetails(const ExemplarEntry* entry);
     void showWeight(const ExemplarEntry* entry);

@@ -91,25 +91,33 @@ RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known) {
     return made;
 }
 
-/// Loads a companion map and checks that it fits. @throws Error, UsageError
-ExemplarFile loadCompanion(const RunExemplar& original, const QString& path) {
-    ExemplarFile companion = loadData(toPath(path));
-    checkSizeLike(original.image, companion, TR("companion"));
-    return companion;
+/// Loads the companion maps in a file and checks that they fit. @throws Error, UsageError
+std::vector<ExemplarFile> loadFitting(const RunExemplar& original, const QString& path) {
+    std::vector<ExemplarFile> companions = loadCompanions(toPath(path));
+    checkSizeLike(original.image, companions.front(), TR("companion"));
+    return companions;
 }
 
-bool isCompanionRole(MapRole role) {
-    return role != MapRole::Other && role != MapRole::Color;
+/// Puts these in the place of what came from the same file.
+void putCompanions(RunExemplar& original, std::vector<ExemplarFile> maps) {
+    std::erase_if(original.companions,
+                  [&](const ExemplarFile& known) { return known.path == maps.front().path; });
+    for (ExemplarFile& map : maps)
+        original.companions.push_back(std::move(map));
 }
 
-MapName nameOf(const QString& path) {
-    return mapNameFrom(QFileInfo(path).completeBaseName().toStdString());
+std::string stemOf(const QString& path) {
+    return QFileInfo(path).completeBaseName().toStdString();
+}
+
+bool isCompanion(const QString& path) {
+    return mapNameFrom(stemOf(path)).isCompanion();
 }
 
 /// Whether two files are maps of one material by their names.
 bool belongTogether(const QString& companion, const QString& other) {
     return QFileInfo(companion).path() == QFileInfo(other).path() &&
-           nameOf(companion).base == nameOf(other).base && !isCompanionRole(nameOf(other).role);
+           sameMaterial(stemOf(companion), stemOf(other)) && !isCompanion(other);
 }
 
 } // namespace
@@ -182,12 +190,12 @@ int ExemplarStore::add(Shown made) {
 }
 
 void ExemplarStore::open(const QString& path) {
-    openFirst(path, {});
+    readFirst(path, {}, std::nullopt);
 }
 
 void ExemplarStore::openAll(const QStringList& paths) {
     for (const QString& path : paths) {
-        const bool companion = isCompanionRole(nameOf(path).role);
+        const bool companion = isCompanion(path);
         const auto together = [&path](const QString& other) { return belongTogether(path, other); };
         if (companion && std::any_of(paths.begin(), paths.end(), together))
             continue; // it comes with the other
@@ -200,9 +208,9 @@ void ExemplarStore::openAll(const QStringList& paths) {
         }
         QStringList companions;
         for (const QString& other : paths)
-            if (isCompanionRole(nameOf(other).role) && belongTogether(other, path))
+            if (isCompanion(other) && belongTogether(other, path))
                 companions += other;
-        openFirst(path, companions);
+        openMaterial(path, companions);
     }
 }
 
@@ -216,7 +224,7 @@ const ExemplarEntry* ExemplarStore::known(const std::filesystem::path& file,
     return it == m_entries.end() ? nullptr : &*it;
 }
 
-void ExemplarStore::openFirst(const QString& path, const QStringList& companions) {
+void ExemplarStore::openMaterial(const QString& path, const QStringList& companions) {
     readFirst(path, companions, std::nullopt);
 }
 
@@ -230,6 +238,7 @@ void ExemplarStore::readFirst(const QString& path, const QStringList& companions
         const int id = open->id;
         for (const QString& companion : companions)
             addCompanion(id, companion);
+        useAlone(id);
         setCurrent(id);
         Q_EMIT opened(id);
         return;
@@ -242,7 +251,7 @@ void ExemplarStore::readFirst(const QString& path, const QStringList& companions
                 return;
             }
             const int id = add(std::move(*made.shown));
-            Q_EMIT changed();
+            useAlone(id);
             setCurrent(id);
             Q_EMIT opened(id);
             for (const QString& refusal : made.refused)
@@ -262,7 +271,7 @@ ExemplarStore::Opening ExemplarStore::opening(const QString& path, const QString
     RunExemplar exemplar{loadExemplar(file, {}, layer.value_or("")), {}, {}};
     for (const QString& companion : companions)
         try {
-            exemplar.companions.push_back(loadCompanion(exemplar, companion));
+            putCompanions(exemplar, loadFitting(exemplar, companion));
         } catch (const std::exception& error) {
             made.refused += sentence(error);
         }
@@ -296,6 +305,9 @@ void ExemplarStore::remove(int id) {
     const auto next = m_entries.erase(it);
     if (m_current == id)
         m_current = m_entries.empty() ? 0 : next == m_entries.end() ? m_entries.back().id : next->id;
+    if (inUse() == 0)
+        if (ExemplarEntry* const left = entry(m_current))
+            left->checked = true;
     Q_EMIT changed();
     Q_EMIT currentChanged();
 }
@@ -304,7 +316,20 @@ void ExemplarStore::setCurrent(int id) {
     if (m_current == id || find(id) == nullptr)
         return;
     m_current = id;
+    if (inUse() <= 1)
+        useAlone(id);
     Q_EMIT currentChanged();
+}
+
+int ExemplarStore::inUse() const {
+    return static_cast<int>(std::count_if(m_entries.begin(), m_entries.end(),
+                                          [](const ExemplarEntry& entry) { return entry.checked; }));
+}
+
+void ExemplarStore::useAlone(int id) {
+    for (ExemplarEntry& entry : m_entries)
+        entry.checked = entry.id == id;
+    Q_EMIT changed();
 }
 
 void ExemplarStore::setChecked(int id, bool checked) {
@@ -482,15 +507,23 @@ void ExemplarStore::setInputs(int id, const std::string& port, std::vector<Input
 }
 
 void ExemplarStore::addCompanion(int id, const QString& path) {
+    change(
+        {id,
+         tr("Add companion map"),
+         {},
+         [path](ExemplarState& state) { putCompanions(state.original, loadFitting(state.original, path)); },
+         true});
+}
+
+void ExemplarStore::addCompanion(int id, const QString& path, MapRole role) {
     change({id,
             tr("Add companion map"),
             {},
-            [path](ExemplarState& state) {
-                ExemplarFile companion = loadCompanion(state.original, path);
-                std::vector<ExemplarFile>& companions = state.original.companions;
-                std::erase_if(companions,
-                              [&](const ExemplarFile& known) { return known.path == companion.path; });
-                companions.push_back(std::move(companion));
+            [path, role](ExemplarState& state) {
+                std::vector<ExemplarFile> maps = loadFitting(state.original, path);
+                maps.resize(1);
+                maps.front().role = role;
+                putCompanions(state.original, std::move(maps));
             },
             true});
 }

@@ -56,17 +56,20 @@ public:
     /// Number of files being read.
     int loading() const { return m_loading; }
 
-    /// Reads an image and adds it, or looks at it again if it is open. Of a file with several layers asks
-    /// which, by layerWanted().
+    /// Reads an image and adds it, or looks at it again if it is open: it alone is in use then, and others
+    /// are mixed in by setChecked(). Of a file with several layers asks which, by layerWanted().
     void open(const QString& path);
     /// Answers layerWanted(). @param layer as ReadOptions::layer
     void openLayer(const LayerQuestion& question, const std::string& layer);
     /// Opens several; those whose names say that they belong to another, as bark_normal to bark_albedo or to
     /// an open exemplar bark, become its companion maps.
     void openAll(const QStringList& paths);
+    /// Opens a picture with its companion maps.
+    void openMaterial(const QString& path, const QStringList& companions);
     /// Takes the place of everything open, as a recipe wants it; replaced() follows.
     void replaceAll(std::vector<RunExemplar> exemplars);
     void remove(int id);
+    /// Looks at it. Where one exemplar alone is in use, it is this one from now on.
     void setCurrent(int id);
     /// Whether methods that learn from several use it.
     void setChecked(int id, bool checked);
@@ -83,7 +86,10 @@ public:
     /// Puts these files in the place of what the exemplar has for a port; see RunExemplar::inputs.
     /// @param what names the change in the undo list.
     void setInputs(int id, const std::string& port, std::vector<InputFile> files, const QString& what);
+    /// Adds the maps in a file, several where it packs them.
     void addCompanion(int id, const QString& path);
+    /// Adds a map with what it holds.
+    void addCompanion(int id, const QString& path, MapRole role);
     void removeCompanion(int id, std::size_t index);
     void setCompanionRole(int id, std::size_t index, MapRole role);
     /// @param what names the change in the undo list. @param key changes of one key that follow each other
@@ -144,7 +150,9 @@ private:
     static Shown shown(RunExemplar exemplar, const ExemplarEntry* before = nullptr);
     ExemplarEntry* entry(int id);
     int add(Shown made);
-    void openFirst(const QString& path, const QStringList& companions);
+    void useAlone(int id);
+    /// How many methods that learn from several would use.
+    int inUse() const;
     const ExemplarEntry* known(const std::filesystem::path& file,
                                const std::optional<std::string>& layer) const;
     void readFirst(const QString& path, const QStringList& companions,

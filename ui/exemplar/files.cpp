@@ -6,6 +6,7 @@
 #include "core/session/session.h"
 #include "ui/common/own_folders.h"
 #include "ui/common/text.h"
+#include "ui/exemplar/material.h"
 #include "ui/exemplar/resource_folder.h"
 
 #include <QCoreApplication>
@@ -72,7 +73,8 @@ void addRecentFile(const QString& path) {
 }
 
 QString pictureFilter() {
-    return QCoreApplication::translate("files", "Pictures and recipes (%1 *.json);;All files (*)")
+    return QCoreApplication::translate("files",
+                                       "Pictures, materials and recipes (%1 *.zip *.json);;All files (*)")
         .arg(pictureNames().join(QLatin1Char(' ')));
 }
 
@@ -130,6 +132,18 @@ std::vector<Recipe> recipesOfCheckpoints(const QString& recovery) {
         } catch (const Error&) { // damaged: no run goes on from it
         }
     return recipes;
+}
+
+/// Removes the folders of materials of which no recipe names a file.
+void removeOldMaterials(const std::vector<Recipe>& recipes, const QDateTime& limit) {
+    std::set<std::filesystem::path> named;
+    for (const Recipe& recipe : recipes)
+        for (const RecipeFile* file : recipe.files())
+            named.insert(file->path.parent_path());
+    const QDir folder(materialFolder());
+    for (const QFileInfo& material : folder.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
+        if (material.lastModified() < limit && !named.contains(toPath(material.filePath())))
+            QDir(material.filePath()).removeRecursively();
 }
 
 } // namespace
@@ -190,6 +204,7 @@ void removeOldFiles(std::vector<Recipe> recipes, const QString& recovery) {
         for (const RecipeFile* file : recipe.files())
             named.insert(withoutExtension(file->path));
     const QDateTime limit = QDateTime::currentDateTime().addDays(-kOwnDays);
+    removeOldMaterials(recipes, limit);
     for (const QFileInfo& own : QDir(ownFolder()).entryInfoList(QDir::Files))
         if (own.lastModified() < limit && !named.contains(withoutExtension(toPath(own.filePath()))))
             QFile::remove(own.filePath());

@@ -60,9 +60,9 @@ QString saveResult(const Image& image, const std::string& name, const std::strin
 /// UsageError
 QString saveInput(const Result& result, const Port& port, const Asset& asset);
 
-/// Removes the files in ownFolder() that are older than a week and named neither by these recipes nor by a
-/// session or a checkpoint in the folder of those to be recovered; saved sessions have copies of their own.
-/// Called on a worker.
+/// Removes the files in ownFolder() and the folders in materialFolder() that are older than a week and named
+/// neither by these recipes nor by a session or a checkpoint in the folder of those to be recovered; saved
+/// sessions have copies of their own. Called on a worker.
 /// @throws Error, UsageError where a session cannot be read; then nothing is removed.
 void removeOldFiles(std::vector<Recipe> recipes, const QString& recovery);
 

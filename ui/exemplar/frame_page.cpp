@@ -4,9 +4,12 @@
 #include "ui/common/value_editors.h"
 #include "ui/exemplar/edit_canvas.h"
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+
+#include <utility>
 
 namespace texloom::ui {
 
@@ -30,8 +33,16 @@ FramePage::FramePage(const Tool& tool, EditCanvas* canvas, QWidget* parent)
             form->addRow(translated(param.title()), editor);
         m_editors.push_back(editor);
     }
-    auto* note = new QLabel(translated(tool.params().front().help()) + QLatin1Char(' ') +
-                            tr("Drag the corners; N takes the next one, the arrow keys move it."));
+    const bool area = tool.params().front().type() == Param::Type::Area;
+    if (area)
+        form->addRow(tr("R&atio"), makeRatios());
+    auto* note = new QLabel(
+        translated(tool.params().front().help()) + QLatin1Char(' ') +
+        (area
+             ? tr("Draw a rectangle, drag its edges or drag it as a whole; Shift makes a square. N takes the "
+                  "next corner, the arrow keys move it. Enter applies, Esc leaves.")
+             : tr("Drag the corners; N takes the next one, the arrow keys move it. Enter applies, Esc "
+                  "leaves.")));
     note->setWordWrap(true);
     form->addRow(note);
     const QString name = QString::fromStdString(tool.id());
@@ -44,6 +55,30 @@ FramePage::FramePage(const Tool& tool, EditCanvas* canvas, QWidget* parent)
         showFrame();
     });
     connect(canvas, &EditCanvas::frameMoved, this, &FramePage::showFrame);
+}
+
+QComboBox* FramePage::makeRatios() {
+    m_ratios = new QComboBox(this);
+    m_ratios->setObjectName(QStringLiteral("ratio-%1").arg(QString::fromStdString(m_tool.id())));
+    m_ratios->setToolTip(tr("The rectangle's width by its height"));
+    m_ratios->addItem(tr("Any"), 0.0);
+    m_ratios->addItem(tr("Square"), 1.0);
+    m_ratios->addItem(tr("As the picture"), -1.0);
+    for (const auto& [width, height] : {std::pair(2, 1), std::pair(4, 3), std::pair(3, 2), std::pair(16, 9)})
+        m_ratios->addItem(QStringLiteral("%1 : %2").arg(width).arg(height), 1.0 * width / height);
+    connect(m_ratios, &QComboBox::activated, this, &FramePage::begin);
+    return m_ratios;
+}
+
+void FramePage::begin() {
+    if (m_ratios == nullptr)
+        return;
+    double ratio = m_ratios->currentData().toDouble();
+    if (ratio < 0) {
+        const Size size = m_canvas->picture() ? m_canvas->picture()->size() : Size{1, 1};
+        ratio = static_cast<double>(size.width) / size.height;
+    }
+    m_canvas->setRatio(ratio);
 }
 
 Values FramePage::edit() const {

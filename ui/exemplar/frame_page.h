@@ -6,6 +6,8 @@
 
 #include <vector>
 
+class QComboBox;
+
 namespace texloom::ui {
 
 class EditCanvas;
@@ -23,6 +25,11 @@ public:
     /// Whether a tool has such a form.
     static bool suits(const Tool& tool);
 
+    /// The canvas has this page's frame from now on.
+    void begin();
+    /// Says that the frame is as wanted.
+    void apply() { Q_EMIT applied(edit()); }
+
 Q_SIGNALS:
     /// The frame is as wanted.
     void applied(const texloom::Values& edit);
@@ -30,10 +37,12 @@ Q_SIGNALS:
 private:
     Values edit() const;
     void showFrame();
+    QComboBox* makeRatios();
 
     const Tool& m_tool;
     EditCanvas* m_canvas;
     std::vector<ValueEditor*> m_editors; ///< by parameter
+    QComboBox* m_ratios = nullptr;       ///< of areas
 };
 
 } // namespace texloom::ui

@@ -17,7 +17,9 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
+#include <QSettings>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -31,6 +33,8 @@ namespace {
 
 constexpr int kTableLines = 8;
 constexpr int kNameWidth = 60;
+/// Where the way of the last export is kept.
+const QString kLast = QStringLiteral("export/");
 
 QString depthText(Depth depth) {
     switch (depth) {
@@ -58,7 +62,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
       m_sidecar(new QCheckBox(tr("&Recipe beside the picture (JSON)"), this)),
       m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 4, this)),
       m_foreign(new QCheckBox(tr("Replace &files that Texloom did not write"), this)),
-      m_problem(new QLabel(this)) {
+      m_problem(new QLabel(this)), m_makeFolder(new QPushButton(tr("Create &folder"), this)) {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export “%1”").arg(QString::fromStdString(m_result->label())));
     m_folder->setObjectName(QStringLiteral("exportFolder"));
@@ -78,8 +82,9 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     m_table->setObjectName(QStringLiteral("exportTable"));
     m_foreign->setObjectName(QStringLiteral("exportForeign"));
     m_problem->setObjectName(QStringLiteral("exportProblem"));
+    m_makeFolder->setObjectName(QStringLiteral("exportMakeFolder"));
     fillFormats();
-    fillDepths();
+    followExemplar();
     makeTable();
     m_problem->setWordWrap(true);
     m_problem->setTextFormat(Qt::PlainText);
@@ -91,11 +96,90 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     column->addWidget(m_table, 1);
     column->addWidget(m_foreign);
     column->addWidget(m_problem);
+    column->addWidget(m_makeFolder, 0, Qt::AlignLeft);
     column->addWidget(makeButtons());
     connectFields();
+    choosePreset(QSettings().value(kLast + QStringLiteral("preset")).toString());
     refresh();
+    countClipped();
     m_name->setFocus();
     m_name->selectAll();
+}
+
+/// Format and depth of the exemplar's file, so that nothing of it is lost unasked.
+void ExportDialog::followExemplar() {
+    const ImageFileInfo& source = m_result->plan.exemplarInfo;
+    const QString extension = QString::fromStdString(extensionLike(source));
+    m_format->setCurrentIndex(std::max(0, m_format->findData(extension)));
+    fillDepths();
+    m_depth->setCurrentIndex(std::max(
+        0, m_depth->findData(static_cast<int>(depthLike(source, toPath(QStringLiteral("x") + extension))))));
+}
+
+void ExportDialog::choosePreset(const QString& id) {
+    if (const int known = m_preset->findData(id); known >= 0)
+        m_preset->setCurrentIndex(known);
+}
+
+void ExportDialog::countClipped() {
+    inBackground(
+        this, [result = m_result] { return clippedSamples(result->synthesis.image); },
+        [this](std::uint64_t count) {
+            m_clipped = count;
+            if (count > 0)
+                refresh();
+        },
+        [](const QString&) {});
+}
+
+void ExportDialog::remember() const {
+    QSettings settings;
+    const std::pair<const char*, QVariant> values[] = {
+        {"preset", m_preset->currentData()}, {"name", m_name->text()},
+        {"format", m_format->currentData()}, {"depth", m_depth->currentData()},
+        {"space", m_space->currentData()},   {"normals", m_normals->currentData()},
+        {"stmap", m_stMap->isChecked()},     {"positions", m_exactMap->isChecked()},
+        {"recipe", m_sidecar->isChecked()}};
+    for (const auto& [name, value] : values)
+        settings.setValue(kLast + QLatin1String(name), value);
+}
+
+bool ExportDialog::remembers() {
+    return QSettings().contains(kLast + QStringLiteral("name"));
+}
+
+void ExportDialog::takeLast() {
+    const QSettings settings;
+    const auto value = [&settings](const char* name) { return settings.value(kLast + QLatin1String(name)); };
+    const auto choose = [&value](QComboBox* box, const char* name) {
+        if (const int known = box->findData(value(name)); known >= 0)
+            box->setCurrentIndex(known);
+    };
+    choose(m_preset, "preset");
+    m_name->setText(value("name").toString());
+    choose(m_format, "format");
+    choose(m_depth, "depth");
+    choose(m_space, "space");
+    choose(m_normals, "normals");
+    m_stMap->setChecked(m_stMap->isEnabled() && value("stmap").toBool());
+    m_exactMap->setChecked(m_exactMap->isEnabled() && value("positions").toBool());
+    m_sidecar->setChecked(value("recipe").toBool());
+}
+
+void ExportDialog::makeFolder() {
+    if (!QDir().mkpath(folder()))
+        m_problem->setText(tr("The folder %1 cannot be made.").arg(folder()));
+    else
+        refresh();
+}
+
+/// What a file holds, and how many of its values the depth cuts off.
+QString ExportDialog::holds(const ExportEntry& entry) const {
+    const QString content = translated(entry.content);
+    const bool whole = entry.depth == Depth::Bits8 || entry.depth == Depth::Bits16;
+    if (entry.path != options().image || m_clipped == 0 || !whole)
+        return content;
+    return tr("%1, %2 values clipped").arg(content, QLocale().toString(static_cast<qulonglong>(m_clipped)));
 }
 
 void ExportDialog::presetChosen() {
@@ -240,13 +324,13 @@ void ExportDialog::makeTable() {
     m_table->setAccessibleName(tr("Files that will be written"));
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_depth->sizeHint().height());
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    for (int column = 1; column < m_table->columnCount(); ++column)
-        m_table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    // Names are never cut: where they are long, the table scrolls.
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
-    m_table->setTextElideMode(Qt::ElideMiddle);
+    m_table->setTextElideMode(Qt::ElideNone);
     m_table->setMinimumHeight(fontMetrics().height() * kTableLines);
 }
 
@@ -265,6 +349,7 @@ void ExportDialog::connectFields() {
         fillDepths();
         refresh();
     });
+    connect(m_makeFolder, &QPushButton::clicked, this, &ExportDialog::makeFolder);
     for (QLineEdit* edit : {m_folder, m_name})
         connect(edit, &QLineEdit::textChanged, this, &ExportDialog::refresh);
     connect(m_preset, &QComboBox::currentIndexChanged, this, &ExportDialog::presetChosen);
@@ -346,6 +431,7 @@ QString ExportDialog::refusal() const {
 
 void ExportDialog::refresh() {
     const QString problem = refusal();
+    m_makeFolder->setVisible(!folder().isEmpty() && !QDir(folder()).exists());
     m_problem->setVisible(!problem.isEmpty());
     m_problem->setText(problem);
     m_write->setEnabled(problem.isEmpty());
@@ -384,7 +470,7 @@ void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
         font.setBold(entry.exists);
         disk->setFont(font);
         m_table->setItem(row, 0, file);
-        m_table->setItem(row, 1, new QTableWidgetItem(translated(entry.content)));
+        m_table->setItem(row, 1, new QTableWidgetItem(holds(entry)));
         QWidget* const chooser = depthCell(entry);
         const bool said = entry.depth && chooser == nullptr;
         m_table->setItem(row, 2, new QTableWidgetItem(said ? depthText(*entry.depth) : QString()));

@@ -33,6 +33,12 @@ public:
     QString refusal() const;
     const std::shared_ptr<const Result>& result() const { return m_result; }
     QString folder() const;
+    /// Notes what was chosen, for the next dialog and takeLast().
+    void remember() const;
+    /// Whether something was noted.
+    static bool remembers();
+    /// Takes all of it, with format and depth, which else follow the exemplar's file.
+    void takeLast();
 
 private:
     /// One of the result's further outputs, such as a model or a volume.
@@ -52,6 +58,11 @@ private:
     QWidget* makeFolderRow();
     void fillFormats();
     void fillDepths();
+    void followExemplar();
+    void choosePreset(const QString& id);
+    void countClipped();
+    void makeFolder();
+    QString holds(const ExportEntry& entry) const;
     void refresh();
     /// Every file as it would be written now; none while something is wrong.
     std::vector<ExportEntry> entries() const;
@@ -79,6 +90,8 @@ private:
     QTableWidget* m_table;
     QCheckBox* m_foreign; ///< shown where files of others would be replaced
     QLabel* m_problem;
+    QPushButton* m_makeFolder;   ///< shown where the folder is not there
+    std::uint64_t m_clipped = 0; ///< samples of the result that whole numbers cut off
     QPushButton* m_write = nullptr;
     std::set<std::filesystem::path> m_replaced; ///< files that the table says are replaced
     std::map<std::string, Depth> m_depths;      ///< of companion files, where not the preset's

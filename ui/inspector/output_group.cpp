@@ -133,8 +133,10 @@ QWidget* OutputGroup::makeWrapRow() {
     m_wrapY->setObjectName(QStringLiteral("wrapY"));
     m_wrapX->setAccessibleName(tr("Wraps across"));
     m_wrapY->setAccessibleName(tr("Wraps down"));
-    for (QCheckBox* box : {m_wrapX, m_wrapY})
+    for (QCheckBox* box : {m_wrapX, m_wrapY}) {
+        box->setChecked(true); // most outputs are tiles
         connect(box, &QCheckBox::toggled, this, &OutputGroup::edited);
+    }
     return rowOf({m_wrapX, m_wrapY}, -1);
 }
 

@@ -8,6 +8,8 @@
 #include "ui/maps/map_page.h"
 #include "ui/maps/result_maps.h"
 
+#include <QHBoxLayout>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -53,8 +55,9 @@ QString trustIn(MapKind kind) {
 } // namespace
 
 ResultView::ResultView(QWidget* parent)
-    : QWidget(parent), m_title(new ElidedLabel(this)), m_notes(new MessageBar(this)),
-      m_tabs(new QTabWidget(this)), m_maps(new ResultMaps(this)) {
+    : QWidget(parent), m_title(new ElidedLabel(this)), m_wrapOffer(new QPushButton(this)),
+      m_rerunOffer(new QPushButton(this)), m_notes(new MessageBar(this)), m_tabs(new QTabWidget(this)),
+      m_maps(new ResultMaps(this)) {
     m_title->setObjectName(QStringLiteral("resultTitle"));
     m_notes->setObjectName(QStringLiteral("resultNotes"));
     m_tabs->setObjectName(QStringLiteral("resultTabs"));
@@ -85,13 +88,35 @@ ResultView::ResultView(QWidget* parent)
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_title);
+    column->addLayout(makeTitleRow());
     column->addWidget(m_notes);
     column->addWidget(m_tabs, 1);
     viewer(ResultTab)->setPlaceholder(tr("No result yet. Press Run."));
     viewer(PositionTab)->setPlaceholder(tr("Open an exemplar to see its position map."));
     connectMaps();
     explainMaps();
+}
+
+QLayout* ResultView::makeTitleRow() {
+    m_wrapOffer->setObjectName(QStringLiteral("wrapOffer"));
+    m_wrapOffer->setText(tr("Does not wrap: make it wrap"));
+    m_wrapOffer->setToolTip(tr("Ticks both axes under “Wraps” and runs these settings again."));
+    m_rerunOffer->setObjectName(QStringLiteral("rerunOffer"));
+    m_rerunOffer->setText(tr("Made before the edit: run again"));
+    m_rerunOffer->setToolTip(tr("The exemplar was edited since; runs these settings on it as it is now."));
+    connect(m_wrapOffer, &QPushButton::clicked, this, &ResultView::wrapWanted);
+    connect(m_rerunOffer, &QPushButton::clicked, this, &ResultView::rerunWanted);
+    setOffers(false, false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_title, 1);
+    row->addWidget(m_rerunOffer);
+    row->addWidget(m_wrapOffer);
+    return row;
+}
+
+void ResultView::setOffers(bool wrap, bool rerun) {
+    m_wrapOffer->setVisible(wrap);
+    m_rerunOffer->setVisible(rerun);
 }
 
 ImageViewer* ResultView::addViewer(ImageViewer* viewer, QWidget* page, const QString& title) {

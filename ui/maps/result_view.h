@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 
+class QPushButton;
 class QTabWidget;
 
 namespace texloom::ui {
@@ -35,6 +36,9 @@ public:
     const RunPictures& pictures() const;
     /// The line above the tabs.
     void setTitle(const QString& text);
+    /// Buttons beside it: that the result does not wrap, and how to make it wrap; that its exemplar was
+    /// edited since, and how to run it again.
+    void setOffers(bool wrap, bool rerun);
     QString title() const;
     /// A short text over the result, such as "Quick preview".
     void setBadge(const QString& text);
@@ -70,6 +74,8 @@ public Q_SLOTS:
     void setRepeats(bool repeat);
 
 Q_SIGNALS:
+    void wrapWanted();
+    void rerunWanted();
     /// The cursor is over a pixel of the result or its synthesis map.
     void resultHovered(QPoint pixel);
     /// The cursor is over a pixel of the exemplar, in its position map.
@@ -83,6 +89,7 @@ private:
         std::shared_ptr<const DisplayPicture> position, over;
     };
 
+    QLayout* makeTitleRow();
     ImageViewer* addViewer(ImageViewer* viewer, QWidget* page, const QString& title);
     MapPage* addMap(const QString& name, const QString& title);
     void connectMaps();
@@ -93,6 +100,8 @@ private:
     void explainMaps();
 
     ElidedLabel* m_title;
+    QPushButton* m_wrapOffer;
+    QPushButton* m_rerunOffer;
     MessageBar* m_notes;
     QTabWidget* m_tabs;
     ResultMaps* m_maps;

@@ -146,10 +146,22 @@ QString DisplayPicture::valueText(int x, int y) const {
     y /= m_step;
     if (x < 0 || y < 0 || x >= m_values->width() || y >= m_values->height())
         return {};
-    QStringList texts;
-    for (int channel = 0; channel < m_values->channels(); ++channel)
-        texts += QString::number(static_cast<double>((*m_values)(x, y, channel)), 'f', 3);
-    return texts.join(QLatin1Char(' '));
+    QStringList numbers, levels;
+    QString code = QStringLiteral("#");
+    const int shown = m_values->channels() >= 3 ? 3 : 1;
+    for (int channel = 0; channel < m_values->channels(); ++channel) {
+        const auto value = static_cast<double>((*m_values)(x, y, channel));
+        numbers += QString::number(value, 'f', 3);
+        if (channel >= shown)
+            continue;
+        const auto level = static_cast<int>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+        levels += QString::number(level);
+        code += QStringLiteral("%1").arg(level, 2, 16, QLatin1Char('0')).toUpper();
+    }
+    QStringList texts = {numbers.join(QLatin1Char(' ')), levels.join(QLatin1Char(' '))};
+    if (shown == 3)
+        texts += code;
+    return texts.join(QStringLiteral(" · "));
 }
 
 } // namespace texloom::ui

@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QWidget>
 
+#include <algorithm>
+
 namespace texloom::ui {
 
 namespace {
@@ -76,6 +78,18 @@ void drawMark(QPainter& painter, const QString& name, const QPoint& corner, int 
     icon(name).paint(&painter, drawing);
 }
 
+/// Stars along the thumbnail's lower edge, on a dark band so that they are seen on any picture.
+void drawStars(QPainter& painter, int stars, const QRect& thumbnail, int side) {
+    if (stars <= 0)
+        return;
+    const QString text(stars, QChar(0x2605));
+    QRect band(thumbnail.left(), thumbnail.bottom() + 1 - side, 0, side);
+    band.setWidth(std::min(thumbnail.width(), painter.fontMetrics().horizontalAdvance(text) + side / 2));
+    painter.fillRect(band, QColor(0, 0, 0, 190));
+    painter.setPen(Qt::white);
+    painter.drawText(band, Qt::AlignCenter, text);
+}
+
 /// The font of chips: a little smaller than that of titles.
 QFont chipFont(QFont font) {
     font.setPointSizeF(font.pointSizeF() * 0.85);
@@ -106,6 +120,8 @@ void ResultDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         drawMark(*painter, QStringLiteral("pin"), card.thumbnail.topRight() - QPoint(side * 3 / 2, 0), side);
     if (index.data(ResultHistory::ShownRole).toBool())
         drawMark(*painter, QStringLiteral("shown"), card.thumbnail.topLeft(), side);
+
+    drawStars(*painter, index.data(ResultHistory::StarsRole).toInt(), card.thumbnail, side);
 
     const QColor text = option.palette.color(group, selected ? QPalette::HighlightedText : QPalette::Text);
     painter->setRenderHint(QPainter::Antialiasing, true);

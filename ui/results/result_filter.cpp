@@ -19,6 +19,8 @@ bool ResultFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     const bool pinned = index.data(ResultHistory::PinnedRole).toBool();
     if (m_kind == Kind::Pinned && !pinned)
         return false;
+    if (m_kind == Kind::Starred && index.data(ResultHistory::StarsRole).toInt() == 0)
+        return false;
     if (m_kind == Kind::WithoutPreviews && !pinned && index.data(ResultHistory::PreviewRole).toBool())
         return false;
     return QSortFilterProxyModel::filterAcceptsRow(row, parent);

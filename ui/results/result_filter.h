@@ -9,7 +9,7 @@ class ResultFilter : public QSortFilterProxyModel {
     Q_OBJECT
 
 public:
-    enum class Kind { All, WithoutPreviews, Pinned };
+    enum class Kind { All, WithoutPreviews, Pinned, Starred };
 
     explicit ResultFilter(QObject* parent = nullptr);
 

@@ -10,14 +10,19 @@
 #include "ui/runs/result_text.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScopedValueRollback>
 #include <QSettings>
 #include <QToolButton>
 
@@ -28,6 +33,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kSearchWidths = 24;
+constexpr std::chrono::milliseconds kShowPause{80};
 constexpr int kNameWidths = 32; ///< of a result in a menu
 const QString kKind = QStringLiteral("results/shown");
 /// A comparison shows this many at most.
@@ -66,6 +72,9 @@ ResultActions::ResultActions(QWidget* window)
                   Qt::Key_F2)),
       remove(make(window, "removeResult", tr("De&lete"), tr("Delete the chosen results"),
                   QKeySequence::Delete, "delete")),
+      keep(make(window, "keepResult", tr("&Keep and go on"),
+                tr("Pin the chosen result and choose the next one; 1 to 5 give it stars, 0 none"),
+                Qt::Key_K)),
       limits(make(window, "resultLimits", tr("&Limits…"),
                   tr("Set how much memory and how much of the disk results may take"))) {
     pin->setCheckable(true);
@@ -77,7 +86,7 @@ QMenu* ResultActions::makeMenu(QWidget* window) const {
     auto* menu = new QMenu(tr("&Results"), window);
     menu->addActions({show, restore, compare, difference});
     menu->addSeparator();
-    menu->addActions({pin, rename, remove});
+    menu->addActions({pin, keep, rename, remove});
     menu->addSeparator();
     menu->addAction(limits);
     return menu;
@@ -101,6 +110,7 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
     m_kind->addItem(tr("All"), static_cast<int>(ResultFilter::Kind::All));
     m_kind->addItem(tr("Without previews"), static_cast<int>(ResultFilter::Kind::WithoutPreviews));
     m_kind->addItem(tr("Pinned"), static_cast<int>(ResultFilter::Kind::Pinned));
+    m_kind->addItem(tr("With stars"), static_cast<int>(ResultFilter::Kind::Starred));
 
     m_list->setObjectName(QStringLiteral("resultList"));
     m_list->setAccessibleName(tr("Results"));
@@ -116,7 +126,8 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_list->addActions({m_actions.show, m_actions.restore, m_actions.compare, m_actions.difference,
-                        m_actions.pin, m_actions.rename, m_actions.remove});
+                        m_actions.pin, m_actions.keep, m_actions.rename, m_actions.remove});
+    m_list->installEventFilter(this);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
 
@@ -190,6 +201,45 @@ void ResultPanel::connectActions() {
             m_list->edit(m_found->mapFromSource(m_history->indexOf(keys.front())));
     });
     connect(m_actions.remove, &QAction::triggered, this, &ResultPanel::removeSelected);
+    connect(m_actions.keep, &QAction::triggered, this, &ResultPanel::keepAndGoOn);
+    m_showTimer.setSingleShot(true);
+    m_showTimer.setInterval(kShowPause);
+    connect(&m_showTimer, &QTimer::timeout, m_actions.show, &QAction::trigger);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &ResultPanel::showSoon);
+}
+
+/// A result that was come to by keys is shown like one that was clicked.
+void ResultPanel::showSoon() {
+    if (!m_selecting && m_list->hasFocus() && QApplication::mouseButtons() == Qt::NoButton)
+        m_showTimer.start();
+}
+
+bool ResultPanel::eventFilter(QObject* watched, QEvent* event) {
+    const bool asked = event->type() == QEvent::ShortcutOverride, pressed = event->type() == QEvent::KeyPress;
+    if (watched == m_list && (asked || pressed)) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool star = key->modifiers() == Qt::NoModifier && key->key() >= Qt::Key_0 &&
+                          key->key() <= Qt::Key_0 + ResultEntry::kMostStars;
+        if (star && asked) // the window's own shortcuts do not see it
+            event->accept();
+        else if (star)
+            return starKey(key->key() - Qt::Key_0);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+bool ResultPanel::starKey(int stars) {
+    for (const std::string& key : selected())
+        m_history->setStars(key, stars);
+    return true;
+}
+
+void ResultPanel::keepAndGoOn() {
+    for (const std::string& key : selected())
+        m_history->setPinned(key, true);
+    const QModelIndex next = m_found->index(m_list->currentIndex().row() + 1, 0);
+    if (next.isValid())
+        m_list->setCurrentIndex(next);
 }
 
 std::vector<std::string> ResultPanel::selected() const {
@@ -203,6 +253,7 @@ std::vector<std::string> ResultPanel::selected() const {
 }
 
 void ResultPanel::select(const std::vector<std::string>& keys) {
+    const QScopedValueRollback selecting(m_selecting, true);
     m_list->clearSelection();
     for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
         const QModelIndex index = m_found->mapFromSource(m_history->indexOf(*key));
@@ -230,6 +281,25 @@ void ResultPanel::removeSelected() {
     const std::vector<std::string> keys = selected();
     if (keys.empty())
         return;
+    const auto pinned = std::count_if(
+        keys.begin(), keys.end(), [this](const std::string& key) { return m_history->find(key)->pinned; });
+    if (pinned == 0)
+        return removeNow(keys);
+    auto* question = new QMessageBox(
+        QMessageBox::Question, tr("Delete pinned results?"),
+        keys.size() == 1
+            ? tr("“%1” is pinned. Delete it all the same?").arg(titleText(*m_history->find(keys.front())))
+            : tr("%1 of the %2 chosen results are pinned. Delete all of them?").arg(pinned).arg(keys.size()),
+        QMessageBox::Cancel, window());
+    question->setObjectName(QStringLiteral("deletePinned"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    auto* yes = question->addButton(tr("&Delete"), QMessageBox::DestructiveRole);
+    question->setDefaultButton(QMessageBox::Cancel);
+    connect(yes, &QPushButton::clicked, this, [this, keys] { removeNow(keys); });
+    question->open();
+}
+
+void ResultPanel::removeNow(const std::vector<std::string>& keys) {
     const QString what = keys.size() == 1
                              ? tr("“%1” was deleted.").arg(titleText(*m_history->find(keys.front())))
                              : tr("%1 results were deleted.").arg(keys.size());
@@ -246,6 +316,7 @@ void ResultPanel::updateActions() {
     m_actions.compare->setEnabled(!keys.empty() && keys.size() <= kMostCompared);
     m_actions.remove->setEnabled(!keys.empty());
     m_actions.pin->setEnabled(!keys.empty());
+    m_actions.keep->setEnabled(!keys.empty());
     const auto pinned = [this](const std::string& key) {
         const ResultEntry* const entry = m_history->find(key);
         return entry != nullptr && entry->pinned;

@@ -2,6 +2,7 @@
 
 #include "ui/runs/result_history.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QAction;
@@ -27,6 +28,7 @@ struct ResultActions {
     QAction* pin;
     QAction* rename;
     QAction* remove;
+    QAction* keep;
     QAction* limits;
 
     QMenu* makeMenu(QWidget* window) const;
@@ -53,11 +55,18 @@ Q_SIGNALS:
     /// Results were taken off the list; the sentence says which.
     void removed(const std::vector<std::string>& keys, const QString& sentence);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     QLayout* makeBar();
     void connectActions();
     void removeSelected();
+    void removeNow(const std::vector<std::string>& keys);
     void pinSelected();
+    void keepAndGoOn();
+    bool starKey(int key);
+    void showSoon();
     void showDifference();
     void updateActions();
     void nameTargets(const std::vector<std::string>& keys);
@@ -72,6 +81,8 @@ private:
     QListView* m_list;
     QLabel* m_empty;
     QLabel* m_usage;
+    QTimer m_showTimer; ///< while arrow keys go from one result to the next
+    bool m_selecting = false;
 };
 
 } // namespace texloom::ui

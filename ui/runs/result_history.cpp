@@ -113,6 +113,10 @@ QModelIndex ResultHistory::indexOf(const std::string& key) const {
 
 QString ResultHistory::accessibleText(const ResultEntry& entry) const {
     QStringList parts = QStringList(titleText(entry)) + chipsOf(entry);
+    if (outdated(entry))
+        parts += tr("made before the edit");
+    if (entry.stars > 0)
+        parts += tr("%1 of %2 stars").arg(entry.stars).arg(ResultEntry::kMostStars);
     if (entry.pinned)
         parts += tr("pinned");
     if (entry.key == m_shown)
@@ -137,7 +141,9 @@ QVariant ResultHistory::data(const QModelIndex& index, int role) const {
     case KeyRole:
         return QString::fromStdString(entry.key);
     case ChipsRole:
-        return chipsOf(entry);
+        return outdated(entry) ? QStringList(tr("before the edit")) + chipsOf(entry) : chipsOf(entry);
+    case StarsRole:
+        return entry.stars;
     case PinnedRole:
         return entry.pinned;
     case PreviewRole:
@@ -242,6 +248,21 @@ void ResultHistory::want(const std::string& key, const Wanted& done, const Missi
 void ResultHistory::setPinned(const std::string& key, bool pinned) {
     changeRow(key, [&] { m_store.setPinned(key, pinned); });
     saveEntry(key);
+}
+
+void ResultHistory::setStars(const std::string& key, int stars) {
+    changeRow(key, [&] { m_store.setStars(key, stars); });
+    saveEntry(key);
+}
+
+void ResultHistory::setVaried(const std::string& key, const std::vector<Message>& varied) {
+    changeRow(key, [&] { m_store.setVaried(key, varied); });
+    saveEntry(key);
+}
+
+void ResultHistory::exemplarsChanged() {
+    if (const int rows = rowCount(); rows > 0)
+        Q_EMIT dataChanged(index(0), index(rows - 1), {ChipsRole});
 }
 
 void ResultHistory::takeRow(const std::string& key) {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class QMimeData;
@@ -28,7 +29,15 @@ class ResultHistory : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { KeyRole = Qt::UserRole, ChipsRole, PinnedRole, PreviewRole, SearchRole, ShownRole };
+    enum Role {
+        KeyRole = Qt::UserRole,
+        ChipsRole,
+        PinnedRole,
+        PreviewRole,
+        SearchRole,
+        ShownRole,
+        StarsRole
+    };
     using Wanted = std::function<void(const std::shared_ptr<const Result>&)>;
     using Missing = std::function<void(const QString&)>;
 
@@ -59,6 +68,14 @@ public:
     QImage thumbnail(const std::string& key) const;
 
     void setPinned(const std::string& key, bool pinned);
+    /// @param stars 0 to ResultEntry::kMostStars.
+    void setStars(const std::string& key, int stars);
+    void setVaried(const std::string& key, const std::vector<Message>& varied);
+    /// Tells which results are of an exemplar as it was before it was edited; asked anew by
+    /// exemplarsChanged().
+    void setOutdated(std::function<bool(const ResultEntry&)> outdated) { m_outdated = std::move(outdated); }
+    void exemplarsChanged();
+    bool outdated(const ResultEntry& entry) const { return m_outdated && m_outdated(entry); }
     /// The result that a window shows, which views mark; none if empty.
     void setShown(const std::string& key);
     /// Takes results off the list. Their files stay, so that they can come back, until purge(), the end of
@@ -104,6 +121,7 @@ private:
     ResultStore m_store;
     std::map<std::string, QImage> m_thumbnails;
     std::vector<ResultEntry> m_removed; ///< those that putBack() would put back, the first removed first
+    std::function<bool(const ResultEntry&)> m_outdated;
     std::string m_shown;
     QThreadPool m_disk; ///< one thread, so that what is written keeps its order
     bool m_ready = false;

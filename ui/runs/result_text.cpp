@@ -69,8 +69,17 @@ QString labelText(const ResultEntry& entry) {
 }
 
 QStringList chipsOf(const ResultEntry& entry) {
-    QStringList chips = {tr("seed %1").arg(entry.recipe.seed), sizeText(entry.recipe.size),
-                         QString::fromStdString(durationText(entry.seconds))};
+    QStringList chips;
+    for (const Message& varied : entry.varied)
+        chips += translated(varied);
+    chips += tr("seed %1").arg(entry.recipe.seed);
+    const Recipe& recipe = entry.recipe;
+    chips += recipe.region ? tr("%1 of %2").arg(sizeText(recipe.region->size), sizeText(recipe.size))
+                           : sizeText(recipe.size);
+    if (const auto start = recipe.inputs.find(kInitialPort);
+        start != recipe.inputs.end() && !start->second.empty())
+        chips += tr("from %1").arg(toQString(start->second.front().path.stem()));
+    chips += QString::fromStdString(durationText(entry.seconds));
     if (entry.quick)
         chips += tr("preview");
     if (entry.stoppedAt)

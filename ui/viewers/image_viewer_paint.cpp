@@ -35,7 +35,7 @@ void ImageViewer::paintEvent(QPaintEvent* event) {
             paintHidden(painter);
         paintOver(painter);
     } else {
-        painter.setPen(palette().color(QPalette::WindowText));
+        painter.setPen(Qt::white);
         painter.drawText(rect().adjusted(margin, margin, -margin, -margin),
                          Qt::AlignCenter | Qt::TextWordWrap, m_placeholder);
     }
@@ -54,8 +54,7 @@ void ImageViewer::paintEvent(QPaintEvent* event) {
 }
 
 void ImageViewer::paintBackground(QPainter& painter, const QRect& part) const {
-    painter.fillRect(part, isDark(palette()) ? palette().color(QPalette::Base).darker(120)
-                                             : palette().color(QPalette::Window).darker(115));
+    painter.fillRect(part, canvasColor());
 }
 
 void ImageViewer::paintOver(QPainter&) const {}

@@ -50,6 +50,9 @@ Actions::Actions(QMainWindow* window) {
                  "paste");
     exportResult = make("export", tr("&Export…"), {Qt::CTRL | Qt::Key_E},
                         tr("Write the result and its maps to files"), "export");
+    exportAgain =
+        make("exportAgain", tr("Export a&gain"), {Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+             tr("Write the result to the folder and in the way of the last export, without asking"));
     quit = make("quit", tr("&Quit"), {Qt::CTRL | Qt::Key_Q});
     copyResult =
         make("copyResult", tr("&Copy result"), {QKeySequence::Copy}, tr("Copy the result as a picture"));

@@ -13,6 +13,7 @@ struct Actions {
     QAction* open;
     QAction* paste;
     QAction* exportResult;
+    QAction* exportAgain;
     QAction* quit;
     QAction* copyResult;
     QAction* setMask;

@@ -21,7 +21,7 @@ DropTargets::DropTargets(QWidget* parent) : QWidget(parent) {
 void DropTargets::open(Dragged dragged, bool masks, const std::vector<Port>& ports) {
     const bool files = dragged == Dragged::Files;
     m_cards = {{tr("Exemplar"), tr("In place of the one you look at"), true},
-               {tr("Add"), tr("As a further exemplar"), true},
+               {tr("Add"), tr("Mixed with the exemplars in use"), true},
                {tr("Companion map"), tr("Gets the result's layout"), files},
                {tr("Mask"), masks ? tr("Black is never copied") : tr("The method does not use a mask"),
                 files && masks}};

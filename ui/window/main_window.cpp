@@ -30,6 +30,7 @@
 #include "ui/window/hovers.h"
 #include "ui/window/readout.h"
 #include "ui/window/result_export.h"
+#include "ui/window/result_offers.h"
 #include "ui/window/run_display.h"
 #include "ui/window/start_page.h"
 
@@ -37,6 +38,7 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -55,6 +57,9 @@ const QString kFirstMethod = QStringLiteral("quilting");
 /// The window's first size in lines and widths of text.
 constexpr int kFirstWidth = 180;
 constexpr int kFirstHeight = 50;
+/// On screens wider than this it fills most of them.
+constexpr int kSmallScreen = 1000;
+constexpr double kShareOfScreen = 0.92;
 
 } // namespace
 
@@ -82,6 +87,8 @@ MainWindow::MainWindow(QWidget* parent)
     auto* readout = new Readout(this);
     statusBar()->addWidget(readout, 1);
     new RunDisplay(m_desk, {m_results, m_figures, m_runPanel, m_messages}, this);
+    auto* offers = new ResultOffers(m_desk, m_store, m_results, m_actions.repeat, this);
+    connect(offers, &ResultOffers::runWanted, this, &MainWindow::runLike);
     new Hovers(m_desk, m_store, {m_results, m_exemplars, m_comparisons->view(), readout}, this);
     connectActions();
     connectRunActions();
@@ -95,6 +102,7 @@ MainWindow::MainWindow(QWidget* parent)
     restoreShortcuts(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly));
     setTabOrderThrough();
     methodChosen();
+    reserveKeys();
     m_firstSettings = settingsOf(*m_method, *m_inspector);
     exemplarsChanged();
     m_document->settle();
@@ -205,7 +213,11 @@ void MainWindow::setTabOrderThrough() {
 }
 
 void MainWindow::restoreLayout() {
-    resize(fontMetrics().averageCharWidth() * kFirstWidth, fontMetrics().height() * kFirstHeight);
+    const QSize room = screen()->availableGeometry().size();
+    if (room.width() > kSmallScreen)
+        resize(room * kShareOfScreen);
+    else
+        resize(fontMetrics().averageCharWidth() * kFirstWidth, fontMetrics().height() * kFirstHeight);
     const int side = fontMetrics().averageCharWidth();
     resizeDocks({findChild<QDockWidget*>(QStringLiteral("exemplarDock")),
                  findChild<QDockWidget*>(QStringLiteral("parameterDock"))},

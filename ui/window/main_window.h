@@ -106,6 +106,8 @@ private:
     QDockWidget* addDock(Qt::DockWidgetArea area, QWidget* content, const QString& title, const char* name);
     void makeMenus();
     QMenu* makeFileMenu();
+    QMenu* makeExemplarMenu();
+    void reserveKeys();
     QMenu* makeSynthesisMenu();
     QMenu* makePresetMenu();
     QMenu* makeViewMenu();
@@ -135,6 +137,9 @@ private:
     void editExemplar(bool edit);
 
     void fillRecentMenu(QMenu* menu);
+    void openMaterials(const QString& path);
+    void offerNeighbours(int id);
+    void mixNext();
     void openDialog();
     void paste();
     void take(const QMimeData& offered);
@@ -156,6 +161,9 @@ private:
     void updateActions();
     std::vector<RunExemplar> usedExemplars() const;
     void drawSeedUnlessLocked();
+    void stopRuns();
+    void runLike(const Recipe& recipe, bool quick);
+    bool lookAtExemplarsOf(const Recipe& recipe);
     void applySettings(const RunInput& input);
     bool openExemplarsOf(const Recipe& recipe);
     void showResults();

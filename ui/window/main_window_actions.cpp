@@ -1,5 +1,7 @@
+#include "ui/common/message_bar.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/comparisons.h"
+#include "ui/compare/tries.h"
 #include "ui/exemplar/companion_list.h"
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
@@ -19,6 +21,7 @@ void MainWindow::connectActions() {
     connect(m_actions.open, &QAction::triggered, this, &MainWindow::openDialog);
     connect(m_actions.paste, &QAction::triggered, this, &MainWindow::paste);
     connect(m_actions.exportResult, &QAction::triggered, m_export, &ResultExport::openDialog);
+    connect(m_actions.exportAgain, &QAction::triggered, m_export, &ResultExport::exportAgain);
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.copyResult, &QAction::triggered, m_export, &ResultExport::copy);
     connect(m_actions.editExemplar, &QAction::toggled, this, &MainWindow::editExemplar);
@@ -50,12 +53,21 @@ void MainWindow::connectRunActions() {
         m_desk->enqueue(input(false));
     });
     connect(m_actions.quick, &QAction::triggered, this, [this] { startRun(true); });
-    connect(m_actions.stop, &QAction::triggered, m_desk, &RunDesk::stopAndKeep);
+    connect(m_actions.stop, &QAction::triggered, this, &MainWindow::stopRuns);
     connect(m_actions.cancelRun, &QAction::triggered, m_desk, &RunDesk::cancel);
     connect(m_actions.newSeedRun, &QAction::triggered, this, [this] {
         m_inspector->output()->drawSeed();
         startRun(false);
     });
+}
+
+/// Ends the run under way; of many that are made to be compared those that wait, too.
+void MainWindow::stopRuns() {
+    const int left = m_tries->stop().value_or(0);
+    m_desk->stopAndKeep();
+    if (left > 0)
+        m_messages->sayBriefly(left == 1 ? tr("Stopped. One run that waited was given up.")
+                                         : tr("Stopped. %1 runs that waited were given up.").arg(left));
 }
 
 void MainWindow::drawSeedUnlessLocked() {

@@ -8,6 +8,7 @@
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/exemplar/layer_dialog.h"
+#include "ui/exemplar/material.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/maps/result_view.h"
@@ -73,7 +74,9 @@ void MainWindow::openFiles(const QStringList& paths) {
     QStringList pictures;
     for (const QString& path : paths) {
         const QString file = QFileInfo(path).absoluteFilePath();
-        if (Document::isSession(file))
+        if (isMaterial(file))
+            openMaterials(file);
+        else if (Document::isSession(file))
             m_document->open(file);
         else if (isRecipe(file))
             offerRecipe(file, tr("%1 holds the settings of a result.").arg(QFileInfo(file).fileName()));
@@ -81,6 +84,50 @@ void MainWindow::openFiles(const QStringList& paths) {
             pictures += file;
     }
     m_store->openAll(pictures);
+}
+
+void MainWindow::openMaterials(const QString& path) {
+    readInBackground(
+        this, QFileInfo(path).fileName(), [path] { return materialsIn(path); },
+        [this](const std::vector<MaterialFiles>& materials) {
+            for (const MaterialFiles& material : materials) {
+                QStringList maps;
+                for (const std::filesystem::path& map : material.maps)
+                    maps += toQString(map);
+                m_store->openMaterial(toQString(material.image), maps);
+            }
+        },
+        [this](const QString& why) {
+            if (!why.isEmpty())
+                fail(why);
+        });
+}
+
+/// Says which maps of the material lie beside a picture that was opened, until another is looked at.
+void MainWindow::offerNeighbours(int id) {
+    const ExemplarEntry* const entry = m_store->find(id);
+    std::vector<std::filesystem::path> known;
+    for (const ExemplarFile& map : entry->exemplar.companions)
+        known.push_back(map.path);
+    const auto offer = [this, id](const std::vector<std::filesystem::path>& beside) {
+        if (beside.empty() || m_store->current() == nullptr || m_store->current()->id != id)
+            return;
+        QStringList names;
+        for (const std::filesystem::path& map : beside)
+            names += toQString(map.filename());
+        const QString text =
+            tr("Maps of the same material lie beside it: %1.").arg(names.join(QStringLiteral(", ")));
+        m_messages->say(MessageBar::Kind::Information, text, tr("Add"), [this, id, beside] {
+            for (const std::filesystem::path& map : beside)
+                m_store->addCompanion(id, toQString(map));
+        });
+        connect(
+            m_store, &ExemplarStore::currentChanged, m_messages, [this, text] { m_messages->dismiss(text); },
+            Qt::SingleShotConnection);
+    };
+    inBackground(
+        this, [image = entry->file().path, known] { return neighboursOf(image, known); }, offer,
+        [](const QString&) {});
 }
 
 void MainWindow::openDialog() {
@@ -167,6 +214,8 @@ void MainWindow::dropOn(DropTargets::Target target, const QMimeData& offered) {
     }
     if (target == DropTargets::Target::Mask)
         return m_store->setMask(current, files.front());
+    if (target == DropTargets::Target::Add)
+        mixNext();
     if (target == DropTargets::Target::Exemplar)
         connect(
             m_store, &ExemplarStore::opened, this,
@@ -176,6 +225,21 @@ void MainWindow::dropOn(DropTargets::Target target, const QMimeData& offered) {
             },
             Qt::SingleShotConnection);
     take(offered);
+}
+
+/// What is opened next is mixed with the exemplars in use.
+void MainWindow::mixNext() {
+    std::vector<int> used;
+    for (const ExemplarEntry& entry : m_store->entries())
+        if (entry.checked)
+            used.push_back(entry.id);
+    connect(
+        m_store, &ExemplarStore::opened, this,
+        [this, used] {
+            for (const int id : used)
+                m_store->restoreChecked(id, true);
+        },
+        Qt::SingleShotConnection);
 }
 
 void MainWindow::dropInto(const std::string& port, const QMimeData& offered) {
@@ -209,10 +273,13 @@ void MainWindow::exemplarOpened(int id) {
     const bool own = path.startsWith(pastedFolder()) || path.startsWith(ownFolder());
     if (!own)
         addRecentFile(path);
-    if (!entry->file().info.recipe.empty())
+    if (!entry->file().info.recipe.empty()) {
         offerRecipe(path, tr("%1 was made here and holds its settings.").arg(QFileInfo(path).fileName()));
-    else if (m_messages->kind() == MessageBar::Kind::Error)
-        m_messages->dismiss();
+    } else {
+        if (m_messages->kind() == MessageBar::Kind::Error)
+            m_messages->dismiss();
+        offerNeighbours(id);
+    }
     const bool first = m_store->entries().size() == 1 && !m_desk->result() && !m_desk->running();
     if (first && useOf(m_inspector->steps()).any)
         startRun(true);
@@ -293,7 +360,7 @@ bool MainWindow::openExemplarsOf(const Recipe& recipe) {
     }
     if (!ids.empty())
         m_store->setCurrent(ids.front());
-    if (ids.size() > 1)
+    if (!ids.empty())
         for (const ExemplarEntry& entry : std::vector(m_store->entries()))
             m_store->setChecked(entry.id, std::find(ids.begin(), ids.end(), entry.id) != ids.end());
     if (ids.size() > 1)

@@ -1,8 +1,10 @@
 #include "ui/common/appearance.h"
+#include "ui/common/menu_keys.h"
 #include "ui/common/message_bar.h"
 #include "ui/compare/comparisons.h"
 #include "ui/compare/tries.h"
 #include "ui/exemplar/files.h"
+#include "ui/exemplar/map_deriver.h"
 #include "ui/inspector/inspector.h"
 #include "ui/session/document.h"
 #include "ui/session/preset_menu.h"
@@ -24,10 +26,7 @@ void MainWindow::makeMenus() {
     edit->addActions({m_undo->undoAction(), m_undo->redoAction()});
     edit->addSeparator();
     edit->addAction(m_actions.copyResult);
-    menuBar()
-        ->addMenu(tr("E&xemplar"))
-        ->addActions({m_actions.editExemplar, m_actions.addCompanions, m_actions.lattice, m_actions.setMask,
-                      m_actions.clearMask, m_actions.removeExemplar});
+    menuBar()->addMenu(makeExemplarMenu());
     menuBar()->addMenu(makeSynthesisMenu());
     menuBar()->addMenu(makeViewMenu());
     menuBar()->addMenu(m_comparisons->makeMenu());
@@ -36,6 +35,29 @@ void MainWindow::makeMenus() {
         ->addMenu(tr("&Tools"))
         ->addActions({m_actions.extend, m_actions.blend, m_actions.variance, m_actions.stress});
     menuBar()->addMenu(tr("&Help"))->addActions({m_actions.shortcuts, m_actions.about});
+}
+
+QMenu* MainWindow::makeExemplarMenu() {
+    auto* exemplar = new QMenu(tr("E&xemplar"), this);
+    exemplar->addActions({m_actions.editExemplar, m_actions.addCompanions});
+    auto* derive = new MapDeriver(m_store, exemplar);
+    connect(derive, &MapDeriver::failed, this, &MainWindow::fail);
+    exemplar->addMenu(derive);
+    exemplar->addActions(
+        {m_actions.lattice, m_actions.setMask, m_actions.clearMask, m_actions.removeExemplar});
+    return exemplar;
+}
+
+/// F10 goes to the first menu, as everywhere; letters go to the menus before anything else.
+void MainWindow::reserveKeys() {
+    auto* first = new QAction(this);
+    first->setShortcut(Qt::Key_F10);
+    addAction(first);
+    connect(first, &QAction::triggered, this, [this] {
+        menuBar()->setFocus(Qt::MenuBarFocusReason);
+        menuBar()->setActiveAction(menuBar()->actions().front());
+    });
+    reserveMenuKeys(menuBar(), this);
 }
 
 QMenu* MainWindow::makeFileMenu() {
@@ -51,7 +73,7 @@ QMenu* MainWindow::makeFileMenu() {
     file->addSeparator();
     m_document->addTo(file);
     file->addSeparator();
-    file->addAction(m_actions.exportResult);
+    file->addActions({m_actions.exportResult, m_actions.exportAgain});
     file->addSeparator();
     file->addAction(m_actions.quit);
     return file;

@@ -1,4 +1,6 @@
 #include "core/session/run/exemplar_use.h"
+#include "ui/common/background.h"
+#include "ui/common/menu_keys.h"
 #include "ui/common/message_bar.h"
 #include "ui/compare/tries.h"
 #include "ui/exemplar/exemplar_editor.h"
@@ -13,9 +15,11 @@
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
 #include "ui/window/main_window.h"
+#include "ui/window/result_export.h"
 
 #include <QAction>
 #include <QComboBox>
+#include <QMenuBar>
 #include <QStackedWidget>
 
 #include <algorithm>
@@ -54,6 +58,7 @@ void MainWindow::methodChosen() {
     m_undo->asOne(
         [this] { m_inspector->setMethod(findMethod(m_method->currentData().toString().toStdString())); });
     m_method->setToolTip(m_method->currentData(Qt::ToolTipRole).toString());
+    reserveMenuKeys(menuBar(), this); // the form's labels are new
     settingsEdited();
 }
 
@@ -115,6 +120,7 @@ void MainWindow::updateActions() {
     for (QAction* action : {m_actions.stop, m_actions.cancelRun})
         action->setEnabled(m_desk->running());
     m_actions.exportResult->setEnabled(m_desk->resultShown());
+    m_actions.exportAgain->setEnabled(m_desk->resultShown() && ResultExport::knowsHow());
     m_actions.copyResult->setEnabled(m_desk->resultShown());
     const ExemplarEntry* const current = m_store->current();
     const ExemplarUse use = useOf(m_inspector->steps());
@@ -129,6 +135,46 @@ void MainWindow::updateActions() {
 
 void MainWindow::startRun(bool quick) {
     m_desk->run(input(false), quick);
+}
+
+bool MainWindow::lookAtExemplarsOf(const Recipe& recipe) {
+    std::vector<int> ids;
+    for (const RecipeExemplar& wanted : recipe.exemplars) {
+        const auto& open = m_store->entries();
+        const auto found = std::find_if(open.begin(), open.end(), [&](const ExemplarEntry& entry) {
+            return entry.file().path == wanted.image.path;
+        });
+        if (found == open.end())
+            return false;
+        ids.push_back(found->id);
+    }
+    if (!ids.empty())
+        m_store->setCurrent(ids.front());
+    for (const ExemplarEntry& entry : std::vector(m_store->entries()))
+        if (!ids.empty())
+            m_store->setChecked(entry.id, std::find(ids.begin(), ids.end(), entry.id) != ids.end());
+    return true;
+}
+
+/// Takes over a result's settings, on its exemplars as they are now where they are open, and runs.
+void MainWindow::runLike(const Recipe& recipe, bool quick) {
+    Recipe wanted = recipe;
+    const bool open = lookAtExemplarsOf(recipe);
+    if (open)
+        wanted.exemplars.clear();
+    inBackground(
+        this, [wanted] { return loadRecipe(wanted); },
+        [this, quick, open](RunInput input) {
+            if (quick)
+                input.size = m_inspector->output()->outputSize();
+            restore(input);
+            if (open || input.exemplars.empty())
+                return startRun(quick);
+            connect(
+                m_store, &ExemplarStore::replaced, this, [this, quick] { startRun(quick); },
+                Qt::SingleShotConnection);
+        },
+        [this](const QString& why) { fail(why); });
 }
 
 void MainWindow::showResults() {

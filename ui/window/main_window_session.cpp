@@ -107,10 +107,10 @@ void MainWindow::showSession(const LoadedSession& loaded, const std::function<vo
             std::vector<int> ids;
             for (const ExemplarEntry& entry : m_store->entries())
                 ids.push_back(entry.id);
-            for (std::size_t i = 0; i < ids.size(); ++i)
-                m_store->setChecked(ids[i], loaded.session.used[i]);
             if (!ids.empty())
                 m_store->setCurrent(ids[static_cast<std::size_t>(loaded.session.current)]);
+            for (std::size_t i = 0; i < ids.size(); ++i)
+                m_store->setChecked(ids[i], loaded.session.used[i]);
             {
                 const UndoHistory::Pause pause(m_undo);
                 showSettings({loaded.session.settings, loaded.inputs, loaded.session.seedLocked}, *m_method,

@@ -25,11 +25,30 @@ const QString kExportFolder = QStringLiteral("folders/export");
 ResultExport::ResultExport(const RunDesk* desk, MessageBar* messages, QWidget* window)
     : QObject(window), m_desk(desk), m_messages(messages), m_window(window) {}
 
-void ResultExport::openDialog() {
+QString ResultExport::folder() const {
     const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     const QString known = QFileInfo(pictures).isDir() ? pictures : QDir::homePath();
-    const QString folder = QSettings().value(kExportFolder, known).toString();
-    auto* dialog = new ExportDialog(m_desk->result(), folder, m_window);
+    return QSettings().value(kExportFolder, known).toString();
+}
+
+bool ResultExport::knowsHow() {
+    return ExportDialog::remembers();
+}
+
+void ResultExport::exportAgain() {
+    auto* dialog = new ExportDialog(m_desk->result(), folder(), m_window);
+    dialog->takeLast();
+    if (!dialog->refusal().isEmpty())
+        return open(dialog);
+    write(*dialog);
+    delete dialog;
+}
+
+void ResultExport::openDialog() {
+    open(new ExportDialog(m_desk->result(), folder(), m_window));
+}
+
+void ResultExport::open(ExportDialog* dialog) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { write(*dialog); });
     dialog->open();
@@ -38,6 +57,7 @@ void ResultExport::openDialog() {
 void ResultExport::write(const ExportDialog& dialog) {
     const QString folder = dialog.folder();
     QSettings().setValue(kExportFolder, folder);
+    dialog.remember();
     m_messages->say(MessageBar::Kind::Information, tr("Writing to %1…").arg(folder));
     inBackground(
         this,
@@ -54,7 +74,7 @@ void ResultExport::write(const ExportDialog& dialog) {
 
 void ResultExport::copy() {
     QApplication::clipboard()->setImage(m_desk->last().pictures.result->image());
-    m_messages->say(MessageBar::Kind::Information, tr("The result is on the clipboard."));
+    m_messages->sayBriefly(tr("The result is on the clipboard."));
 }
 
 } // namespace texloom::ui

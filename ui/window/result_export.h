@@ -19,12 +19,18 @@ public:
     ResultExport(const RunDesk* desk, MessageBar* messages, QWidget* window);
 
     void openDialog();
+    /// Writes it as the last one was; asks where that cannot be.
+    void exportAgain();
+    /// Whether there was one.
+    static bool knowsHow();
     void copy();
 
 Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
+    QString folder() const;
+    void open(ExportDialog* dialog);
     void write(const ExportDialog& dialog);
 
     const RunDesk* m_desk;

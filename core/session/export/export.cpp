@@ -4,9 +4,9 @@
 #include "core/base/folder_of.h"
 #include "core/base/text.h"
 #include "core/color/color_pipeline.h"
-#include "core/image/normal_map.h"
 #include "core/io/map_file.h"
 #include "core/io/own_file.h"
+#include "core/session/export/companion_files.h"
 #include "core/session/export/output_files.h"
 #include "core/volume/volume_file.h"
 
@@ -26,11 +26,7 @@ namespace {
 /// What messages call a file that a recipe names.
 const char* const kSource = TR("a source of the result");
 
-/// One file to write and how; nothing where it is written with the one after it.
-struct Step {
-    ExportEntry entry;
-    std::function<void()> write;
-};
+using Step = ExportStep;
 
 /// The files that a volume may replace. How many slices it will have is known only when it is there: those
 /// that another volume of this name left all count.
@@ -41,11 +37,6 @@ std::vector<fs::path> filesForVolume(const fs::path& path) {
             if (slice.filename() != files.front().filename())
                 files.push_back(slice);
     return files;
-}
-
-/// NAME_SUFFIX.ext beside NAME.ext.
-fs::path beside(const fs::path& image, const std::string& suffix, const std::string& extension) {
-    return folderOf(image) / (image.stem().string() + suffix + extension);
 }
 
 /// The space to write in: as asked, or what the format's users expect.
@@ -131,168 +122,6 @@ void writeSidecar(const Result& result, const ExportOptions& options, const fs::
              {"content", kindId(output.port->kind)},
              {"output", output.port->id}});
     writeText(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
-/// Where green of a normal map should point when it is written.
-MapRole normalsWanted(const ExportOptions& options) {
-    return options.normals != MapRole::Other ? options.normals : findExportPreset(options.preset).normals;
-}
-
-/// Companion `index` as it is written.
-Image companionImage(const Result& result, const ExportOptions& options, std::size_t index) {
-    Image image = result.companion(index);
-    const MapRole role = result.plan.companions.front()[index].role;
-    if (!isNormal(role))
-        return image;
-    if (result.synthesis.mapKind == MapKind::Dominant)
-        renormalize(image);
-    const MapRole wanted = normalsWanted(options);
-    if (isNormal(wanted) && wanted != role)
-        flipGreen(image);
-    return image;
-}
-
-WriteOptions dataOptions(const Result& result, const ExportOptions& options, Depth depth,
-                         const fs::path& path) {
-    WriteOptions write;
-    write.check = options.check;
-    write.depth = depth;
-    write.space = "raw";
-    write.recipe = result.plan.recipe.toJson(folderOf(path));
-    return write;
-}
-
-/// The depth of a companion file: as asked for, else as the preset says, else its source's own; where the
-/// format has it.
-Depth companionDepth(const ExportOptions& options, const std::string& word, std::optional<Depth> preset,
-                     Depth own, const fs::path& path) {
-    const std::vector<Depth> held = depthsFor(path);
-    const auto holds = [&](Depth depth) { return std::find(held.begin(), held.end(), depth) != held.end(); };
-    if (const auto asked = options.depths.find(word); asked != options.depths.end() && holds(asked->second))
-        return asked->second;
-    const bool whole =
-        own == Depth::Bits8 || own == Depth::Bits16; // a preset never reduces a file of real numbers
-    return preset && whole && holds(*preset) ? *preset : own;
-}
-
-void writeCompanion(const Result& result, const ExportOptions& options, std::size_t index,
-                    const ExportEntry& entry) {
-    WriteOptions write = dataOptions(result, options, *entry.depth, entry.path);
-    write.channelNames = result.plan.companions.front()[index].info.channelNames;
-    writeImage(entry.path, companionImage(result, options, index), write);
-}
-
-/// The companion that holds this; a normal map of either direction counts. None if there is none.
-std::optional<std::size_t> companionFor(const Result& result, MapRole role) {
-    const std::vector<ExemplarFile>& companions = result.plan.companions.front();
-    for (std::size_t i = 0; i < companions.size(); ++i)
-        if (role != MapRole::Other &&
-            (companions[i].role == role || (isNormal(role) && isNormal(companions[i].role))))
-            return i;
-    return std::nullopt;
-}
-
-void writePacked(const Result& result, const ExportOptions& options, const PresetFile& file,
-                 const ExportEntry& entry) {
-    Image packed(result.synthesis.image.size(), static_cast<int>(file.channels.size()));
-    for (int c = 0; c < packed.channels(); ++c) {
-        const PackedChannel& channel = file.channels[static_cast<std::size_t>(c)];
-        const auto index = companionFor(result, channel.role);
-        const Image map = index ? result.companion(*index) : Image();
-        for (int y = 0; y < packed.height(); ++y)
-            for (int x = 0; x < packed.width(); ++x) {
-                const float value = index ? map(x, y, 0) : channel.otherwise;
-                packed(x, y, c) = channel.inverted ? 1 - value : value;
-            }
-    }
-    writeImage(entry.path, packed, dataOptions(result, options, *entry.depth, entry.path));
-}
-
-/// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
-/// bark.
-std::string companionSuffix(const std::string& exemplar, const std::string& companion) {
-    const auto [own, theirs] =
-        std::mismatch(companion.begin(), companion.end(), exemplar.begin(), exemplar.end());
-    const bool common = own != companion.begin() && own != companion.end();
-    const std::string rest = common ? std::string(own, companion.end()) : companion;
-    return rest.front() == '_' ? rest : "_" + rest;
-}
-
-/// A companion's own format, but never a lossy one.
-std::string extensionFor(const ExemplarFile& companion) {
-    const std::string& format = companion.info.format;
-    return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
-}
-
-/// Hands out file names, no two alike.
-class Names {
-public:
-    Names(const Result& result, const ExportOptions& options)
-        : m_result(result), m_options(options), m_taken{options.image} {}
-
-    fs::path next(const std::string& word, const std::string& extension) {
-        fs::path path = pathFor(word, extension);
-        for (int copy = 2; !m_taken.insert(path).second; ++copy)
-            path = pathFor(fmt::format("{}_{}", word, copy), extension);
-        return path;
-    }
-
-private:
-    fs::path pathFor(const std::string& word, const std::string& extension) const {
-        if (m_options.pattern.empty())
-            return beside(m_options.image, "_" + word, extension);
-        return folderOf(m_options.image) /
-               (expandName(m_options.pattern, nameWords(m_result, word)) + extension);
-    }
-
-    const Result& m_result;
-    const ExportOptions& m_options;
-    std::set<fs::path> m_taken;
-};
-
-bool anyOf(const Result& result, const PresetFile& file, std::set<std::size_t>& used) {
-    bool any = false;
-    for (const PackedChannel& channel : file.channels)
-        if (const auto index = companionFor(result, channel.role)) {
-            used.insert(*index);
-            any = true;
-        }
-    return any;
-}
-
-std::vector<Step> companionSteps(const Result& result, const ExportOptions& options) {
-    std::vector<Step> steps;
-    if (!options.companions || !result.plan.hasCompanions())
-        return steps;
-    const std::vector<ExemplarFile>& companions = result.plan.companions.front();
-    Names names(result, options);
-    std::set<std::size_t> used;
-    const auto addWhole = [&](std::size_t i, const std::string& word, std::optional<Depth> preset) {
-        const fs::path path = names.next(word, extensionFor(companions[i]));
-        const Depth depth = companionDepth(options, word, preset, depthLike(companions[i].info, path), path);
-        const MapRole role = companions[i].role;
-        const ExportEntry entry{
-            path, role == MapRole::Other ? Message(TR("companion map")) : Message(mapRoleTitle(role)), false,
-            word, depth};
-        used.insert(i);
-        steps.push_back(
-            {entry, [&result, &options, i, entry] { writeCompanion(result, options, i, entry); }});
-    };
-    for (const PresetFile& file : findExportPreset(options.preset).files) {
-        if (const auto index = companionFor(result, file.role)) {
-            addWhole(*index, file.word, file.depth);
-        } else if (anyOf(result, file, used)) {
-            const fs::path path = names.next(file.word, ".png");
-            const Depth depth = companionDepth(options, file.word, file.depth, Depth::Bits8, path);
-            const ExportEntry entry{path, TR("packed companion maps"), false, file.word, depth};
-            steps.push_back(
-                {entry, [&result, &options, &file, entry] { writePacked(result, options, file, entry); }});
-        }
-    }
-    for (std::size_t i = 0; i < companions.size(); ++i)
-        if (!used.contains(i))
-            addWhole(i, companionSuffix(result.plan.name(), companions[i].name()).substr(1), {});
-    return steps;
 }
 
 /// @param made whether there is a result; before that its further outputs are unknown, and left out.
@@ -389,6 +218,23 @@ Depth depthLike(const ImageFileInfo& source, const fs::path& path) {
     const auto named = std::find_if(depths.begin(), depths.end(),
                                     [&](Depth depth) { return depthName(depth) == source.depth; });
     return named != depths.end() ? *named : depths.front();
+}
+
+std::string extensionLike(const ImageFileInfo& source) {
+    const std::string& format = source.format;
+    return format == "openexr" ? ".exr" : format == "tiff" ? ".tif" : format == "hdr" ? ".hdr" : ".png";
+}
+
+std::uint64_t clippedSamples(const ImageView& image, const std::function<void()>& check) {
+    std::uint64_t count = 0;
+    for (int c = 0; c < image.channels; ++c)
+        for (int y = 0; y < image.height; ++y) {
+            check();
+            const float* const row = image.plane(c).row(y);
+            for (int x = 0; x < image.width; ++x)
+                count += row[x] < 0 || row[x] > 1 ? 1 : 0;
+        }
+    return count;
 }
 
 void exportPicture(const fs::path& path, const ImageView& picture, const ExemplarFile& source,

@@ -5,6 +5,7 @@
 #include "core/session/export/output_guard.h"
 #include "core/session/run/run.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -65,6 +66,14 @@ std::vector<ExportEntry> exportEntries(const Result& result, const ExportOptions
 /// The depth nearest to a source file's own that the format of `path` holds; the format's usual one where the
 /// source has none.
 Depth depthLike(const ImageFileInfo& source, const std::filesystem::path& path);
+
+/// How files are named whose pictures are like the source's: .png, .tif, .exr or .hdr; without loss for a
+/// JPEG's.
+std::string extensionLike(const ImageFileInfo& source);
+
+/// The samples that files of whole numbers cut off: below 0 or above 1. @param check called for every row.
+std::uint64_t clippedSamples(
+    const ImageView& image, const std::function<void()>& check = [] {});
 
 /// Writes a picture that was made from images like `source`: in that one's depth where the format holds it,
 /// and as colours or data as that one is. @param check called for every row; what it throws leaves no file.

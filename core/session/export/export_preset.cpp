@@ -5,16 +5,6 @@
 
 namespace texloom {
 
-namespace {
-
-const std::vector<PackedChannel> kOrm = {
-    {MapRole::Occlusion, 1}, {MapRole::Roughness, 0.5F}, {MapRole::Metallic, 0}};
-/// Unity's mask map: metallic, occlusion, detail, smoothness.
-const std::vector<PackedChannel> kMaskMap = {
-    {MapRole::Metallic, 0}, {MapRole::Occlusion, 1}, {MapRole::Other, 0}, {MapRole::Roughness, 0.5F, true}};
-
-} // namespace
-
 const std::vector<ExportPreset>& exportPresets() {
     static const std::vector<ExportPreset> presets = {
         {"generic",
@@ -40,7 +30,7 @@ const std::vector<ExportPreset>& exportPresets() {
          "BaseMap",
          MapRole::NormalGl,
          {{"Normal", MapRole::NormalGl, {}, Depth::Bits8},
-          {"MaskMap", MapRole::Other, kMaskMap, Depth::Bits8},
+          {"MaskMap", MapRole::Other, packingMaskMap(), Depth::Bits8},
           {"Height", MapRole::Height, {}, Depth::Bits16}}},
         {"unreal",
          TR("Unreal Engine"),
@@ -48,7 +38,7 @@ const std::vector<ExportPreset>& exportPresets() {
          "BC",
          MapRole::NormalDx,
          {{"N", MapRole::NormalDx, {}, Depth::Bits8},
-          {"ORM", MapRole::Other, kOrm, Depth::Bits8},
+          {"ORM", MapRole::Other, packingOrm(), Depth::Bits8},
           {"H", MapRole::Height, {}, Depth::Bits16}}},
         {"godot",
          TR("Godot"),
@@ -56,7 +46,7 @@ const std::vector<ExportPreset>& exportPresets() {
          "albedo",
          MapRole::NormalGl,
          {{"normal", MapRole::NormalGl, {}, Depth::Bits8},
-          {"orm", MapRole::Other, kOrm, Depth::Bits8},
+          {"orm", MapRole::Other, packingOrm(), Depth::Bits8},
           {"height", MapRole::Height, {}, Depth::Bits16}}},
         {"gltf",
          TR("glTF"),
@@ -64,7 +54,7 @@ const std::vector<ExportPreset>& exportPresets() {
          "baseColor",
          MapRole::NormalGl,
          {{"normal", MapRole::NormalGl, {}, Depth::Bits8},
-          {"occlusionRoughnessMetallic", MapRole::Other, kOrm, Depth::Bits8}}},
+          {"occlusionRoughnessMetallic", MapRole::Other, packingOrm(), Depth::Bits8}}},
     };
     return presets;
 }

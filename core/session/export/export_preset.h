@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/map_role.h"
+#include "core/image/map_name.h"
 #include "core/io/image_file.h"
 
 #include <optional>
@@ -9,13 +9,6 @@
 #include <vector>
 
 namespace texloom {
-
-/// What one channel of a packed file holds.
-struct PackedChannel {
-    MapRole role;
-    float otherwise;       ///< where there is no such map
-    bool inverted = false; ///< 1 − the map: smoothness from roughness
-};
 
 /// One file that a preset writes beside the colours: a map as it is, or several packed into channels.
 struct PresetFile {

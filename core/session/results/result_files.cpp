@@ -112,6 +112,10 @@ std::string entryText(const ResultEntry& entry, const fs::path& folder) {
                  {"outputs", outputsJson(entry.outputs)}};
     if (entry.stoppedAt)
         json["stoppedAt"] = *entry.stoppedAt;
+    if (entry.stars > 0)
+        json["stars"] = entry.stars;
+    if (!entry.varied.empty())
+        json["varied"] = toJson(entry.varied);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -152,6 +156,10 @@ ResultEntry entryIn(const Json& json, const fs::path& folder) {
     entry.threads = json.at("threads").get<int>();
     if (json.contains("stoppedAt"))
         entry.stoppedAt = json.at("stoppedAt").get<double>();
+    if (json.contains("stars"))
+        entry.stars = std::clamp(json.at("stars").get<int>(), 0, ResultEntry::kMostStars);
+    if (json.contains("varied"))
+        entry.varied = messagesFrom(json.at("varied"));
     entry.bytes = json.at("bytes").get<std::uint64_t>();
     entry.mapKind = mapKindIn(json.at("mapKind"));
     entry.figures = figuresIn(json.at("figures"));

@@ -18,14 +18,18 @@ struct KeptOutput {
     Message size; ///< how large it is, as sizeText() says it
 };
 
-/// What is remembered of a run that ended, whether or not its pixels are in memory. Only the title and the
-/// pin ever change.
+/// What is remembered of a run that ended, whether or not its pixels are in memory. Only the title, the pin
+/// and the stars ever change.
 struct ResultEntry {
+    static constexpr int kMostStars = 5;
+
     std::string key;   ///< name of its folder; keys sort by the time at which runs ended
     std::string title; ///< the user's own name for it, or empty
     bool pinned = false;
-    bool quick = false;        ///< a preview at a small size
-    std::int64_t finished = 0; ///< milliseconds since 1970, UTC
+    int stars = 0;               ///< that the user gave it, up to kMostStars; 0: none yet
+    std::vector<Message> varied; ///< what told it from the other runs of its sweep: "Patch size 16 px"
+    bool quick = false;          ///< a preview at a small size
+    std::int64_t finished = 0;   ///< milliseconds since 1970, UTC
     Recipe recipe;
     double seconds = 0;         ///< of work, on `threads` threads
     double estimateSeconds = 0; ///< what the methods' rough estimate said, for one thread

@@ -81,6 +81,16 @@ void ResultStore::setPinned(const std::string& key, bool pinned) {
         m_entries[index].pinned = pinned;
 }
 
+void ResultStore::setStars(const std::string& key, int stars) {
+    if (const std::size_t index = indexOf(key); index < m_entries.size())
+        m_entries[index].stars = std::clamp(stars, 0, ResultEntry::kMostStars);
+}
+
+void ResultStore::setVaried(const std::string& key, const std::vector<Message>& varied) {
+    if (const std::size_t index = indexOf(key); index < m_entries.size())
+        m_entries[index].varied = varied;
+}
+
 std::optional<ResultEntry> ResultStore::take(const std::string& key) {
     const std::size_t index = indexOf(key);
     if (index == m_entries.size())

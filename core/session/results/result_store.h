@@ -37,6 +37,9 @@ public:
 
     void setTitle(const std::string& key, const std::string& title);
     void setPinned(const std::string& key, bool pinned);
+    /// @param stars 0 to ResultEntry::kMostStars.
+    void setStars(const std::string& key, int stars);
+    void setVaried(const std::string& key, const std::vector<Message>& varied);
     /// Takes an entry off the list; its files stay. @return it, so that it can be put back.
     std::optional<ResultEntry> take(const std::string& key);
     /// Puts it back where it was.

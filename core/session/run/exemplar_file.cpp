@@ -1,5 +1,6 @@
 #include "core/session/run/exemplar_file.h"
 
+#include "core/base/error.h"
 #include "core/color/color_pipeline.h"
 #include "core/image/hidden_colour.h"
 #include "core/io/channel_names.h"
@@ -31,6 +32,16 @@ ExemplarFile whole(std::pair<ExemplarFile, Image> loaded) {
     return std::move(loaded.first);
 }
 
+/// One channel of an image as a map of its own.
+Image channelAlone(const Image& image, const MapChannel& channel) {
+    Image alone(image.view().channelRange(channel.index, 1));
+    if (channel.inverted)
+        for (int y = 0; y < alone.height(); ++y)
+            for (int x = 0; x < alone.width(); ++x)
+                alone(x, y, 0) = 1 - alone(x, y, 0);
+    return alone;
+}
+
 } // namespace
 
 ExemplarFile loadExemplar(const fs::path& path, const std::string& space, const std::string& layer) {
@@ -42,8 +53,36 @@ ExemplarFile loadExemplar(const fs::path& path, const std::string& space, const 
     return whole(std::move(loaded));
 }
 
-ExemplarFile loadData(const fs::path& path, const std::string& layer) {
-    return whole(load(path, "raw", layer));
+ExemplarFile loadData(const fs::path& path, const std::string& layer, const MapChannel& channel) {
+    std::pair<ExemplarFile, Image> loaded = load(path, "raw", layer);
+    if (channel.whole())
+        return whole(std::move(loaded));
+    if (channel.index >= loaded.second.channels())
+        failUsage("{} has {} channels; there is no channel {}.", path.filename().string(),
+                  loaded.second.channels(), channel.index + 1);
+    loaded.first.channel = channel;
+    loaded.second = channelAlone(loaded.second, channel);
+    return whole(std::move(loaded));
+}
+
+std::vector<ExemplarFile> loadCompanions(const fs::path& path) {
+    const MapName name = mapNameFrom(path.stem().string(), true);
+    std::pair<ExemplarFile, Image> loaded = load(path, "raw", {});
+    loaded.first.role = name.role;
+    std::vector<ExemplarFile> maps;
+    for (int i = 0; i < loaded.second.channels() && i < static_cast<int>(name.packing.size()); ++i) {
+        const PackedChannel& packed = name.packing[static_cast<std::size_t>(i)];
+        if (packed.role == MapRole::Other)
+            continue;
+        ExemplarFile map = loaded.first;
+        map.role = packed.role;
+        map.channel = {i, packed.inverted};
+        map.image = std::make_shared<const Image>(channelAlone(loaded.second, map.channel));
+        maps.push_back(std::move(map));
+    }
+    if (maps.empty())
+        maps.push_back(whole(std::move(loaded)));
+    return maps;
 }
 
 ExemplarFile loadUnconverted(const fs::path& path) {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "core/image/map_role.h"
+#include "core/image/map_name.h"
 #include "core/io/image_file.h"
 #include "core/methods/synthesis.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace texloom {
 
@@ -19,6 +20,7 @@ struct ExemplarFile {
     std::shared_ptr<const Image> image;
     MapRole role = MapRole::Other; ///< what the file's name says that it holds, or the user
     std::string layer = {};        ///< of the file, as ReadOptions::layer
+    MapChannel channel = {};       ///< of the file, where the image is one of several that it packs
 
     /// File name without its extension, as labels show it.
     std::string name() const { return path.stem().string(); }
@@ -31,7 +33,13 @@ ExemplarFile loadExemplar(const std::filesystem::path& path, const std::string& 
                           const std::string& layer = {});
 
 /// Reads an image of data (a normal map, heights): the values stay as they are in the file.
-ExemplarFile loadData(const std::filesystem::path& path, const std::string& layer = {});
+/// @param channel all channels, or one alone. @throws UsageError where the file has no such channel.
+ExemplarFile loadData(const std::filesystem::path& path, const std::string& layer = {},
+                      const MapChannel& channel = {});
+
+/// Reads the companion maps in a file: one, or of a file whose name says that it packs several, each of them
+/// with what it holds. At least one.
+std::vector<ExemplarFile> loadCompanions(const std::filesystem::path& path);
 
 /// Reads an image to be laid out by a map: a colour image as loadExemplar() takes it, but in its file's
 /// space where that has a name; one whose name says that it is data as loadData() does.

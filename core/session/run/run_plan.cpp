@@ -17,6 +17,7 @@ namespace {
 RecipeFile companionFile(const ExemplarFile& file) {
     RecipeFile companion = recipeFile(file);
     companion.role = mapRoleId(file.role);
+    companion.channel = file.channel;
     return companion;
 }
 
@@ -57,6 +58,57 @@ std::shared_ptr<const Image> withMeans(const Image& initial, const Image& exempl
                         static_cast<float>(means[static_cast<std::size_t>(c)]));
     const std::array<ImageView, 2> parts = {initial, missing};
     return std::make_shared<const Image>(stacked(parts));
+}
+
+bool hasColor(const Image& image) {
+    return image.channels() >= 3;
+}
+
+bool hasAlpha(const Image& image) {
+    return image.channels() == 2 || image.channels() == 4;
+}
+
+/// A picture with three channels for its one where `color` says, and an alpha of 1 where `alpha` says.
+Image promoted(const Image& image, bool color, bool alpha) {
+    std::vector<ImageView> planes;
+    const int shades = image.channels() - (hasAlpha(image) ? 1 : 0);
+    for (int c = 0; c < (color ? 3 : 1); ++c)
+        planes.push_back(image.view().channelRange(std::min(c, shades - 1), 1));
+    Image opaque;
+    if (alpha && hasAlpha(image)) {
+        planes.push_back(image.view().channelRange(image.channels() - 1, 1));
+    } else if (alpha) {
+        opaque = Image(image.size(), 1);
+        for (int y = 0; y < opaque.height(); ++y)
+            std::fill_n(opaque.plane(0).row(y), opaque.width(), 1.0F);
+        planes.push_back(opaque);
+    }
+    return stacked(planes);
+}
+
+/// Exemplars of which some are grey and others coloured, or only some have alpha, made alike: grey ones get
+/// three equal channels, those without alpha one that is 1 everywhere.
+RunInput withAlikeChannels(const RunInput& asked, std::vector<Message>& notes) {
+    RunInput input = asked;
+    const auto has = [&](bool (*what)(const Image&)) {
+        return std::any_of(input.exemplars.begin(), input.exemplars.end(),
+                           [what](const RunExemplar& exemplar) { return what(*exemplar.image.image); });
+    };
+    const bool color = has(hasColor), alpha = has(hasAlpha);
+    const int channels = (color ? 3 : 1) + (alpha ? 1 : 0);
+    for (const RunExemplar& exemplar : input.exemplars)
+        if (exemplar.image.image->channels() > 4)
+            return input;
+    for (RunExemplar& exemplar : input.exemplars) {
+        const std::shared_ptr<const Image> image = exemplar.image.image;
+        if (image->channels() == channels)
+            continue;
+        if (color && !hasColor(*image))
+            notes.push_back(
+                message("{} is grey and is taken as coloured, as the others are.", exemplar.image.name()));
+        exemplar.image.image = std::make_shared<const Image>(promoted(*image, color, alpha));
+    }
+    return input;
 }
 
 Assets assetsOf(const InputFiles& inputs) {
@@ -262,8 +314,9 @@ Port ownPort(const std::vector<RecipeStep>& steps, const std::string& id) {
 
 } // namespace
 
-RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
+RunPlan planRun(const RunInput& asked, std::uint64_t memoryLimit, bool strips) {
     RunPlan plan;
+    const RunInput input = withAlikeChannels(asked, plan.notes);
     checkExemplarCount(input.steps, input.exemplars.size());
     checkCompanions(input);
     plan.threads = threadCount(input.threads);
@@ -286,7 +339,8 @@ RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit, bool strips) {
     plan.recipe = recipeFor(input, plan.steps);
     if (!input.exemplars.empty())
         plan.exemplarInfo = input.exemplars.front().image.info;
-    plan.notes = notesOf(input);
+    for (Message& note : notesOf(input))
+        plan.notes.push_back(std::move(note));
     for (const RunExemplar& exemplar : input.exemplars)
         plan.companions.push_back(exemplar.companions);
     return plan;
@@ -375,7 +429,7 @@ RunExemplar loadFiles(const RecipeExemplar& entry, const std::vector<RecipeStep>
         exemplar.mask = loadNamed(*entry.mask, loadMask(entry.mask->path, entry.mask->layer), changed);
     for (const RecipeFile& companion : entry.companions) {
         exemplar.companions.push_back(
-            loadNamed(companion, loadData(companion.path, companion.layer), changed));
+            loadNamed(companion, loadData(companion.path, companion.layer, companion.channel), changed));
         if (!companion.role.empty())
             exemplar.companions.back().role = mapRoleFrom(companion.role);
     }

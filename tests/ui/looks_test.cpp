@@ -1,0 +1,225 @@
+#include "tests/ui/window_fixture.h"
+#include "ui/blend/blend_window.h"
+#include "ui/common/appearance.h"
+#include "ui/common/language.h"
+#include "ui/common/menu_keys.h"
+#include "ui/exemplar/exemplar_editor.h"
+#include "ui/maps/result_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListView>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <cmath>
+
+using namespace texloom;
+using namespace texloom::ui;
+
+namespace {
+
+/// The ratio of contrast of two colours, 1 to 21: see WCAG 2.1.
+double contrast(const QColor& one, const QColor& other) {
+    const auto luminance = [](const QColor& color) {
+        const auto linear = [](double value) {
+            return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+               0.0722 * linear(color.blueF());
+    };
+    const double a = luminance(one), b = luminance(other);
+    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+/// The letter that a text marks with &; null if none.
+QChar letterOf(const QString& text) {
+    const QKeySequence key = QKeySequence::mnemonic(text);
+    return key.isEmpty() ? QChar() : QChar(static_cast<char16_t>(key[0].key()));
+}
+
+/// What of a window does not fit: cut texts, and widgets beyond a screen of this size.
+QString misfit(QWidget& window, QSize screen) {
+    if (window.width() > screen.width() || window.height() > screen.height())
+        return QStringLiteral("%1 is %2 × %3")
+            .arg(window.windowTitle())
+            .arg(window.width())
+            .arg(window.height());
+    if (const QString cut = cutText(window); !cut.isEmpty())
+        return QStringLiteral("cut in %1: “%2”").arg(window.windowTitle(), cut);
+    return {};
+}
+
+} // namespace
+
+/// That all of it can be read and reached: contrasts, keys, sizes, in three languages.
+class LooksTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void cleanup() {
+        applyAppearance(Appearance::Light);
+        useLanguage(QLocale(QLocale::English));
+    }
+
+    void textsHaveContrast_data() {
+        QTest::addColumn<int>("appearance");
+        QTest::newRow("light") << static_cast<int>(Appearance::Light);
+        QTest::newRow("dark") << static_cast<int>(Appearance::Dark);
+    }
+
+    void textsHaveContrast() {
+        QFETCH(int, appearance);
+        applyAppearance(static_cast<Appearance>(appearance));
+        const QPalette palette = QApplication::palette();
+        using Role = QPalette::ColorRole;
+        const std::pair<Role, Role> pairs[] = {{QPalette::WindowText, QPalette::Window},
+                                               {QPalette::Text, QPalette::Base},
+                                               {QPalette::Text, QPalette::AlternateBase},
+                                               {QPalette::ButtonText, QPalette::Button},
+                                               {QPalette::HighlightedText, QPalette::Highlight},
+                                               {QPalette::PlaceholderText, QPalette::Base},
+                                               {QPalette::PlaceholderText, QPalette::Window},
+                                               {QPalette::ToolTipText, QPalette::ToolTipBase},
+                                               {QPalette::Link, QPalette::Window},
+                                               {QPalette::Link, QPalette::Base}};
+        for (const auto group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled})
+            for (const auto& [text, ground] : pairs) {
+                const double ratio = contrast(palette.color(group, text), palette.color(group, ground));
+                QVERIFY2(ratio >= 4.5,
+                         qPrintable(QStringLiteral("%1 %2 %3").arg(group).arg(text).arg(ratio)));
+            }
+        QVERIFY(contrast(Qt::white, canvasColor()) >= 4.5);
+        QVERIFY(contrast(errorColor(palette), palette.color(QPalette::Window)) >= 4.5);
+    }
+
+    void darkIsTheFirstAppearance() { QVERIFY(savedAppearance() == Appearance::Dark); }
+
+    void everyMenuHasALetterOfItsOwn_data() { languages(); }
+
+    void everyMenuHasALetterOfItsOwn() {
+        QFETCH(QString, language);
+        useLanguage(QLocale(language));
+        MainWindow window;
+        window.show();
+        auto* method = child<QComboBox>(window, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("texture-optimization")));
+        QSet<QChar> letters;
+        for (const QAction* menu : window.menuBar()->actions()) {
+            const QChar letter = letterOf(menu->text());
+            QVERIFY2(!letter.isNull(), qPrintable(menu->text()));
+            QVERIFY2(!letters.contains(letter), qPrintable(menu->text()));
+            letters.insert(letter);
+        }
+        for (const auto* label : window.findChildren<QLabel*>())
+            QVERIFY2(label->buddy() == nullptr || !letters.contains(letterOf(label->text())),
+                     qPrintable(label->text()));
+        for (const auto* button : window.findChildren<QAbstractButton*>())
+            QVERIFY2(!letters.contains(letterOf(button->text())), qPrintable(button->text()));
+    }
+
+    void f10OpensTheMenus() {
+        MainWindow window;
+        window.show();
+        QTest::keyClick(&window, Qt::Key_F10);
+        QTRY_COMPARE(window.menuBar()->activeAction(), window.menuBar()->actions().front());
+    }
+
+    void viewerKeysWorkWhereverTheFocusIs() {
+        QTemporaryDir folder;
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, writeTexture(folder, QStringLiteral("keys.png"), {64, 64})));
+        window.activateWindow();
+        auto* repeat = child<QAction>(window, "repeat");
+        for (const char* name : {"resultList", "exemplarList", "method", "outputWidth", "wrapX", "runButton",
+                                 "resultViewer", "exemplarViewer"}) {
+            auto* widget = child<QWidget>(window, name);
+            widget->setFocus();
+            const bool before = repeat->isChecked();
+            QTest::keyClick(widget, Qt::Key_W);
+            QVERIFY2(repeat->isChecked() != before || QLatin1String(name) == QLatin1String("exemplarViewer"),
+                     name);
+        }
+        auto* search = child<QWidget>(window, "resultSearch");
+        search->setFocus();
+        const bool before = repeat->isChecked();
+        QTest::keyClick(search, Qt::Key_W);
+        QCOMPARE(repeat->isChecked(), before); // a letter of the text
+    }
+
+    void allFitsASmallScreen_data() { languages(); }
+
+    /// Offscreen screens are small anyway; what counts is what windows ask for.
+    void allFitsASmallScreen() {
+        QFETCH(QString, language);
+        constexpr QSize kSmall(1366, 768), kDouble(960, 540); // 1920 × 1080 at a factor of 2
+        useLanguage(QLocale(language));
+        QTemporaryDir folder;
+        MainWindow window;
+        window.show();
+        QVERIFY(openAndFinish(window, writeTexture(folder, QStringLiteral("fits.png"), {64, 64})));
+        for (const QSize screen : {kSmall, kDouble}) {
+            window.resize(screen);
+            settle();
+            auto* tabs = child<QTabWidget>(window, "resultTabs");
+            for (int tab = 0; tab < tabs->count(); ++tab) {
+                if (!tabs->isTabVisible(tab))
+                    continue;
+                tabs->setCurrentIndex(tab);
+                settle();
+                const QString wrong = misfit(window, screen);
+                QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1, tab %2").arg(wrong).arg(tab)));
+            }
+            tabs->setCurrentIndex(0);
+            auto* run = child<QWidget>(window, "runButton");
+            const QRect place(run->mapTo(&window, QPoint()), run->size());
+            QVERIFY(run->visibleRegion().boundingRect() == run->rect() && window.rect().contains(place));
+            const double canvas = window.centralWidget()->width();
+            QVERIFY2(canvas >= 0.5 * screen.width() - 1 || screen == kDouble,
+                     qPrintable(QStringLiteral("canvas %1 of %2").arg(canvas).arg(screen.width())));
+        }
+        window.resize(kSmall);
+        for (const char* name : {"shortcuts", "export", "sweep", "trySome", "stress", "variance", "blend",
+                                 "extendCanvas", "about"}) {
+            auto* action = window.findChild<QAction*>(QLatin1String(name));
+            if (action == nullptr || !action->isEnabled())
+                continue;
+            action->trigger();
+            settle();
+            QDialog* dialog = nullptr;
+            for (QDialog* open : window.findChildren<QDialog*>())
+                if (open->isVisible())
+                    dialog = open;
+            if (dialog == nullptr)
+                continue;
+            const QString wrong = misfit(*dialog, kSmall);
+            const QSize least = dialog->minimumSizeHint();
+            QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(name), wrong)));
+            QVERIFY2(least.width() <= kSmall.width() && least.height() <= kSmall.height(), name);
+            QTest::keyClick(dialog, Qt::Key_Escape);
+            settle();
+            QVERIFY2(!window.findChildren<QDialog*>().contains(dialog) || !dialog->isVisible(), name);
+        }
+    }
+
+private:
+    static void languages() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "fr"})
+            QTest::newRow(language) << QString(QLatin1String(language));
+    }
+};
+
+TEXLOOM_UI_TESTS(LooksTest)
+#include "looks_test.moc"
