@@ -23,11 +23,13 @@
 #include <QListView>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QUrl>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -213,6 +215,18 @@ private Q_SLOTS:
         // It is shown, too.
         QTRY_COMPARE(m_window->desk()->last().key,
                      history->index(1).data(ResultHistory::KeyRole).toString().toStdString());
+    }
+
+    void aResultIsDraggedOutAsAFile() {
+        QVERIFY(openAndFinish(*m_window, write(newFolder(), QStringLiteral("wool.png"))));
+        ResultHistory* const history = m_window->desk()->history();
+        const std::unique_ptr<QMimeData> data(history->mimeData({history->index(0)}));
+        QCOMPARE(draggedResult(*data), history->entries().front().key);
+        QVERIFY(data->hasUrls());
+        QCOMPARE(data->urls().size(), 1);
+        const LoadedImage file = readImage(toPath(data->urls().front().toLocalFile()));
+        QVERIFY(file.image.size() == m_window->desk()->result()->synthesis.image.size());
+        QVERIFY(!file.info.recipe.empty());
     }
 
     void deletingAPinnedResultAsks() {

@@ -22,6 +22,27 @@ void ElidedLabel::setElideMode(Qt::TextElideMode mode) {
     elide();
 }
 
+void ElidedLabel::setTwoLines() {
+    m_twoLines = true;
+    setMinimumHeight(2 * fontMetrics().lineSpacing());
+    elide();
+}
+
+/// As many words as fit on the first line, but no more than the first part.
+QString ElidedLabel::inTwoLines() const {
+    const int width = contentsRect().width();
+    const QString mark = QStringLiteral(" · ");
+    const QString first = m_text.section(mark, 0, 0);
+    QString line = first;
+    while (fontMetrics().horizontalAdvance(line) > width && line.contains(QLatin1Char(' ')))
+        line = line.left(line.lastIndexOf(QLatin1Char(' ')));
+    QString rest = m_text.mid(line.size());
+    if (rest.startsWith(mark))
+        rest = rest.mid(mark.size());
+    return fontMetrics().elidedText(line, Qt::ElideRight, width) + QLatin1Char('\n') +
+           fontMetrics().elidedText(rest.trimmed(), Qt::ElideRight, width);
+}
+
 QSize ElidedLabel::minimumSizeHint() const {
     return {fontMetrics().horizontalAdvance(QStringLiteral("mmmm")), QLabel::minimumSizeHint().height()};
 }
@@ -43,7 +64,8 @@ void ElidedLabel::changeEvent(QEvent* event) {
 }
 
 void ElidedLabel::elide() {
-    setText(fontMetrics().elidedText(m_text, m_elideMode, contentsRect().width()));
+    setText(m_twoLines ? inTwoLines()
+                       : fontMetrics().elidedText(m_text, m_elideMode, contentsRect().width()));
 }
 
 } // namespace texloom::ui

@@ -16,7 +16,7 @@ namespace texloom::ui {
 CompareCell::CompareCell(QWidget* parent)
     : QWidget(parent), m_label(new ElidedLabel(this)), m_use(new QToolButton(this)),
       m_viewer(new ImageViewer(this)) {
-    m_label->setElideMode(Qt::ElideRight);
+    m_label->setTwoLines();
     setIconButton(m_use, QStringLiteral("reset"), tr("Restore settings"));
     m_use->setToolTip(
         tr("Bring the settings of this result into the form (Return); Run then makes it in full size"));

@@ -6,6 +6,7 @@
 #include <QSaveFile>
 
 #include <algorithm>
+#include <cmath>
 
 namespace texloom::ui {
 
@@ -39,9 +40,10 @@ void paintCell(QPainter& painter, const CompareItem& item, const QRect& place) {
         painter.drawText(place.adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, item.message);
         return;
     }
-    const double scale =
-        std::min(1.0, static_cast<double>(place.width()) / item.picture->size().longerSide());
-    const QImage& level = item.picture->levelFor(scale);
+    // Small pictures are enlarged by whole factors, which keep their pixels square.
+    const double fitting = static_cast<double>(place.width()) / item.picture->size().longerSide();
+    const double scale = fitting > 1 ? std::floor(fitting) : fitting;
+    const QImage& level = item.picture->levelFor(std::min(1.0, scale));
     const QSize whole(item.picture->size().width, item.picture->size().height);
     QRect target(QPoint(), (QSizeF(whole) * scale).toSize().expandedTo({1, 1}));
     target.moveCenter(place.center());

@@ -1,6 +1,7 @@
 #include "ui/exemplar/exemplar_panel.h"
 
 #include "core/color/color_pipeline.h"
+#include "ui/common/down_scroll.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
@@ -96,8 +97,12 @@ ExemplarPanel::ExemplarPanel(ExemplarStore* store, const QList<QAction*>& action
     column->addWidget(m_viewer, 3);
     column->addWidget(m_name);
     column->addWidget(m_facts);
-    column->addWidget(makeDetails());
-    column->addWidget(m_list, 2);
+    auto* below = new QWidget;
+    auto* details = new QVBoxLayout(below);
+    details->setContentsMargins(0, 0, 0, 0);
+    details->addWidget(makeDetails());
+    details->addWidget(m_list, 1);
+    column->addWidget(new DownScroll(below, this), 3);
     column->addLayout(buttons);
     connectStore();
     showCurrent();

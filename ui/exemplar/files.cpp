@@ -8,6 +8,7 @@
 #include "ui/common/text.h"
 #include "ui/exemplar/material.h"
 #include "ui/exemplar/resource_folder.h"
+#include "ui/runs/result_drag.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -84,6 +85,8 @@ bool offersPicture(const QMimeData& data) {
 
 QStringList localFiles(const QMimeData& data) {
     QStringList paths;
+    if (!ResultDrag::keyOf(data).empty())
+        return paths; // it writes a file, for other programs, as soon as one is asked for
     for (const QUrl& url : data.urls())
         if (url.isLocalFile())
             paths += url.toLocalFile();

@@ -28,7 +28,7 @@ QString pictureFilter();
 /// Whether something dropped or pasted holds files or a picture.
 bool offersPicture(const QMimeData& data);
 
-/// Paths of the local files in it.
+/// Paths of the local files in it; none in a result of the window's own.
 QStringList localFiles(const QMimeData& data);
 
 /// Where pasted pictures are kept.

@@ -1,5 +1,6 @@
 #include "ui/inspector/inspector.h"
 
+#include "ui/common/down_scroll.h"
 #include "ui/common/text.h"
 #include "ui/common/value_editor.h"
 #include "ui/inspector/method_form.h"
@@ -8,10 +9,7 @@
 #include "ui/inspector/param_row.h"
 #include "ui/inspector/step_chain.h"
 
-#include <QEvent>
 #include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -22,31 +20,6 @@ namespace {
 
 /// Lines kept free for the help text, so that the form does not jump while it is read.
 constexpr int kHelpLines = 5;
-
-/// Scrolls down only: it is always wide enough for its content, however that changes.
-class DownScroll : public QScrollArea {
-public:
-    explicit DownScroll(QWidget* content) {
-        setWidgetResizable(true);
-        setFrameShape(QFrame::NoFrame);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        setFocusPolicy(Qt::NoFocus);
-        setWidget(content); // from here on, it filters the content's events
-        fit();
-    }
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override {
-        if (watched == widget() && event->type() == QEvent::LayoutRequest)
-            fit();
-        return QScrollArea::eventFilter(watched, event);
-    }
-
-private:
-    void fit() {
-        setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
-    }
-};
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "ui/common/background.h"
 #include "ui/common/own_folders.h"
 #include "ui/common/text.h"
+#include "ui/runs/result_drag.h"
 #include "ui/runs/result_text.h"
 
 #include <QMimeData>
@@ -18,7 +19,6 @@ namespace {
 
 /// Thumbnails' longer side in pixels, enough for screens with many.
 constexpr int kThumbnailSide = 256;
-const QString kDragged = QStringLiteral("application/x-texloom-result");
 const QString kResults = QStringLiteral("results");
 
 QString thumbnailFile(const ResultFolder& folder, const ResultEntry& entry) {
@@ -32,7 +32,7 @@ QString resultFolder() {
 }
 
 std::string draggedResult(const QMimeData& data) {
-    return data.data(kDragged).toStdString();
+    return ResultDrag::keyOf(data);
 }
 
 ResultHistory::ResultHistory(const QString& folder, QObject* parent)
@@ -174,14 +174,14 @@ Qt::ItemFlags ResultHistory::flags(const QModelIndex& index) const {
 }
 
 QStringList ResultHistory::mimeTypes() const {
-    return {kDragged};
+    return {ResultDrag::type()};
 }
 
 QMimeData* ResultHistory::mimeData(const QModelIndexList& indexes) const {
-    auto* data = new QMimeData;
-    if (!indexes.isEmpty())
-        data->setData(kDragged, QByteArray::fromStdString(entryAt(indexes.front()).key));
-    return data;
+    if (indexes.isEmpty())
+        return new QMimeData;
+    const std::string key = entryAt(indexes.front()).key;
+    return new ResultDrag(key, m_store.peek(key));
 }
 
 std::string ResultHistory::add(const std::shared_ptr<const Result>& result, bool quick,

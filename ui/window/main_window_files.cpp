@@ -182,7 +182,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
         return;
     event->acceptProposedAction();
     const std::vector<Port> ports = m_inspector->output()->ports();
-    const bool files = !localFiles(*event->mimeData()).isEmpty();
+    // A dragged result writes a file for other programs when it is asked for one.
+    const bool files = !result && !localFiles(*event->mimeData()).isEmpty();
     const auto dragged = result  ? DropTargets::Dragged::Result
                          : files ? DropTargets::Dragged::Files
                                  : DropTargets::Dragged::Picture;

@@ -1,5 +1,6 @@
 #include "core/session/export/companion_files.h"
 
+#include "core/base/folder_of.h"
 #include "core/image/normal_map.h"
 
 #include <algorithm>
@@ -233,10 +234,6 @@ private:
 };
 
 } // namespace
-
-fs::path folderOf(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 fs::path beside(const fs::path& image, const std::string& suffix, const std::string& extension) {
     return folderOf(image) / (image.stem().string() + suffix + extension);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/session/export/export.h"
+#include "core/session/export/export_options.h"
 
 #include <filesystem>
 #include <functional>

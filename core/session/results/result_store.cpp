@@ -71,6 +71,11 @@ std::shared_ptr<const Result> ResultStore::inMemory(const std::string& key) {
     return m_states[index].result;
 }
 
+std::shared_ptr<const Result> ResultStore::peek(const std::string& key) const {
+    const std::size_t index = indexOf(key);
+    return index < m_states.size() ? m_states[index].result : nullptr;
+}
+
 void ResultStore::setTitle(const std::string& key, const std::string& title) {
     if (const std::size_t index = indexOf(key); index < m_entries.size())
         m_entries[index].title = title;

@@ -35,6 +35,9 @@ public:
     /// The result, if it is in memory; then it counts as used just now.
     std::shared_ptr<const Result> inMemory(const std::string& key);
 
+    /// The same without counting as a use; null where it is not in memory.
+    std::shared_ptr<const Result> peek(const std::string& key) const;
+
     void setTitle(const std::string& key, const std::string& title);
     void setPinned(const std::string& key, bool pinned);
     /// @param stars 0 to ResultEntry::kMostStars.
