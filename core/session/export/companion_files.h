@@ -15,9 +15,6 @@ struct ExportStep {
     std::function<void()> write;
 };
 
-/// The folder that a file lies in, "." where its name says none.
-std::filesystem::path folderOf(const std::filesystem::path& file);
-
 /// NAME_SUFFIX.ext beside NAME.ext.
 std::filesystem::path beside(const std::filesystem::path& image, const std::string& suffix,
                              const std::string& extension);

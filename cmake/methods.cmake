@@ -1,0 +1,37 @@
+# texloom_find_methods(folder): every folder in `folder` is a method. Sets for the caller METHOD_DECLARATIONS and
+# METHOD_ENTRIES, the lines of the registry; METHOD_IDS; METHOD_LIBRARIES, which they need beside the core's; and of those
+# that this build cannot have ABSENT_ENTRIES and ABSENT_FOLDERS.
+#
+# A method that needs a heavy library has a component.cmake, which looks for it and sets COMPONENT_LIBRARIES, or, if it is
+# not there or not wanted, COMPONENT_ABSENT to a sentence that says why and what to do.
+function(texloom_find_methods folder)
+  foreach(_result IN ITEMS METHOD_DECLARATIONS METHOD_ENTRIES METHOD_IDS METHOD_LIBRARIES ABSENT_ENTRIES ABSENT_FOLDERS)
+    set(${_result} "")
+  endforeach()
+  set(_configure "")
+  if(NOT CMAKE_SCRIPT_MODE_FILE)
+    set(_configure CONFIGURE_DEPENDS)
+  endif()
+  file(GLOB _names ${_configure} LIST_DIRECTORIES true RELATIVE ${folder} ${folder}/*)
+  foreach(_name IN LISTS _names)
+    if(NOT IS_DIRECTORY ${folder}/${_name})
+      continue()
+    endif()
+    string(REPLACE "_" "-" _id ${_name})
+    set(COMPONENT_LIBRARIES "")
+    set(COMPONENT_ABSENT "")
+    include(${folder}/${_name}/component.cmake OPTIONAL)
+    if(COMPONENT_ABSENT)
+      list(APPEND ABSENT_FOLDERS ${_name})
+      string(APPEND ABSENT_ENTRIES "        {\"${_id}\", \"${COMPONENT_ABSENT}\"},\n")
+      continue()
+    endif()
+    list(APPEND METHOD_LIBRARIES ${COMPONENT_LIBRARIES})
+    list(APPEND METHOD_IDS ${_id})
+    string(APPEND METHOD_DECLARATIONS "namespace ${_name} {\nextern const Method self;\n}\n")
+    string(APPEND METHOD_ENTRIES "        named(\"${_id}\", ${_name}::self),\n")
+  endforeach()
+  foreach(_result IN ITEMS METHOD_DECLARATIONS METHOD_ENTRIES METHOD_IDS METHOD_LIBRARIES ABSENT_ENTRIES ABSENT_FOLDERS)
+    set(${_result} "${${_result}}" PARENT_SCOPE)
+  endforeach()
+endfunction()
