@@ -3,6 +3,7 @@
 #include "app/cli/batch_command.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/descriptor_commands.h"
 #include "app/cli/join_commands.h"
 #include "app/cli/method_pages.h"
 #include "app/cli/option_forms.h"
@@ -230,6 +231,7 @@ int run(int argc, char** argv) {
     cli::addBatch(app);
     addApply(app);
     cli::addJoins(app);
+    cli::addDescriptorCommands(app);
     addAnalyze(app);
     addStress(app);
     cli::silenceLibraries();

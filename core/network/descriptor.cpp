@@ -91,7 +91,7 @@ private:
         const std::string name = colon == std::string::npos ? "" : word.substr(colon + 1);
         DescriptorLayer layer;
         layer.name = name;
-        if (kind == "conv" && !name.empty()) {
+        if (kind == "conv" && !name.empty() && m_convolutions.insert(name).second) {
             layer.filters = filtersFrom(m_model, name, m_channels);
             m_channels = layer.filters.outputs;
         } else if (word == "relu")
@@ -110,7 +110,7 @@ private:
     Descriptor& m_to;
     int m_channels = 0;
     bool m_endsInTap = false;
-    std::set<std::string> m_taps;
+    std::set<std::string> m_convolutions, m_taps; ///< no name comes twice
 };
 
 } // namespace

@@ -46,7 +46,7 @@ class TextureLoss {
 public:
     /// @param exemplars with the same number of channels, as many as the descriptor's, or 1: a grey picture
     /// is seen as one of three equal channels. They are seen with reflected edges.
-    /// @throws Error if the channels do not suit, or a side is below leastSide().
+    /// @throws Error if the channels do not suit, a side is below leastSide(), or feature maps overflow.
     TextureLoss(const Descriptor& descriptor, const TextureLossOptions& options,
                 std::span<const LossExemplar> exemplars, JobContext& context);
 

@@ -4,6 +4,8 @@
 #include "core/io/map_file.h"
 #include "core/io/model_file.h"
 #include "core/io/recipe.h"
+#include "core/network/filter_banks.h"
+#include "core/network/weights_file.h"
 #include "core/session/batch/batch.h"
 #include "core/session/run/checkpoint_file.h"
 #include "core/session/session.h"
@@ -265,6 +267,37 @@ TEST(Fuzz, ModelsAreReadOrRefused) {
         for (const auto& [name, array] : read.arrays)
             ASSERT_LE(std::visit([](const auto& values) { return values.size(); }, array.values),
                       bytes.size());
+    });
+}
+
+TEST(Fuzz, DescriptorsAreReadOrRefused) {
+    const std::string first = randomDescriptor(1).model().bytes();
+    Descriptor two;
+    two.name = "two";
+    const auto filters = [](int outputs, int inputs, int side) {
+        return Filters::zero(outputs, inputs, side);
+    };
+    using Kind = DescriptorLayer::Kind;
+    two.chains = {{{Kind::Convolution, "a", filters(2, 3, 3)},
+                   {Kind::Rectifier, "", {}},
+                   {Kind::Pool, "", {}},
+                   {Kind::Convolution, "b", filters(2, 2, 1)},
+                   {Kind::Tap, "t", {}}}};
+    fuzz("descriptor", {two.model().bytes(), first}, 10 * iterations(), [](const std::string& bytes) {
+        const Descriptor read = Descriptor::from(modelFromBytes(bytes, "d.safetensors"));
+        ASSERT_LE(4 * read.parameters(), bytes.size());
+    });
+}
+
+TEST(Fuzz, WeightsAreReadOrRefused) {
+    const TemporaryFolder folder;
+    const std::string head =
+        R"({"tensors": [{"name": "conv1_1.weight", "shape": [2, 3, 3, 3], "offset": 0, "count": 54},)"
+        R"( {"name": "conv1_1.bias", "shape": [2], "offset": 54, "count": 2}]})";
+    put(folder / "w.bin", std::string(56 * sizeof(float), '\0'));
+    fuzz("weights", {head}, 5 * iterations(), [&](const std::string& bytes) {
+        put(folder / "w.json", bytes);
+        importWeights(folder / "w.json", {});
     });
 }
 

@@ -230,6 +230,7 @@ TEST(Descriptor, refusesWhatDoesNotFitTogether) {
     refused([](Model& bad) { bad.notes["network"] = "conv:a relu tap:x conv:b tap:x"; });
     refused([](Model& bad) { bad.notes["network"] = "conv:absent tap:x"; });
     refused([](Model& bad) { bad.notes["network"] = "exec:rm tap:x"; });
+    refused([](Model& bad) { bad.notes["network"] = "conv:a tap:x | conv:a tap:y"; });
     refused([](Model& bad) { bad.arrays.at("b.bias").shape = {4}; });
     refused([](Model& bad) { bad.arrays.at("a.weight") = bad.arrays.at("b.weight"); });
     refused([](Model& bad) { bad.arrays.at("a.weight").values = std::vector<double>(162); });
