@@ -381,7 +381,7 @@ learnDictionary(const Eigen::MatrixXf& signals, const DictionaryOptions& options
     learnAtoms(signals, options, learnt.atoms, context, watch);
     const int sparsity = std::min(options.sparsity, learnt.length());
     const std::vector<int> uses =
-        constrainedPursuit(learnt.atoms, SignalSource::of(signals), {sparsity, {}}, context)
+        constrainedPursuit(learnt.atoms, SignalSource::of(signals), {sparsity, {}, options.pursuit}, context)
             .uses(learnt.count());
     learnt.uses.assign(uses.begin(), uses.end());
     return learnt;

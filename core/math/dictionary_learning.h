@@ -20,6 +20,7 @@ struct DictionaryOptions {
     int iterations = 20; ///< rounds over all signals
     DictionaryLearner learner = DictionaryLearner::Ksvd;
     int draw = 0; ///< of the context's random numbers: dictionaries with different ones are independent
+    Pursuit pursuit = Pursuit::Plain; ///< by which uses are counted
 };
 
 /// Atoms for sparse codes of signals, and how often signals use them.
@@ -36,7 +37,7 @@ struct Dictionary {
 /// The dictionary that codes signals best with few atoms each (Tartavel, Gousseau & Peyré 2013, eq. 1 and
 /// 2): min |P − D W|² with at most S atoms for each signal and |d_n| ≤ 1, approximately, by K-SVD (Aharon,
 /// Elad & Bruckstein 2006; atoms by two power iterations each) or online (Mairal, Bach, Ponce & Sapiro 2010).
-/// The uses are those of constrainedPursuit() without limits of uses.
+/// The uses are those of constrainedPursuit() without limits of uses, plain or orthogonal as is asked.
 ///
 /// With K-SVD the error never rises: a signal keeps its code where a new one is worse, and an atom that few
 /// use, or that is nearly another one, becomes the worst signal only where that pays.

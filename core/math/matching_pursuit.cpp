@@ -5,6 +5,8 @@
 
 #include <queue>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -102,7 +104,8 @@ public:
     Constrained(const Eigen::MatrixXf& gram, Eigen::MatrixXf& products, const PursuitLimits& limits)
         : m_gram(gram), m_products(products), m_atoms(static_cast<int>(gram.cols())),
           m_code(static_cast<int>(products.cols()), limits.most), m_left(limits.uses),
-          m_open(at(m_atoms), 1.0F), m_best(at(m_code.signals())) {
+          m_open(at(m_atoms), 1.0F), m_best(at(m_code.signals())),
+          m_orthogonal(limits.pursuit == Pursuit::Orthogonal) {
         for (int n = 0; n < m_atoms && !m_left.empty(); ++n)
             m_open[at(n)] = m_left[at(n)] > 0 ? 1.0F : 0.0F;
     }
@@ -115,8 +118,12 @@ public:
         if (!full) {
             const float largest = largestOf(row, m_open.data(), m_atoms);
             best = {largest, largest > 0 ? findOpen(row, largest) : -1};
+            if (m_orthogonal && best.atom >= 0 && m_code.uses(signal, best.atom))
+                best = {}; // nothing is left but rounding
         }
         for (const int atom : m_code.atoms(signal)) {
+            if (m_orthogonal)
+                break; // the remainder is orthogonal to it
             const float size = std::fabs(row[atom]);
             if (size > best.size || (size == best.size && size > 0 && atom < best.atom))
                 best = {size, atom};
@@ -136,8 +143,9 @@ public:
             if (top.size <= m_least)
                 break;
             if (available(top.signal, m_best[at(top.signal)].atom)) {
-                step(top.signal);
                 ++made;
+                if (!(m_orthogonal ? stepOrthogonally(top.signal) : step(top.signal)))
+                    continue;
             }
             measure(top.signal);
             push(top.signal);
@@ -185,13 +193,51 @@ private:
 
     bool available(int signal, int atom) const { return m_open[at(atom)] > 0 || m_code.uses(signal, atom); }
 
-    void step(int signal) {
+    void use(int signal, int atom, float weight) {
+        if (m_code.add(signal, atom, weight) && !m_left.empty() && --m_left[at(atom)] == 0)
+            m_open[at(atom)] = 0;
+    }
+
+    /// @return whether the signal may go on.
+    bool step(int signal) {
         const int atom = m_best[at(signal)].atom;
         float* row = m_products.col(signal).data();
         const float weight = row[atom];
-        if (m_code.add(signal, atom, weight) && !m_left.empty() && --m_left[at(atom)] == 0)
-            m_open[at(atom)] = 0;
+        use(signal, atom, weight);
         subtractTimes(row, m_gram.col(atom).data(), weight, m_atoms);
+        return true;
+    }
+
+    /// The same with all weights by least squares: G w = products of the atoms with the signal itself.
+    bool stepOrthogonally(int signal) {
+        const std::span<const int> before = m_code.atoms(signal);
+        std::vector<int> chosen(before.begin(), before.end());
+        std::vector<float> old(m_code.weights(signal).begin(), m_code.weights(signal).end());
+        chosen.push_back(m_best[at(signal)].atom);
+        old.push_back(0);
+        float* row = m_products.col(signal).data();
+        const int count = static_cast<int>(chosen.size());
+        Eigen::MatrixXd gram(count, count);
+        Eigen::VectorXd right(count);
+        for (int i = 0; i < count; ++i) {
+            right[i] = static_cast<double>(row[chosen[at(i)]]);
+            for (int j = 0; j < count; ++j) {
+                gram(i, j) = static_cast<double>(m_gram(chosen[at(i)], chosen[at(j)]));
+                right[i] += gram(i, j) * static_cast<double>(old[at(j)]);
+            }
+        }
+        const Eigen::LLT<Eigen::MatrixXd> factor(gram);
+        const double rest = factor.matrixLLT()(count - 1, count - 1);
+        if (factor.info() != Eigen::Success || rest * rest < kDependent)
+            return false;
+        const Eigen::VectorXd weights = factor.solve(right);
+        use(signal, chosen.back(), 0);
+        for (int i = 0; i < count; ++i) {
+            const auto weight = static_cast<float>(weights[i]);
+            m_code.weights(signal)[at(i)] = weight;
+            subtractTimes(row, m_gram.col(chosen[at(i)]).data(), weight - old[at(i)], m_atoms);
+        }
+        return true;
     }
 
     const Eigen::MatrixXf& m_gram;
@@ -203,6 +249,7 @@ private:
     std::vector<Best> m_best;
     std::priority_queue<Entry> m_heap;
     float m_least = 0;
+    bool m_orthogonal;
 };
 
 int blocksOf(int count) {

@@ -75,11 +75,16 @@ Eigen::MatrixXf correlations(const Eigen::MatrixXf& dictionary, const SignalSour
 SparseCode orthogonalPursuit(const Eigen::MatrixXf& dictionary, const SignalSource& signals, int most,
                              JobContext& context);
 
-/// How often atoms may be used.
+/// What a step does with the weights of a signal's atoms: it adds to one of them, or finds all of them anew
+/// by least squares, so that the remainder is orthogonal to every atom chosen.
+enum class Pursuit { Plain, Orthogonal };
+
+/// How often atoms may be used, and how signals are coded with them.
 struct PursuitLimits {
     int most = 4; ///< atoms of one signal: S
     /// Signals that may use each atom: F₀. Empty: any number.
     std::vector<int> uses = {};
+    Pursuit pursuit = Pursuit::Plain;
 };
 
 /// Constrained matching pursuit of all signals together (Tartavel, Gousseau & Peyré 2013, algorithm 2): at
@@ -87,7 +92,8 @@ struct PursuitLimits {
 /// weight, of the pairs that are still available. The set printed below eq. 10 has k' for k in its first
 /// sum; here (k, n) is available iff Σ_{n' ≠ n} [w_k^{n'} ≠ 0] < S and Σ_{k' ≠ k} [w_{k'}^n ≠ 0] < F₀^n, so
 /// that a pair in use stays available. Ends where the largest product is below 10⁻⁶ of the first. Of equal
-/// products the smallest k, then n, goes first.
+/// products the smallest k, then n, goes first. Orthogonal, a pair is chosen once at most, and a signal ends
+/// early where an atom depends on those that it has.
 ///
 /// Products are updated through the Gram matrix, and a heap holds the best pair of each signal: O(KN(L + log
 /// K)) for K signals of length L and N atoms.

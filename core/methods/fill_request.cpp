@@ -22,6 +22,15 @@ const Image* knownOf(const Request& request) {
     return request.inputs.image(kKnownPort);
 }
 
+std::vector<std::uint8_t> madeOf(const Image& known) {
+    std::vector<std::uint8_t> made;
+    made.reserve(static_cast<std::size_t>(known.size().area()));
+    for (int y = 0; y < known.height(); ++y)
+        for (int x = 0; x < known.width(); ++x)
+            made.push_back(known(x, y, 0) == 0 ? 1 : 0);
+    return made;
+}
+
 double unknownPixels(const Request& request) {
     const Image* const mask = knownOf(request);
     double pixels = 0;
@@ -31,19 +40,43 @@ double unknownPixels(const Request& request) {
     return mask ? pixels : static_cast<double>(request.size.area());
 }
 
+namespace {
+
+bool showsHole(const Exemplar& exemplar, const Request& request) {
+    return !exemplar.mask() && request.initial() && samePixels(*exemplar.image, *request.initial());
+}
+
+/// Whether there is nothing to copy but the picture's own rest.
+bool fillsFromItself(const Request& request) {
+    return !request.exemplars.empty() &&
+           std::all_of(request.exemplars.begin(), request.exemplars.end(),
+                       [&](const Exemplar& exemplar) { return showsHole(exemplar, request); });
+}
+
+} // namespace
+
 void checkFill(const Request& request) {
     if (knownOf(request) && !request.initial())
         failUsage("There is a mask of what is known, but no image to start from; give that too.");
-    if (unknownPixels(request) == 0)
-        failUsage("All of the image to start from is known, so that there is nothing to make; mask less.");
+    const Size size = request.size;
+    const double unknown = unknownPixels(request), rest = static_cast<double>(size.area()) - unknown;
+    if (unknown == 0)
+        failUsage("All {} × {} px of the image to start from are known, so that there is nothing to make; "
+                  "mask less.",
+                  size.width, size.height);
+    if (knownOf(request) && rest > 0 && unknown > rest && fillsFromItself(request))
+        failUsage("The hole of {:.0f} px is larger than the {:.0f} px of the picture that are left to fill "
+                  "it from; mark a smaller one, or add another exemplar.",
+                  unknown, rest);
 }
 
 void checkSomeKnown(const Request& request) {
     checkFill(request);
     if (knownOf(request) && unknownPixels(request) == static_cast<double>(request.size.area()))
         failUsage(
-            "Nothing of the image to start from is known, so that there is no hole to fill; leave the mask "
-            "out, or mark what is to be kept.");
+            "Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; "
+            "leave the mask out, or mark what is to be kept.",
+            request.size.width, request.size.height);
 }
 
 namespace {
@@ -101,7 +134,7 @@ Request withoutHole(const Request& request, int context, int side, const std::fu
     if (!known || !request.initial())
         return hidden;
     for (Exemplar& exemplar : hidden.exemplars)
-        if (!exemplar.mask() && samePixels(*exemplar.image, *request.initial()))
+        if (showsHole(exemplar, request))
             exemplar.inputs.set(kMaskPort, known);
     if (context == 0)
         return hidden;
@@ -127,6 +160,109 @@ std::uint64_t fillMaskBytes(const Request& request) {
     if (!knownOf(request))
         return 0;
     return (request.exemplars.size() + 2) * Image::bytesFor(request.size, 1);
+}
+
+namespace {
+
+/// Around all pixels of a mask that are, or are not, 0; empty if there are none.
+Region around(const PlaneView& mask, bool zero) {
+    int left = mask.width, top = mask.height, right = 0, bottom = 0;
+    for (int y = 0; y < mask.height; ++y)
+        for (int x = 0; x < mask.width; ++x)
+            if ((mask(x, y) == 0) == zero) {
+                left = std::min(left, x);
+                top = std::min(top, y);
+                right = std::max(right, x + 1);
+                bottom = std::max(bottom, y + 1);
+            }
+    return right > left ? Region{left, top, {right - left, bottom - top}} : Region{};
+}
+
+/// A stretch along an axis: where it begins, and how long it is.
+struct Stretch {
+    int begin, length;
+};
+
+/// From the lower to the higher of two stretches' ends; all of an axis that wraps where that reaches its end.
+Stretch stretched(Stretch a, Stretch b, int length, bool wraps) {
+    const int begin = std::min(a.begin, b.begin);
+    const int end = std::max(a.begin + a.length, b.begin + b.length);
+    if (wraps && (begin <= 0 || end >= length))
+        return {0, length};
+    return {std::max(begin, 0), std::min(end, length) - std::max(begin, 0)};
+}
+
+std::shared_ptr<const Image> cut(const Image& image, const Region& part) {
+    return std::make_shared<const Image>(image.view().crop(part.x, part.y, part.size));
+}
+
+} // namespace
+
+FillWindow::FillWindow(const Request& hidden, int margin, const std::function<void()>& check)
+    : m_whole(&hidden), m_cut(hidden), m_part(hidden.part()), m_isCut(hidden.exemplars.size(), 0) {
+    const Region hole = around(knownOf(hidden)->view().plane(0), true);
+    Stretch across{hole.x - margin, hole.size.width + 2 * margin};
+    Stretch down{hole.y - margin, hole.size.height + 2 * margin};
+    const Size size = hidden.size;
+    for (const Exemplar& exemplar : hidden.exemplars) {
+        check();
+        if (exemplar.image->size() != size)
+            continue;
+        const Region shown = exemplar.mask() ? around(exemplar.mask()->view().plane(0), false) : m_part;
+        if (shown.size.empty())
+            continue;
+        across = stretched(across, {shown.x, shown.size.width}, size.width, hidden.wrap.x);
+        down = stretched(down, {shown.y, shown.size.height}, size.height, hidden.wrap.y);
+    }
+    across = stretched(across, across, size.width, hidden.wrap.x);
+    down = stretched(down, down, size.height, hidden.wrap.y);
+    m_part = {across.begin, down.begin, {across.length, down.length}};
+    if (m_part.size == size)
+        return;
+    m_cut.size = m_part.size;
+    m_cut.wrap = {hidden.wrap.x && across.length == size.width, hidden.wrap.y && down.length == size.height};
+    m_cut.inputs.set(kInitialPort, cut(*hidden.initial(), m_part));
+    m_cut.inputs.set(kKnownPort, cut(*knownOf(hidden), m_part));
+    for (std::size_t e = 0; e < m_cut.exemplars.size(); ++e) {
+        Exemplar& exemplar = m_cut.exemplars[e];
+        check();
+        if (exemplar.image->size() != size)
+            continue;
+        m_isCut[e] = 1;
+        if (exemplar.mask())
+            exemplar.inputs.set(kMaskPort, cut(*exemplar.mask(), m_part));
+        exemplar.image = cut(*exemplar.image, m_part);
+    }
+}
+
+Synthesis FillWindow::filled(const PositionMap& made, JobContext& context) const {
+    KnownPicture picture(*m_whole->initial(), *knownOf(*m_whole), *m_whole, context);
+    for (int y = 0; y < made.height(); ++y)
+        for (int x = 0; x < made.width(); ++x) {
+            Source source = made.at(x, y);
+            if (!source.valid())
+                continue;
+            if (m_isCut[source.exemplar] != 0) {
+                source.x = static_cast<std::uint16_t>(source.x + m_part.x);
+                source.y = static_cast<std::uint16_t>(source.y + m_part.y);
+            }
+            picture.map.at(m_part.x + x, m_part.y + y) = source;
+            for (int c = 0; c < picture.image.channels(); ++c)
+                picture.image(m_part.x + x, m_part.y + y, c) =
+                    (*m_whole->exemplars[source.exemplar].image)(source.x, source.y, c);
+        }
+    Synthesis result;
+    result.mapKind = filledMapKind(picture.map);
+    result.map = std::move(picture.map);
+    result.image = std::move(picture.image);
+    return result;
+}
+
+std::uint64_t FillWindow::bytesFor(const Request& request) {
+    std::uint64_t bytes = Image::bytesFor(request.size, request.channels() + 1);
+    for (const Size& size : request.exemplarSizes())
+        bytes += size == request.size ? Image::bytesFor(size, request.channels() + 1) : 0;
+    return bytes;
 }
 
 KnownPicture::KnownPicture(const Image& shown, const Image& mask, const Request& request, JobContext& context)

@@ -25,6 +25,9 @@ Port known();
 /// The mask of what is known, or null: nothing is to be filled.
 const Image* knownOf(const Request& request);
 
+/// By rows, 1 where a mask of what is known is 0.
+std::vector<std::uint8_t> madeOf(const Image& known);
+
 /// Pixels that are to be made; all of the output's if nothing is to be filled.
 double unknownPixels(const Request& request);
 
@@ -46,6 +49,41 @@ Request withoutHole(
 
 /// Upper bound of the memory that the masks of withoutHole() take.
 std::uint64_t fillMaskBytes(const Request& request);
+
+/// The part of an output about a hole that a method need look at, as a request of its own: where masks leave
+/// sources near the hole alone, as those of withoutHole() do, the rest of the picture is cut off.
+class FillWindow {
+public:
+    /// @param hidden a request with a hole, whose masks say what may be copied; must outlive the window.
+    /// @param margin pixels around the hole that are kept at least.
+    FillWindow(
+        const Request& hidden, int margin, const std::function<void()>& check = [] {});
+
+    /// Its exemplars of the output's size are cut as the output is; an axis that is cut does not wrap.
+    const Request& request() const { return m_cut; }
+    const Request& whole() const { return *m_whole; }
+    Region part() const { return m_part; }
+    /// The whole output with what the window made: pixels of valid sources are copied, the others are known.
+    Synthesis filled(const PositionMap& made, JobContext& context) const;
+
+    /// Upper bound of the memory that a window and the masks and views of its request take.
+    static std::uint64_t bytesFor(const Request& request);
+
+private:
+    const Request* m_whole;
+    Request m_cut;
+    Region m_part;
+    std::vector<std::uint8_t> m_isCut; ///< by exemplar
+};
+
+/// Whether steps of tone between copies and what is around them are evened out.
+template <class Settings> Param toneField(bool Settings::*member) {
+    return field(member, "tone", TR("Even tone"))
+        .group(TR("Advanced"))
+        .help(TR("Where a hole is filled, takes the brightness and colour of what is copied from what is "
+                 "around it, so that no border is seen where the light changes; what is known stays as it "
+                 "is. Off: every pixel is a copy."));
+}
 
 /// How far sources may lie from what is made: a parameter of methods that fill holes.
 template <class Settings> Param contextField(int Settings::*member) {

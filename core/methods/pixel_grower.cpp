@@ -224,6 +224,8 @@ void Grower::makeLayer(const Places& layer) {
 /// Tells how much is made, and offers it to be looked at.
 void Grower::show(std::int64_t made) {
     m_context.progress(static_cast<double>(made) / static_cast<double>(m_wanted));
+    if (!m_start.offered)
+        return;
     if (!m_start.image)
         previewMap(m_canvas.map, patchSources(m_request), 0, m_request, m_context);
     else if (m_context.previewDue())

@@ -31,7 +31,8 @@ struct Settings {
     int components = 20; ///< principal axes on which windows are compared first
     int radius =
         0; ///< in exemplars of the output's size, how far a window may lie from the pixel; 0: anywhere
-    int context = 80; ///< where a hole is filled, how far around it windows lie; see withoutHole()
+    int context = 80;  ///< where a hole is filled, how far around it windows lie; see withoutHole()
+    bool tone = false; ///< where a hole is filled, whether its tone is evened out by who runs the Grower
 
     /// @param fills whether some of the output is known.
     bool exact(bool fills) const { return search == Search::Exact || (search == Search::Auto && !fills); }
@@ -42,6 +43,7 @@ struct Settings {
 struct Start {
     const Image* image = nullptr;
     const Image* known = nullptr;
+    bool offered = true; ///< whether the work is offered to be looked at while it grows
 };
 
 /// Grows an output pixel by pixel from what is known: each becomes the middle of one of the exemplar's

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/methods/fill_request.h"
+#include "core/methods/fill_tone.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_fields.h"
 #include "core/methods/pixel_grower.h"
@@ -39,13 +40,20 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     const double compared = settings.exact(knownOf(request) != nullptr) ? 1.5e-9 * windows : 2.4e-5;
     Estimate need;
     need.bytes = Grower::bytesFor(request, settings, threads) + fillMaskBytes(request);
+    if (settings.tone && knownOf(request))
+        need.bytes += toneBytes(request);
     need.seconds = unknownPixels(request) * (compared + values * 6e-9);
     return need;
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     const Request hidden = prepared(request, settings, [&context] { context.check(); });
-    return Grower(hidden, settings, {request.initial(), knownOf(request)}, context).run();
+    const bool evens = settings.tone && knownOf(request);
+    Synthesis result =
+        Grower(hidden, settings, {request.initial(), knownOf(request)}, context).run(evens ? 0.9 : 1);
+    if (evens)
+        evenFilledTone(hidden, 0.1, context, result);
+    return result;
 }
 
 } // namespace
@@ -98,7 +106,7 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(TR("Principal components by which likely windows are found: more find nearer ones, but take "
                   "longer.")),
-     radiusField(&Settings::radius), contextField(&Settings::context)},
+     radiusField(&Settings::radius), contextField(&Settings::context), toneField(&Settings::tone)},
     run, check, estimate);
 
 } // namespace texloom::efros_leung

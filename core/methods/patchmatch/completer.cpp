@@ -3,6 +3,8 @@
 #include "core/base/text.h"
 #include "core/image/half_scale.h"
 #include "core/image/mirror.h"
+#include "core/methods/fill_seams.h"
+#include "core/methods/fill_tone.h"
 #include "core/methods/patch_request.h"
 #include "core/methods/patchmatch/synthesizer.h"
 #include "core/methods/pixel_grower.h"
@@ -68,11 +70,21 @@ bool anyKnown(const Image& known) {
 
 } // namespace
 
-Completer::Completer(const Request& request, const Settings& settings, JobContext& context)
-    : m_request(request), m_settings(settings), m_context(context),
-      m_pyramid(patchSources(request), settings.scales, settings.patch, [&context] { context.check(); }),
-      m_pixels({1, 1}, request.channels()) {
-    makeScales(*request.initial(), *knownOf(request));
+Completer::Completer(const FillWindow& window, int patch, const Settings& settings, JobContext& context)
+    : m_window(window), m_request(window.request()), m_settings(settings), m_context(context), m_patch(patch),
+      m_pyramid(patchSources(m_request), settings.scales, m_patch, [&context] { context.check(); }),
+      m_pixels({1, 1}, m_request.channels()) {
+    makeScales(*m_request.initial(), *knownOf(m_request));
+}
+
+int Completer::patchFor(const Request& request, const Settings& settings) {
+    const int larger = settings.patch * 3 / 2 | 1;
+    int shortest = request.size.shorterSide();
+    for (const Size& size : request.exemplarSizes())
+        shortest = std::min(shortest, size.shorterSide());
+    return larger <= shortest && leavesWholePatch(withoutHole(request, settings.context, larger), larger)
+               ? larger
+               : settings.patch;
 }
 
 /// Scales down to the one at which a patch reaches across the hole.
@@ -81,8 +93,7 @@ void Completer::makeScales(const Image& picture, const Image& known) {
     while (static_cast<int>(m_scales.size()) < m_pyramid.levels()) {
         m_context.check();
         const Scale& fine = m_scales.back();
-        if (fine.size().shorterSide() < 2 * m_settings.patch ||
-            2 * deepest(fine.known, m_context) <= m_settings.patch)
+        if (fine.size().shorterSide() < 2 * m_patch || 2 * deepest(fine.known, m_context) <= m_patch)
             return;
         Scale coarse{halved(fine.picture), halvedMask(fine.known.view().plane(0))};
         if (!anyKnown(coarse.known))
@@ -98,26 +109,15 @@ Synthesis Completer::run() {
     for (int level = 0; level <= coarsest; ++level)
         whole += std::pow(0.3, level);
     for (int level = coarsest; level >= 0; --level) {
-        m_context.stage(0.88 * std::pow(0.3, level) / whole, message("Scale 1/{}", 1 << level));
+        m_context.stage((m_settings.seams ? 0.7 : 0.8) * std::pow(0.3, level) / whole,
+                        message("Scale 1/{}", 1 << level));
         enter(level);
+        offer(level);
         refine(level);
     }
-    m_context.stage(0.02, TR("Copying pixels"));
-    KnownPicture picture(*m_request.initial(), *knownOf(m_request), m_request, m_context);
-    Synthesis result;
-    result.map = std::move(picture.map);
-    result.image = std::move(picture.image);
-    for (int y = 0; y < m_map.height(); ++y)
-        for (int x = 0; x < m_map.width(); ++x)
-            if (const Source& source = m_map.at(x, y); source.valid()) {
-                result.map.at(x, y) = source;
-                for (int c = 0; c < result.image.channels(); ++c)
-                    result.image(x, y, c) =
-                        (*m_request.exemplars[source.exemplar].image)(source.x, source.y, c);
-            }
-    result.mapKind = filledMapKind(result.map);
-    m_context.progress(1);
-    return result;
+    if (m_settings.seams)
+        join();
+    return finish();
 }
 
 /// Grows the coarsest scale pixel by pixel.
@@ -142,12 +142,14 @@ void Completer::grow() {
     settings.search = pixel_growth::Search::Exact;
     settings.radius = m_settings.radius >> level;
     // Twice the patch as near as it fits: what grows has nothing but its surroundings to go by.
-    settings.window = oddSide(2 * m_settings.patch);
+    settings.window = oddSide(2 * m_patch);
     for (const Exemplar& exemplar : request.exemplars)
         settings.window = std::min(settings.window, (exemplar.image->size().shorterSide() - 1) | 1);
     while (settings.window > 3 && !leavesWholePatch(request, settings.window))
         settings.window -= 2;
-    m_map = pixel_growth::Grower(request, settings, {&scale.picture, &scale.known}, m_context).run(0.1).map;
+    m_map = pixel_growth::Grower(request, settings, {&scale.picture, &scale.known, false}, m_context)
+                .run(0.1)
+                .map;
 }
 
 /// Takes the map to a scale: as it is on the coarsest, else in the pixels of the next finer one.
@@ -188,7 +190,7 @@ void Completer::enter(int level) {
 void Completer::refine(int level) {
     const Scale& scale = m_scales[static_cast<std::size_t>(level)];
     const std::vector<std::uint8_t> flags = wanted(scale);
-    const PatchLattice lattice{scale.size(), m_settings.patch, 1};
+    const PatchLattice lattice{scale.size(), m_patch, 1};
     GridMatcher matcher(m_pyramid.level(level), lattice, m_context);
     matcher.limit({&flags, m_settings.radius >> level});
     PatchField field(lattice.count());
@@ -198,7 +200,7 @@ void Completer::refine(int level) {
         matcher.improve(field, pixels, 2 * round, kRandomReach);
         matcher.improve(field, pixels, 2 * round + 1, kRandomReach);
         vote(matcher, flags, field, 2 * round >= m_settings.iterations);
-        offer(scale);
+        offer(level);
         m_context.progress((round + 1.0) / m_settings.iterations);
     }
 }
@@ -206,7 +208,7 @@ void Completer::refine(int level) {
 /// Which patches, by their top left, show something that is made, and lie in the picture.
 std::vector<std::uint8_t> Completer::wanted(const Scale& scale) const {
     const Size size = scale.size();
-    const int patch = m_settings.patch;
+    const int patch = m_patch;
     std::vector<std::uint8_t> rows(static_cast<std::size_t>(size.area()), 0), flags = rows;
     const auto index = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
@@ -246,11 +248,11 @@ bool Completer::place(int& x, int& y) const {
 
 /// What the map makes of the patch with this top left: the source of its made pixel nearest to the middle.
 Source Completer::match(const GridMatcher& matcher, int x, int y) const {
-    const int middle = m_settings.patch / 2;
+    const int middle = m_patch / 2;
     int nearest = std::numeric_limits<int>::max();
     Source found;
-    for (int j = 0; j < m_settings.patch; ++j)
-        for (int i = 0; i < m_settings.patch; ++i) {
+    for (int j = 0; j < m_patch; ++j)
+        for (int i = 0; i < m_patch; ++i) {
             int u = x + i, v = y + j;
             const int apart = (i - middle) * (i - middle) + (j - middle) * (j - middle);
             if (apart >= nearest || !place(u, v) || !made(u, v))
@@ -291,7 +293,7 @@ void Completer::gather(int x, int y, Size extent, Interleaved& to) const {
 void Completer::vote(const GridMatcher& matcher, const std::vector<std::uint8_t>& flags,
                      const PatchField& field, bool late) {
     const Size size = field.size();
-    const int patch = m_settings.patch, middle = patch / 2, pixel = m_pixels.pixel;
+    const int patch = m_patch, middle = patch / 2, pixel = m_pixels.pixel;
     const auto index = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                static_cast<std::size_t>(x);
@@ -352,18 +354,6 @@ void Completer::vote(const GridMatcher& matcher, const std::vector<std::uint8_t>
     });
 }
 
-/// Makes a preview, if one is looked at.
-void Completer::offer(const Scale& scale) {
-    if (!m_context.previewDue())
-        return;
-    Image image = scale.picture;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            for (int c = 0; made(x, y) && c < image.channels(); ++c)
-                image(x, y, c) = m_pixels.at(x, y)[c];
-    m_context.preview(image);
-}
-
 std::uint64_t Completer::bytesFor(const Request& request, const Settings& settings, int threads) {
     const std::vector<Size> exemplars = request.exemplarSizes();
     const int channels = request.channels();
@@ -374,9 +364,11 @@ std::uint64_t Completer::bytesFor(const Request& request, const Settings& settin
         Interleaved::bytesFor(request.size, channels) + 3 * PositionMap::bytesFor(request.size) +
         PatchField::bytesFor(request.size) + area * (2 * sizeof(std::uint8_t) + sizeof(float) + sizeof(int));
     return scales + present * 5 / 4 + 2 * Image::bytesFor(request.size, channels) +
-           ExemplarPyramid::bytesFor(exemplars, channels) +
-           GridMatcher::bytesFor(exemplars, channels, settings.patch, 1, threads) + fillMaskBytes(request) +
-           (24U << 20U);
+           ExemplarPyramid::bytesFor(exemplars, channels) + FillWindow::bytesFor(request) +
+           seamBytes(request.size, exemplars, channels) + offsetBytes(exemplars, channels, threads) +
+           (settings.tone ? toneBytes(request) : 0) +
+           GridMatcher::bytesFor(exemplars, channels, patchFor(request, settings), 1, threads) +
+           fillMaskBytes(request) + (24U << 20U);
 }
 
 } // namespace texloom::patchmatch

@@ -15,13 +15,18 @@ namespace texloom::patchmatch {
 /// similar ones in the exemplars (PatchMatch), and vote for its pixels (Wexler, Shechtman & Irani,
 /// "Space-time completion of video", IEEE PAMI 29, 2007; Barnes et al., SIGGRAPH 2009, section 4). As in
 /// Synthesizer, each pixel is a copy of the proposed one nearest to the vote. On the coarsest scale pixels
-/// grow from the border, so that the first votes have something to go by.
+/// grow from the border, so that the first votes have something to go by. At last the seams between what is
+/// copied are moved to where they are seen least, and its tone is evened out.
 class Completer {
 public:
-    /// @param request with what may be copied in the exemplars' masks: see withoutHole().
-    Completer(const Request& request, const Settings& settings, JobContext& context);
+    /// @param window of a request with what may be copied in the exemplars' masks: see withoutHole().
+    /// @param patch side of the patches: see patchFor().
+    Completer(const FillWindow& window, int patch, const Settings& settings, JobContext& context);
     Synthesis run();
 
+    /// Side of the patches: half as large again as those of whole outputs, since a hole is a single piece
+    /// that must join on all sides; those of whole outputs where larger ones do not fit.
+    static int patchFor(const Request& request, const Settings& settings);
     static std::uint64_t bytesFor(const Request& request, const Settings& settings, int threads);
 
 private:
@@ -41,13 +46,17 @@ private:
     void gather(int x, int y, Size extent, Interleaved& to) const;
     void vote(const GridMatcher& matcher, const std::vector<std::uint8_t>& flags, const PatchField& field,
               bool late);
-    void offer(const Scale& scale);
+    void offer(int level);
+    void join();
+    Synthesis finish();
     bool made(int x, int y) const { return (*m_known)(x, y, 0) == 0; }
     bool place(int& x, int& y) const;
 
-    const Request& m_request;
+    const FillWindow& m_window;
+    const Request& m_request; ///< the window's
     const Settings& m_settings;
     JobContext& m_context;
+    int m_patch;
     ExemplarPyramid m_pyramid;
     std::vector<Scale> m_scales;    ///< from fine to coarse
     const Image* m_known = nullptr; ///< of the present scale

@@ -21,7 +21,8 @@ void check(const Request& request, const Settings& settings) {
 }
 
 Estimate fillEstimate(const Request& request, const Settings& settings, int threads) {
-    const double values = settings.patch * settings.patch * (request.channels() + 1);
+    const int patch = Completer::patchFor(request, settings);
+    const double values = patch * patch * (request.channels() + 1);
     return {Completer::bytesFor(request, settings, threads),
             unknownPixels(request) * settings.iterations * (1e-6 + 2e-8 * values) +
                 1e-7 * static_cast<double>(request.size.area())};
@@ -52,9 +53,11 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     if (!knownOf(request))
         return Synthesizer(request, settings, context).run();
-    const Request hidden =
-        withoutHole(request, settings.context, settings.patch, [&context] { context.check(); });
-    return Completer(hidden, settings, context).run();
+    const auto checked = [&context] { context.check(); };
+    const int patch = Completer::patchFor(request, settings);
+    const Request hidden = withoutHole(request, settings.context, patch, checked);
+    const FillWindow window(hidden, patch, checked);
+    return Completer(window, patch, settings, context).run();
 }
 
 } // namespace
@@ -74,8 +77,9 @@ const Method self = method<Settings>(
          .range(3, 32)
          .unit("px")
          .symbol("w")
-         .help(TR(
-             "Side of the patches that are compared: larger keeps larger structures, smaller varies more.")),
+         .help(TR("Side of the patches that are compared: larger keeps larger structures, smaller varies "
+                  "more. Where "
+                  "a hole is filled, they are half as large again.")),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 50)
          .help(TR("Rounds of matching and voting on each scale: more join better, but take longer.")),
@@ -87,7 +91,12 @@ const Method self = method<Settings>(
      radiusField(&Settings::radius)
          .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
                   "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),
-     contextField(&Settings::context)},
+     contextField(&Settings::context),
+     field(&Settings::seams, "seams", TR("Move seams"))
+         .group(TR("Advanced"))
+         .help(TR("Where a hole is filled, moves the borders between what is copied to where they are seen "
+                  "least, so that few large pieces take the place of many small ones.")),
+     toneField(&Settings::tone)},
     run, check, estimate);
 
 } // namespace texloom::patchmatch

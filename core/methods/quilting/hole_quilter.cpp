@@ -3,7 +3,7 @@
 #include "core/base/text.h"
 #include "core/image/mirror.h"
 #include "core/math/grid_flow.h"
-#include "core/math/poisson.h"
+#include "core/methods/fill_tone.h"
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
@@ -353,47 +353,11 @@ void HoleQuilter::lay(const Cell& cell, const Candidate& candidate) {
         }
 }
 
-/// From a pixel to its neighbour, as the exemplars have it where one or both are copies: the mean of both.
-float HoleQuilter::gradient(int x, int y, int dx, int dy, int channel) const {
-    float sum = 0;
-    int count = 0;
-    const auto add = [&](int u, int v, int sign) {
-        const Source& source = m_picture.map.at(u, v);
-        if (m_picture.known[index(u, v)] != 0)
-            return;
-        const Image& exemplar = *m_request.exemplars[source.exemplar].image;
-        const int toX = source.x + sign * dx, toY = source.y + sign * dy;
-        if (toX < 0 || toY < 0 || toX >= exemplar.width() || toY >= exemplar.height())
-            return;
-        sum +=
-            static_cast<float>(sign) * (exemplar(toX, toY, channel) - exemplar(source.x, source.y, channel));
-        ++count;
-    };
-    add(x, y, 1);
-    add(x + dx, y + dy, -1);
-    return count > 0 ? sum / static_cast<float>(count) : 0;
-}
-
-/// Keeps the gradients of what was copied and takes its level from what is known around (Pérez, Gangnet &
-/// Blake, SIGGRAPH 2003), which hides steps of brightness at the border and between patches.
+/// Takes the level from what is known around.
 void HoleQuilter::smooth() {
     m_context.stage(0.2, TR("Blending"));
-    Image& image = m_picture.image;
-    std::vector<float> divergence;
-    for (int c = 0; c < image.channels(); ++c)
-        for (int y = 0; y < image.height(); ++y) {
-            m_context.check();
-            for (int x = 0; x < image.width(); ++x) {
-                if (m_made[index(x, y)] == 0)
-                    continue;
-                float sum = 0;
-                for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
-                    if (x + dx >= 0 && y + dy >= 0 && x + dx < image.width() && y + dy < image.height())
-                        sum += gradient(x, y, dx, dy, c);
-                divergence.push_back(sum);
-            }
-        }
-    solvePoisson(m_made, divergence, image, [this](double share) {
+    const std::vector<PatchSource> sources = patchSources(m_request);
+    evenTone({sources, m_made, m_request.wrap}, m_picture.map, m_picture.image, [this](double share) {
         m_context.check();
         m_context.progress(share);
     });

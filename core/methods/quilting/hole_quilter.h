@@ -57,7 +57,6 @@ private:
     std::vector<std::uint8_t> keptOf(const Cell& cell, const ImageView& fresh) const;
     std::int32_t cost(const Cell& cell, const ImageView& fresh, int x, int y) const;
     float keptShare(const std::vector<std::uint8_t>& kept, int x, int y) const;
-    float gradient(int x, int y, int dx, int dy, int channel) const;
     void smooth();
     bool there(int x, int y) const { return m_picture.known[index(x, y)] != 0 || m_made[index(x, y)] != 0; }
 

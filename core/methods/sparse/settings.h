@@ -23,6 +23,7 @@ struct Settings {
     int atoms = 384;
     int iterations = 30; ///< at most, at each scale
     int gradientSteps = 5;
+    Pursuit pursuit = Pursuit::Plain;
     bool frequency = true; ///< C_rows: no atom is used more often than in the exemplar
     Reconstruction reconstruction = Reconstruction::Cut;
     bool histogram = true;

@@ -114,6 +114,7 @@ struct Synthesizer::Level {
         const int side = (settings.patch + settings.spacing - 1) / settings.spacing;
         overlaps = side * side;
         limits.most = std::min(settings.sparsity, dictionary.length());
+        limits.pursuit = settings.pursuit;
         if (settings.frequency) {
             std::vector<double> shares;
             for (const std::int64_t uses : dictionary.uses)
@@ -122,9 +123,7 @@ struct Synthesizer::Level {
             limits.uses = roundedShares(shares);
         }
         const PatchSource& exemplar = owner.m_pyramid->level(scale).front();
-        const ValueRange range = valueRange(exemplar.image);
-        delta = kFlat * (range.largest - range.smallest) * (range.largest - range.smallest) *
-                static_cast<float>(exemplar.image.channels);
+        delta = owner.flatness(scale);
         if (settings.histogramWeight() > 0)
             histogram.emplace(exemplar, settings.colours == Axes::Pca, owner.m_context);
         if (settings.lowPassWeight() > 0)
@@ -221,14 +220,56 @@ Image Synthesizer::filled() const {
 void Synthesizer::learn(int scale, double weight) {
     m_context.stage(weight, message("Learning at scale 1/{}", 1 << scale));
     Dictionary& dictionary = m_dictionaries.scales[at(scale)];
-    if (dictionary.count() == 0)
+    if (dictionary.count() == 0) {
+        const bool drafts = m_image.empty();
+        if (drafts && m_context.previewDue())
+            m_image = firstDraft(scale);
+        show();
+        TextureDictionaryOptions options = learningOf(m_settings, scale);
+        options.learning.pursuit = m_settings.pursuit;
         dictionary =
-            learnTexture(m_pyramid->level(scale).front(), learningOf(m_settings, scale), m_context,
-                         [this](int rounds, double, const Eigen::MatrixXf&) {
+            learnTexture(m_pyramid->level(scale).front(), options, m_context,
+                         [&](int rounds, double, const Eigen::MatrixXf& atoms) {
                              m_context.progress(static_cast<double>(rounds) / m_settings.learningIterations);
+                             if (drafts && m_context.previewDue())
+                                 m_image = nextDraft(scale, atoms);
                              show();
                          });
+        if (drafts)
+            m_image = Image();
+    }
     m_context.progress(1);
+}
+
+/// What is shown before anything is learnt: the exemplar's colours and spectrum with random phases.
+Image Synthesizer::firstDraft(int scale) const {
+    Image image = randomPhaseOf(m_filled, canvasFor(m_request, m_settings), m_request.wrap,
+                                m_context.random(), m_context);
+    for (int i = 0; i < scale; ++i)
+        image = halved(image);
+    return image;
+}
+
+/// What is shown while the first dictionary is learnt: the draft put together from the atoms there are. The
+/// result does not depend on it.
+Image Synthesizer::nextDraft(int scale, const Eigen::MatrixXf& atoms) const {
+    if (m_image.empty())
+        return firstDraft(scale);
+    const PatchColumns columns(m_image.size(), m_request.wrap, m_settings.patch, m_settings.spacing);
+    const int most = std::min(m_settings.sparsity, static_cast<int>(atoms.rows()));
+    const SparseCode code = constrainedPursuit(atoms, columns.of(m_image), {most, {}}, m_context);
+    Image joined(m_image.size(), m_image.channels());
+    columns.cut([&](int number, const Eigen::Ref<Eigen::VectorXf>& to) { code.combine(atoms, number, to); },
+                flatness(scale), m_context, joined);
+    return joined;
+}
+
+/// δ of the cuts.
+float Synthesizer::flatness(int scale) const {
+    const ImageView& exemplar = m_pyramid->level(scale).front().image;
+    const ValueRange range = valueRange(exemplar);
+    return kFlat * (range.largest - range.smallest) * (range.largest - range.smallest) *
+           static_cast<float>(exemplar.channels);
 }
 
 /// The exemplar itself, where it has the output's size and borders, else a random phase version of it.

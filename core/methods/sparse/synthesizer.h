@@ -37,6 +37,9 @@ private:
 
     void prepare();
     void learn(int scale, double weight);
+    Image firstDraft(int scale) const;
+    Image nextDraft(int scale, const Eigen::MatrixXf& atoms) const;
+    float flatness(int scale) const;
     void work(int scale, double weight);
     void begin(int scale);
     void startFromNoise(int scale);
@@ -59,8 +62,7 @@ private:
     std::vector<PatchSource> m_sources; ///< the exemplar from its origin
     Image m_exemplar, m_filled;         ///< the latter without what the mask hides
     std::optional<ExemplarPyramid> m_pyramid;
-    std::vector<Image> m_targets; ///< of the low-pass term, by scale
-    int m_scale = 0;              ///< of m_image
+    int m_scale = 0; ///< of m_image
     Image m_image;
     int m_iteration = 0;    ///< to go on with
     int m_waited = 0;       ///< iterations since the energy fell last

@@ -1,6 +1,7 @@
 #include "core/math/matching_pursuit.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -188,6 +189,59 @@ TEST(MatchingPursuit, constrainedDoesWhatTheAlgorithmSays) {
     }
 }
 
+/// The weights of a signal's atoms by least squares.
+Eigen::VectorXf leastSquares(const Eigen::MatrixXf& atoms, const Eigen::MatrixXf& signals,
+                             const SparseCode& code, int signal) {
+    const std::span<const int> chosen = code.atoms(signal);
+    Eigen::MatrixXf own(atoms.rows(), static_cast<Eigen::Index>(chosen.size()));
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        own.col(static_cast<Eigen::Index>(i)) = atoms.col(chosen[i]);
+    return own.colPivHouseholderQr().solve(signals.col(signal));
+}
+
+TEST(MatchingPursuit, orthogonalAndConstrainedIsOrthogonalWhereNothingIsLimited) {
+    const Eigen::MatrixXf atoms = unitColumns(16, 24, 8), signals = randomColumns(16, 30, 9);
+    const SparseCode one = orthogonal(atoms, signals, 4);
+    const SparseCode other = constrained(atoms, signals, {4, {}, Pursuit::Orthogonal});
+    for (int k = 0; k < 30; ++k) {
+        ASSERT_TRUE(std::equal(one.atoms(k).begin(), one.atoms(k).end(), other.atoms(k).begin(),
+                               other.atoms(k).end()))
+            << "signal " << k;
+        for (std::size_t i = 0; i < one.weights(k).size(); ++i)
+            EXPECT_NEAR(one.weights(k)[i], other.weights(k)[i], 1e-4);
+    }
+}
+
+TEST(MatchingPursuit, orthogonalWeightsAreLeastSquaresWithinTheLimits) {
+    const Eigen::MatrixXf atoms = unitColumns(16, 24, 8), signals = randomColumns(16, 60, 9);
+    const PursuitLimits limits{4, someUses(24), Pursuit::Orthogonal};
+    const SparseCode code = constrained(atoms, signals, limits);
+    const std::vector<int> uses = code.uses(24);
+    for (std::size_t n = 0; n < 24; ++n) {
+        EXPECT_LE(uses[n], limits.uses[n]) << "atom " << n;
+    }
+    const auto before = static_cast<double>(signals.squaredNorm());
+    double whole = 0;
+    for (int k = 0; k < 60; ++k) {
+        ASSERT_LE(code.atoms(k).size(), 4U);
+        whole += errorOf(atoms, signals, code, k);
+        if (code.atoms(k).empty())
+            continue;
+        const Eigen::VectorXf best = leastSquares(atoms, signals, code, k);
+        for (std::size_t i = 0; i < code.weights(k).size(); ++i)
+            EXPECT_NEAR(code.weights(k)[i], best[static_cast<Eigen::Index>(i)], 1e-4);
+    }
+    EXPECT_LT(whole, before);
+}
+
+TEST(MatchingPursuit, orthogonalEndsWhereAtomsDepend) {
+    Eigen::MatrixXf atoms = unitColumns(8, 6, 7);
+    atoms.col(4) = atoms.col(0);
+    const SparseCode code = constrained(atoms, randomColumns(8, 30, 7), {5, {}, Pursuit::Orthogonal});
+    for (int k = 0; k < 30; ++k)
+        EXPECT_FALSE(code.uses(k, 0) && code.uses(k, 4));
+}
+
 TEST(MatchingPursuit, noSignalHasMoreAtomsAndNoAtomMoreUsesThanAllowed) {
     const Eigen::MatrixXf atoms = unitColumns(30, 40, 10), signals = randomColumns(30, 200, 11);
     const PursuitLimits limits{4, someUses(40)};
@@ -234,8 +288,9 @@ TEST(MatchingPursuit, theRemainderNeverRises) {
 TEST(MatchingPursuit, bitsDoNotDependOnThreads) {
     const Eigen::MatrixXf atoms = unitColumns(24, 50, 16), signals = randomColumns(24, 333, 17);
     expectSameCode(orthogonal(atoms, signals, 4, 1), orthogonal(atoms, signals, 4, 5));
-    expectSameCode(constrained(atoms, signals, {4, someUses(50)}, 1),
-                   constrained(atoms, signals, {4, someUses(50)}, 5));
+    for (const Pursuit pursuit : {Pursuit::Plain, Pursuit::Orthogonal})
+        expectSameCode(constrained(atoms, signals, {4, someUses(50), pursuit}, 1),
+                       constrained(atoms, signals, {4, someUses(50), pursuit}, 5));
 }
 
 TEST(MatchingPursuit, sharesAreRoundedToTheirSum) {

@@ -68,6 +68,8 @@ protected:
     /// Small windows and patches, since the pictures are small.
     Values settings(Values more = {}) const {
         more[GetParam() == "efros-leung" ? "window" : "patch"] = GetParam() == "patchmatch" ? 5 : 9;
+        if (GetParam() == "patchmatch")
+            more.try_emplace("tone", false); // copies only
         return more;
     }
     Synthesis filled(const Request& request, const Values& more = {}, int threads = 2) const {
@@ -112,7 +114,7 @@ TEST_P(Fill, holeInAPeriodIsFilledWithoutATrace) {
     const Image whole = periodic({110, 100}, 8, 2);
     Values exactly;
     if (GetParam() == "patchmatch")
-        exactly = {{"scales", 1}};
+        exactly = {{"scales", 1}, {"tone", false}};
     else
         exactly = {{"tolerance", 0.0}};
     if (GetParam() == "efros-leung")
@@ -192,6 +194,13 @@ TEST_P(Fill, refusalsSayWhatToDo) {
     Request all = requestFor(picture);
     all.inputs.set(kKnownPort, kept(constant(picture.size(), 1, 1)));
     EXPECT_THAT(refusal(all), testing::HasSubstr("nothing to make"));
+    Request most = requestFor(picture);
+    Image little = constant(picture.size(), 1, 0);
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 40; ++x)
+            little(x, y, 0) = 1;
+    most.inputs.set(kKnownPort, kept(little));
+    EXPECT_THAT(refusal(most), testing::HasSubstr("7000 px is larger than the 4000 px"));
     Request lonely = requestFor(picture);
     lonely.inputs.clear(kInitialPort);
     EXPECT_THAT(refusal(lonely), testing::HasSubstr("no image to start from"));
@@ -215,6 +224,39 @@ INSTANTIATE_TEST_SUITE_P(Methods, Fill, testing::Values("efros-leung", "patchmat
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
+
+TEST(FilledWindow, isWhatMasksAndHoleNeed) {
+    const Image picture = pierced(blobs({110, 100}, 1));
+    const Request request = requestFor(picture);
+    const Request hidden = withoutHole(request, 12, 5);
+    const FillWindow window(hidden, 5);
+    EXPECT_EQ(window.part(), (Region{28, 24, {54, 48}}));
+    EXPECT_EQ(window.request().size, (Size{54, 48}));
+    EXPECT_TRUE(samePixels(*window.request().exemplars.front().image, picture.view().crop(28, 24, {54, 48})));
+    // All of an axis that wraps where the hole's surroundings reach its end.
+    Request wrapping = requestFor(picture);
+    wrapping.wrap = {true, true};
+    const Request far = withoutHole(wrapping, 38, 5);
+    const FillWindow larger(far, 5);
+    EXPECT_EQ(larger.part(), (Region{2, 0, {106, 100}}));
+    EXPECT_EQ(larger.request().wrap, (Wrap{false, true}));
+}
+
+TEST(FilledWindow, toneChangesNothingThatIsKnown) {
+    const Image picture = pierced(blobs({110, 100}, 3));
+    const Request request = requestFor(picture);
+    const Method& method = findMethod("patchmatch");
+    const Values all = method.resolved({{"patch", 5}}, request.size);
+    Job<Synthesis> job({7, 2, false}, [&](JobContext& context) { return method.run(request, all, context); });
+    const Synthesis result = std::get<Synthesis>(job.take());
+    EXPECT_EQ(result.mapKind, MapKind::Dominant);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 110; ++x)
+                if (!inHole(x, y)) {
+                    ASSERT_EQ(result.image(x, y, c), picture(x, y, c));
+                }
+}
 
 TEST(QuiltedHole, poissonTakesItsLevelFromWhatIsAround) {
     // The source is the picture, 5 brighter.

@@ -94,6 +94,29 @@ TEST(Sparse, everySwitchDoesSomething) {
             EXPECT_FALSE(samePixels(images[i], images[j])) << i << " and " << j;
 }
 
+TEST(Sparse, orthogonalPursuitCodesAnExemplarMoreClosely) {
+    const Image exemplar = blobs({48, 48}, 2);
+    Request request = requestFor(exemplar, exemplar.size());
+    request.inputs.set(kInitialPort, std::make_shared<const Image>(exemplar));
+    const auto codingWith = [&](const char* pursuit) {
+        return curvesOf(synthesise(request, brief({{"scales", 1},
+                                                   {"frequency", false},
+                                                   {"iterations", 1},
+                                                   {"pursuit", std::string(pursuit)}})))
+            .at("Sparse coding")
+            .front();
+    };
+    EXPECT_LT(codingWith("orthogonal"), codingWith("plain"));
+}
+
+TEST(Sparse, draftsThatAreLookedAtChangeNothing) {
+    const Request request = requestFor(blobs({40, 40}, 3), {52, 48});
+    const Values settings = brief({{"scales", 2}, {"iterations", 2}});
+    JobOptions looked;
+    looked.previews = true;
+    EXPECT_TRUE(samePixels(synthesise(request, settings).image, synthesise(request, settings, looked).image));
+}
+
 TEST(Sparse, hasACurveForEachTermThatIsOn) {
     const Request request = requestFor(blobs({40, 40}, 1), {44, 40});
     const auto all = curvesOf(synthesise(request, brief({{"spectrum", true}, {"scales", 1}})));
