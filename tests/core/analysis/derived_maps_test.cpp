@@ -47,7 +47,7 @@ TEST(DerivedMaps, APlaneHasTheNormalOfItsSlopes) {
             plane(x, y, 0) = 0.03F * static_cast<float>(x) + 0.01F * static_cast<float>(y);
     const Image normals = normalsFromHeight(plane, 20);
     const double length = std::sqrt(0.6 * 0.6 + 0.2 * 0.2 + 1); // slopes 20 · 0.03 and 20 · 0.01
-    for (const auto [x, y] : {std::pair(0, 0), std::pair(4, 3), std::pair(8, 6)}) {
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(4, 3), std::pair(8, 6)}) {
         EXPECT_NEAR(2 * normals(x, y, 0) - 1, -0.6 / length, 1e-5);
         EXPECT_NEAR(2 * normals(x, y, 1) - 1, 0.2 / length, 1e-5); // rises downwards: faces up in the picture
         EXPECT_NEAR(2 * normals(x, y, 2) - 1, 1 / length, 1e-5);
