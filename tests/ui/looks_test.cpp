@@ -1,9 +1,6 @@
 #include "tests/ui/window_fixture.h"
-#include "ui/blend/blend_window.h"
 #include "ui/common/appearance.h"
 #include "ui/common/language.h"
-#include "ui/common/menu_keys.h"
-#include "ui/exemplar/exemplar_editor.h"
 #include "ui/maps/result_view.h"
 
 #include <QAction>

@@ -28,6 +28,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QUrl>
 
@@ -64,7 +65,9 @@ private Q_SLOTS:
         QSettings().clear();
         QSettings().setValue(QStringLiteral("results/folder"), m_results.path());
         m_window = std::make_unique<MainWindow>();
+        m_window->resize(1600, 1000);
         m_window->show();
+        m_window->activateWindow();
     }
 
     void cleanup() { m_window.reset(); }
@@ -227,6 +230,38 @@ private Q_SLOTS:
         const LoadedImage file = readImage(toPath(data->urls().front().toLocalFile()));
         QVERIFY(file.image.size() == m_window->desk()->result()->synthesis.image.size());
         QVERIFY(!file.info.recipe.empty());
+    }
+
+    void runningBringsTheResultToTheFront() {
+        QVERIFY(openAndFinish(*m_window, write(newFolder(), QStringLiteral("sand.png"))));
+        auto* tabs = child<QTabWidget>(*m_window, "resultTabs");
+        for (const int tab : {1, 4}) { // the synthesis map, the lattice
+            tabs->setCurrentIndex(tab);
+            QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
+            child<QAction>(*m_window, "quick")->trigger();
+            QTRY_COMPARE(tabs->currentIndex(), 0);
+            QVERIFY(finished.wait(kPatience));
+        }
+        child<QAction>(*m_window, "editExemplar")->setChecked(true);
+        QVERIFY(!tabs->isVisible());
+        child<QAction>(*m_window, "quick")->trigger();
+        QTRY_VERIFY(tabs->isVisible());
+    }
+
+    void theZoomIsSaidAndTaken() {
+        QVERIFY(openAndFinish(*m_window, write(newFolder(), QStringLiteral("net.png"))));
+        auto* zoom = child<QComboBox>(*m_window, "zoomBox");
+        const ImageViewer* const viewer = m_window->results()->viewer(ResultView::ResultTab);
+        for (const int percent : {200, 50}) {
+            const QString text = QStringLiteral("%1 %").arg(percent);
+            Q_EMIT zoom->textActivated(text);
+            QCOMPARE(viewer->view().scale() * viewer->devicePixelRatioF(), percent / 100.0);
+            QCOMPARE(zoom->currentText(), text);
+        }
+        child<QAction>(*m_window, "actualSize")->trigger();
+        QCOMPARE(zoom->currentText(), QStringLiteral("100 %"));
+        Q_EMIT zoom->textActivated(zoom->itemText(0));
+        QVERIFY(viewer->fitted());
     }
 
     void deletingAPinnedResultAsks() {

@@ -352,8 +352,13 @@ private Q_SLOTS:
         m_window->inspector()->resetAll();
         kept->trigger();
         QVERIFY(m_window->inspector()->changedValues() == (Values{{"patch", 9}}));
+        m_window->inspector()->setValues({{"patch", 11}});
         menu->keep(QStringLiteral("Fine bark"));
         QVERIFY(m_window->messages()->text().contains(QStringLiteral("already")));
+        child<QPushButton>(*m_window, "messageAction")->click();
+        m_window->inspector()->resetAll();
+        child<QAction>(*menu, "own-preset-fine-bark")->trigger();
+        QVERIFY(m_window->inspector()->changedValues() == (Values{{"patch", 11}}));
         const QString file = m_folder->filePath(QStringLiteral("coarse.json"));
         menu->exportTo(file, QStringLiteral("Coarse"));
         menu->importFrom(file);

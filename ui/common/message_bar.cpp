@@ -85,6 +85,11 @@ void MessageBar::dismiss() {
     m_onAction = {};
 }
 
+void MessageBar::dismissTold() {
+    if (m_kind == Kind::Error || !m_onAction)
+        dismiss();
+}
+
 void MessageBar::dismiss(const QString& text) {
     if (m_text->text() == text)
         dismiss();

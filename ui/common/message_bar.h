@@ -26,6 +26,8 @@ public:
     /// Says what is over as soon as it is read: it leaves by itself.
     void sayBriefly(const QString& text);
     void dismiss();
+    /// The same unless it offers something that can still be done.
+    void dismissTold();
     /// The same if it is this text that is shown: what it was about is over.
     void dismiss(const QString& text);
     /// The message shown; empty if there is none.

@@ -109,6 +109,13 @@ std::vector<RecipeStep> Inspector::then() const {
     return m_then->steps();
 }
 
+std::vector<RecipeStep> Inspector::changedSteps() const {
+    std::vector<RecipeStep> steps = {{method()->id(), changedValues()}};
+    for (RecipeStep& step : m_then->changedSteps())
+        steps.push_back(std::move(step));
+    return steps;
+}
+
 void Inspector::setThen(const std::vector<RecipeStep>& steps) {
     m_then->setSteps(steps);
 }

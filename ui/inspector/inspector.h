@@ -40,6 +40,8 @@ public:
     void changeValues(const Values& values);
     /// The methods that follow, with all their parameters.
     std::vector<RecipeStep> then() const;
+    /// All methods with only what was set by hand: the rest follows from the exemplar.
+    std::vector<RecipeStep> changedSteps() const;
     void setThen(const std::vector<RecipeStep>& steps);
     /// The method with its values, and those that follow it with all their parameters.
     std::vector<RecipeStep> steps() const;

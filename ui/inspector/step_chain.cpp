@@ -86,6 +86,14 @@ std::vector<RecipeStep> StepChain::steps() const {
     return steps;
 }
 
+std::vector<RecipeStep> StepChain::changedSteps() const {
+    std::vector<RecipeStep> steps;
+    for (const Link& link : m_links)
+        if (link.form)
+            steps.push_back({link.form->method().id(), link.form->changedValues()});
+    return steps;
+}
+
 void StepChain::setSteps(const std::vector<RecipeStep>& steps) {
     m_links.front().chooser->setCurrentIndex(0);
     for (std::size_t i = 0; i < steps.size(); ++i) {

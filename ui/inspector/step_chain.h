@@ -23,6 +23,8 @@ public:
 
     /// The methods chosen, with all their parameters.
     std::vector<RecipeStep> steps() const;
+    /// The same with only what was set by hand: the rest follows from the exemplar.
+    std::vector<RecipeStep> changedSteps() const;
     /// Methods that cannot start from an image must not be among them.
     void setSteps(const std::vector<RecipeStep>& steps);
     /// Brings every parameter back to its default; the methods stay.

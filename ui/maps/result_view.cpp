@@ -142,6 +142,7 @@ MapPage* ResultView::addMap(const QString& name, const QString& title) {
 
 void ResultView::connectMaps() {
     connect(m_tabs, &QTabWidget::currentChanged, this, &ResultView::tabChanged);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &ResultView::tabShown);
     connect(m_maps, &ResultMaps::copiesChanged, this, &ResultView::showCopiesPicture);
     connect(m_maps, &ResultMaps::estimated, this, [this] {
         showMapPictures();

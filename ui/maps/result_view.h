@@ -74,6 +74,8 @@ public Q_SLOTS:
     void setRepeats(bool repeat);
 
 Q_SIGNALS:
+    /// Another tab came to the front.
+    void tabShown();
     void wrapWanted();
     void rerunWanted();
     /// The cursor is over a pixel of the result or its synthesis map.

@@ -90,19 +90,31 @@ void PresetMenu::keep(const QString& name) {
     if (id.isEmpty())
         return Q_EMIT failed(tr("The preset needs a name with a letter or a figure in it."));
     if (QFile::exists(fileOf(id)))
-        return Q_EMIT failed(
-            tr("There is a preset %1 already; choose another name or remove it first.").arg(name));
-    exportTo(fileOf(id), name);
+        return Q_EMIT known(name);
+    replace(name);
+}
+
+void PresetMenu::replace(const QString& name) {
+    const QString id = QString::fromStdString(presetNamed(name, m_steps()).id);
+    if (!write(fileOf(id), name))
+        return;
+    fill();
+    Q_EMIT told(tr("Kept the preset %1.").arg(name));
 }
 
 void PresetMenu::exportTo(const QString& path, const QString& name) {
+    if (write(path, name))
+        Q_EMIT told(tr("Wrote the preset %1.").arg(QFileInfo(path).fileName()));
+}
+
+bool PresetMenu::write(const QString& path, const QString& name) {
     try {
         QDir().mkpath(QFileInfo(path).path());
         writeText(toPath(path), presetNamed(name, m_steps()).toJson());
-        fill();
-        Q_EMIT told(tr("Kept the preset %1.").arg(name));
+        return true;
     } catch (const std::exception& error) {
         Q_EMIT failed(sentence(error));
+        return false;
     }
 }
 

@@ -19,6 +19,8 @@ public:
 
     /// Keeps the settings as they stand. @param name as the user wrote it.
     void keep(const QString& name);
+    /// The same in place of the preset that has the name.
+    void replace(const QString& name);
     /// Takes a preset's file over into one's own.
     void importFrom(const QString& path);
     void exportTo(const QString& path, const QString& name);
@@ -31,9 +33,12 @@ Q_SIGNALS:
     /// What was done, in a sentence.
     void told(const QString& sentence);
     void failed(const QString& sentence);
+    /// A preset that was to be kept has the name of another.
+    void known(const QString& name);
 
 private:
     void fill();
+    bool write(const QString& path, const QString& name);
     void addPreset(QMenu* menu, const Preset& preset, bool shipped);
     void askForName();
     void askForImport();

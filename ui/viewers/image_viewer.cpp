@@ -132,8 +132,12 @@ void ImageViewer::fit() {
 }
 
 void ImageViewer::actualSize() {
+    setZoom(1);
+}
+
+void ImageViewer::setZoom(double zoom) {
     m_fitted = false;
-    m_view.setScaleAt(QRectF(rect()).center(), 1 / devicePixelRatioF());
+    m_view.setScaleAt(QRectF(rect()).center(), zoom / devicePixelRatioF());
     changedByHand();
 }
 

@@ -49,6 +49,8 @@ public:
     void setView(const ViewTransform& view, bool fitted);
     /// Shows a piece of the picture as large as can be, given by its middle and its width and height.
     void lookAt(QPointF middle, double side);
+    /// Screen pixels for each of the picture's, about the viewer's middle.
+    void setZoom(double zoom);
     bool fitted() const { return m_fitted; }
     /// The image pixel at a point of the widget, if there is one; while the picture repeats there always is.
     std::optional<QPoint> pixelAt(QPointF point) const;

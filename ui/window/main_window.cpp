@@ -33,6 +33,7 @@
 #include "ui/window/result_offers.h"
 #include "ui/window/run_display.h"
 #include "ui/window/start_page.h"
+#include "ui/window/zoom_box.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -86,6 +87,12 @@ MainWindow::MainWindow(QWidget* parent)
     makeToolBar();
     auto* readout = new Readout(this);
     statusBar()->addWidget(readout, 1);
+    auto* zoom = new ZoomBox([this] { return frontViewer(); }, this);
+    for (const auto tab :
+         {ResultView::ResultTab, ResultView::SynthesisTab, ResultView::PositionTab, ResultView::CopiesTab})
+        zoom->follow(m_results->viewer(tab));
+    connect(m_results, &ResultView::tabShown, zoom, &ZoomBox::refresh);
+    statusBar()->addPermanentWidget(zoom);
     new RunDisplay(m_desk, {m_results, m_figures, m_runPanel, m_messages}, this);
     auto* offers = new ResultOffers(m_desk, m_store, m_results, m_actions.repeat, this);
     connect(offers, &ResultOffers::runWanted, this, &MainWindow::runLike);

@@ -94,18 +94,15 @@ QMenu* MainWindow::makeSynthesisMenu() {
 }
 
 QMenu* MainWindow::makePresetMenu() {
-    auto* menu = new PresetMenu(
-        [this] {
-            std::vector<RecipeStep> steps = {{m_inspector->method()->id(), m_inspector->changedValues()}};
-            const std::vector<RecipeStep> then = m_inspector->then();
-            steps.insert(steps.end(), then.begin(), then.end());
-            return steps;
-        },
-        this);
+    auto* menu = new PresetMenu([this] { return m_inspector->changedSteps(); }, this);
     connect(menu, &PresetMenu::chosen, this, &MainWindow::usePreset);
     connect(menu, &PresetMenu::told, this,
             [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); });
     connect(menu, &PresetMenu::failed, this, &MainWindow::fail);
+    connect(menu, &PresetMenu::known, this, [this, menu](const QString& name) {
+        m_messages->say(MessageBar::Kind::Information, tr("There is a preset %1 already.").arg(name),
+                        tr("Replace it"), [menu, name] { menu->replace(name); });
+    });
     return menu;
 }
 

@@ -55,7 +55,7 @@ RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
     connect(m_desk, &RunDesk::cancelled, this, &RunDisplay::sayCancelled);
     connect(m_desk, &RunDesk::emptied, this, &RunDisplay::clear);
     connect(m_desk, &RunDesk::endedUnseen, this, &RunDisplay::offer);
-    connect(m_desk, &RunDesk::accepted, m_to.messages, qOverload<>(&MessageBar::dismiss));
+    connect(m_desk, &RunDesk::accepted, m_to.messages, &MessageBar::dismissTold);
     connect(m_desk, &RunDesk::refused, this,
             [this](const QString& sentence) { m_to.messages->say(MessageBar::Kind::Error, sentence); });
 }
