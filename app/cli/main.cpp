@@ -7,6 +7,7 @@
 #include "app/cli/join_commands.h"
 #include "app/cli/method_pages.h"
 #include "app/cli/option_forms.h"
+#include "app/cli/sample_command.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/io/decoder_process.h"
@@ -232,6 +233,7 @@ int run(int argc, char** argv) {
     addApply(app);
     cli::addJoins(app);
     cli::addDescriptorCommands(app);
+    cli::addSample(app);
     addAnalyze(app);
     addStress(app);
     cli::silenceLibraries();
@@ -239,10 +241,10 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return complain(
-                "Name a command: methods, tools, synth, run, batch, apply, blend, analyze or stress. See "
-                "texloom-cli --help.",
-                Usage);
+            return complain("Name a command: methods, tools, synth, run, batch, apply, blend, sample, "
+                            "analyze or stress. See "
+                            "texloom-cli --help.",
+                            Usage);
         return Done;
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)

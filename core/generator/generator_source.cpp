@@ -23,4 +23,11 @@ void GeneratorSource::fill(const Box& box, Volume& volume, JobContext& context) 
             }
 }
 
+std::shared_ptr<const GeneratorSource> solidOf(const Model& model, std::uint64_t seed,
+                                               const VolumeSize& period) {
+    model.checkKind(kSolidGenerator);
+    return std::make_shared<const GeneratorSource>(
+        std::make_shared<const Generator>(GeneratorWeights::from(model)), seed, period);
+}
+
 } // namespace texloom

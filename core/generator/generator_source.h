@@ -30,4 +30,8 @@ private:
     VolumeSize m_period;
 };
 
+/// The solid that a model of the kind kSolidGenerator makes. @throws Error if it is none.
+std::shared_ptr<const GeneratorSource> solidOf(const Model& model, std::uint64_t seed,
+                                               const VolumeSize& period = {});
+
 } // namespace texloom
