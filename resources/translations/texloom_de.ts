@@ -25,6 +25,13 @@
     </message>
 </context>
 <context>
+    <name>MethodChooser</name>
+    <message>
+        <source>Not part of this build</source>
+        <translation>Nicht in diesem Programm enthalten</translation>
+    </message>
+</context>
+<context>
     <name>background</name>
     <message>
         <source>There is not enough memory for this; close an image or choose a smaller one.</source>
@@ -1206,10 +1213,6 @@
         <translation>Suche</translation>
     </message>
     <message>
-        <source>Side of the patches that are compared: larger keeps larger structures, smaller varies more.</source>
-        <translation>Seite der verglichenen Patches: größer erhält größere Strukturen, kleiner variiert mehr.</translation>
-    </message>
-    <message>
         <source>Side of the patches, which lie a quarter of it apart: larger keeps larger structures, smaller varies more.</source>
         <translation>Seite der Patches, die ein Viertel davon auseinanderliegen: größer erhält größere Strukturen, kleiner variiert mehr.</translation>
     </message>
@@ -2362,10 +2365,6 @@
         <translation>Dafür reicht der Speicher nicht; versuchen Sie eine kleinere Ausgabe.</translation>
     </message>
     <message>
-        <source>Tile set</source>
-        <translation>Kachelsatz</translation>
-    </message>
-    <message>
         <source>Tile size</source>
         <translation>Kachelgröße</translation>
     </message>
@@ -3366,10 +3365,6 @@
         <translation>Ein Baum findet eine Umgebung, die fast die nächste ist, in einer Zeit, die mit der Vorlage kaum wächst; exakt vergleicht alle.</translation>
     </message>
     <message>
-        <source>All of the image to start from is known, so that there is nothing to make; mask less.</source>
-        <translation>Alles vom Ausgangsbild ist bekannt, sodass nichts zu machen ist; maskieren Sie weniger.</translation>
-    </message>
-    <message>
         <source>Ashikhmin</source>
         <translation>Ashikhmin</translation>
     </message>
@@ -4138,10 +4133,6 @@
         <translation>Normalverteilt</translation>
     </message>
     <message>
-        <source>Nothing of the image to start from is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
-        <translation>Vom Ausgangsbild ist nichts bekannt, sodass es kein Loch zu füllen gibt; lassen Sie die Maske weg, oder markieren Sie, was bleiben soll.</translation>
-    </message>
-    <message>
         <source>Online</source>
         <translation>Fortlaufend</translation>
     </message>
@@ -4805,12 +4796,748 @@
         <source>The system gives the program no further thread; raise its limits (ulimit -v and -u), or use fewer threads.</source>
         <translation>Das System gibt dem Programm keinen weiteren Thread; heben Sie seine Grenzen an (ulimit -v und -u) oder nehmen Sie weniger Threads.</translation>
     </message>
+    <message>
+        <source>A descriptor&apos;s file is given and another descriptor chosen: choose automatic, or leave the file out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A layer of the network takes {} channels of at least {}×{} px, and has {} of {}×{} px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A network of your own, such as one that import-descriptor or learn-descriptor made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A normal map needs 3 channels, and this one has {}; choose another map, or say what it holds.</source>
+        <translation>Eine Normalenkarte braucht 3 Kanäle, und diese hat {}; wählen Sie eine andere oder sagen Sie, was sie enthält.</translation>
+    </message>
+    <message>
+        <source>A panorama needs 3 channels of light, and this one has {}; choose another picture.</source>
+        <translation>Ein Panorama braucht 3 Kanäle Licht, und dieses hat {}; wählen Sie ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>A point at {} lies too far out; coordinates go from −{} to {}.</source>
+        <translation>Ein Punkt bei {} liegt zu weit draußen; Koordinaten gehen von −{} bis {}.</translation>
+    </message>
+    <message>
+        <source>A solid of {} voxels a side holds no neighbourhood of {}.</source>
+        <translation>Ein Körper mit {} Voxeln je Seite enthält keine Nachbarschaft von {}.</translation>
+    </message>
+    <message>
+        <source>A step gave values that are no numbers: the optimisation ended with the last that are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A trained generator to go on from.</source>
+        <translation>Ein trainierter Generator, von dem aus es weitergeht.</translation>
+    </message>
+    <message>
+        <source>Adam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All three axes are free, so that nothing is wanted of the solid; give one of them an exemplar and a weight.</source>
+        <translation>Alle drei Achsen sind frei, sodass vom Körper nichts verlangt wird; geben Sie einer von ihnen eine Vorlage und ein Gewicht.</translation>
+    </message>
+    <message>
+        <source>All {} × {} px of the image to start from are known, so that there is nothing to make; mask less.</source>
+        <translation>Alle {} × {} px des Ausgangsbilds sind bekannt, sodass nichts zu machen ist; maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>Also compares the distribution of colours, which networks alone let drift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anamorphosis: bending what repeats</source>
+        <translation>Anamorphose: biegen, was sich wiederholt</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Wie sie ist</translation>
+    </message>
+    <message>
+        <source>As the descriptor says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At each scale: more come closer to the exemplar and take longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes noise, or an initial image, until the feature maps of a network vary together as the exemplar&apos;s do. New pixels rather than copies; long straight structures may bend or break.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting a slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Descriptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Descriptor: {} (licence {}; {}; SHA-1 {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of neighbourhoods</source>
+        <translation>Abstand der Nachbarschaften</translation>
+    </message>
+    <message>
+        <source>Distributes the patches of all slices as the exemplar&apos;s are; or matches histograms of pyramids, for grain without shapes; or copies neighbourhoods that agree in all directions (Kopf); or makes one voxel after another (Wei).</source>
+        <translation>Verteilt die Ausschnitte aller Schnitte wie die der Vorlage; oder gleicht Histogramme von Pyramiden an, für Körnung ohne Formen; oder kopiert Nachbarschaften, die in allen Richtungen übereinstimmen (Kopf); oder macht ein Voxel nach dem anderen (Wei).</translation>
+    </message>
+    <message>
+        <source>Even tone</source>
+        <translation>Ton angleichen</translation>
+    </message>
+    <message>
+        <source>Evening tone</source>
+        <translation>Ton wird angeglichen</translation>
+    </message>
+    <message>
+        <source>Exemplar&apos;s side</source>
+        <translation>Seite der Vorlage</translation>
+    </message>
+    <message>
+        <source>Exemplars with a longer side are scaled down to this: smaller makes features smaller, so that a solid holds more of them.</source>
+        <translation>Vorlagen mit einer längeren Seite werden darauf verkleinert: Kleiner macht Merkmale kleiner, sodass ein Körper mehr von ihnen enthält.</translation>
+    </message>
+    <message>
+        <source>Figure 5.42 of Raad&apos;s thesis on free exemplars: metal and rock with random low frequencies. Where high and low frequencies go together, as here, it shows.</source>
+        <translation>Abbildung 5.42 aus Raads Dissertation an freien Vorlagen: Metall und Fels mit zufälligen tiefen Frequenzen. Wo hohe und tiefe Frequenzen zusammengehören, wie hier, sieht man es.</translation>
+    </message>
+    <message>
+        <source>Figures 5.31 to 5.35 of Raad&apos;s thesis on free exemplars: wood and rock bent along one axis and along both. From farther away they remain much alike.</source>
+        <translation>Die Abbildungen 5.31 bis 5.35 aus Raads Dissertation an freien Vorlagen: Holz und Fels, entlang einer und beider Achsen gebogen. Von Weitem bleiben sie einander sehr ähnlich.</translation>
+    </message>
+    <message>
+        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, each three times.</source>
+        <translation>Die Abbildungen 5.36 bis 5.41 aus Raads Dissertation an freien Vorlagen: Streifen von Fels, Metall und Holz in neuer Ordnung, dann Quadrate von Fels und Metall, je dreimal.</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erste</translation>
+    </message>
+    <message>
+        <source>First tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Generator</source>
+        <translation>Generator</translation>
+    </message>
+    <message>
+        <source>Gives all exemplars the colours of the first, without which slices of two kinds cannot agree where they cross.</source>
+        <translation>Gibt allen Vorlagen die Farben der ersten, ohne die Schnitte zweier Arten dort nicht übereinstimmen können, wo sie sich kreuzen.</translation>
+    </message>
+    <message>
+        <source>Gives the result the exemplar&apos;s distribution of colours at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gram matrices of a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Halb</translation>
+    </message>
+    <message>
+        <source>How far Adam moves in one step, in deviations of the exemplar&apos;s colours: larger is faster and less exact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far each step goes at the beginning; it falls to a twentieth. Too large, and the loss jumps; too small, and it falls slowly.</source>
+        <translation>Wie weit jeder Schritt am Anfang geht; es fällt auf ein Zwanzigstel. Zu groß, und der Verlust springt; zu klein, und er fällt langsam.</translation>
+    </message>
+    <message>
+        <source>How many sizes of the picture, each half the one before, the network sees at once: more hold larger structures together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much rough pixels are avoided: more smooths noise and fine detail alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much the distribution of small patches counts, which makes edges sharper; 0 leaves it to the descriptor.</source>
+        <translation>Wie viel die Verteilung kleiner Ausschnitte zählt, die Kanten schärfer macht; 0 überlässt es dem Deskriptor.</translation>
+    </message>
+    <message>
+        <source>How much the features count that the descriptor sees in slices; 0 compares patches alone.</source>
+        <translation>Wie viel die Merkmale zählen, die der Deskriptor in Schnitten sieht; 0 vergleicht nur Ausschnitte.</translation>
+    </message>
+    <message>
+        <source>How much these slices count beside the others; 0 leaves the axis free.</source>
+        <translation>Wie viel diese Schnitte neben den anderen zählen; 0 lässt die Achse frei.</translation>
+    </message>
+    <message>
+        <source>How the exemplar is turned in these slices; where they meet, patterns must agree.</source>
+        <translation>Wie die Vorlage in diesen Schnitten gedreht ist; wo sie sich treffen, müssen die Muster zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>How the network halves its feature maps: by their mean, or by the largest of four values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights anew with every atom, which follows the patch more closely and takes a little longer.</source>
+        <translation>Wie die Gewichte der Atome eines Patches gefunden werden: einfach, wie veröffentlicht, fügt ein Atom nach dem anderen hinzu; orthogonal bestimmt mit jedem Atom alle Gewichte neu, folgt dem Patch enger und braucht etwas länger.</translation>
+    </message>
+    <message>
+        <source>L-BFGS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L-BFGS learns the curvature of the loss and comes further in as many iterations; Adam takes steps of one length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learned from the exemplar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning rate</source>
+        <translation>Lernrate</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>Low frequencies: three of each</source>
+        <translation>Tiefe Frequenzen: je drei</translation>
+    </message>
+    <message>
+        <source>Makes a solid block that repeats in all directions and whose slices look like the exemplar, or like one exemplar for each direction. The picture is its slice at z = 0.</source>
+        <translation>Macht einen Block, der sich in alle Richtungen wiederholt und dessen Schnitte wie die Vorlage aussehen, oder wie eine Vorlage für jede Richtung. Das Bild ist sein Schnitt bei z = 0.</translation>
+    </message>
+    <message>
+        <source>Match histograms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matching feature maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matching neighbourhoods</source>
+        <translation>Nachbarschaften angleichen</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirrored, half</source>
+        <translation>Gespiegelt, halb</translation>
+    </message>
+    <message>
+        <source>Mirrored, left</source>
+        <translation>Gespiegelt, links</translation>
+    </message>
+    <message>
+        <source>Mirrored, right</source>
+        <translation>Gespiegelt, rechts</translation>
+    </message>
+    <message>
+        <source>Move seams</source>
+        <translation>Nähte verlegen</translation>
+    </message>
+    <message>
+        <source>Moving seams</source>
+        <translation>Nähte werden verlegt</translation>
+    </message>
+    <message>
+        <source>Neighbourhoods</source>
+        <translation>Nachbarschaften</translation>
+    </message>
+    <message>
+        <source>Normalised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
+        <translation>Vom Ausgangsbild, {} × {} px, ist nichts bekannt, sodass es kein Loch zu füllen gibt; lassen Sie die Maske weg oder markieren Sie, was bleiben soll.</translation>
+    </message>
+    <message>
+        <source>Of each direction in one iteration: more make each step surer and longer.</source>
+        <translation>Jeder Richtung in einem Durchgang: Mehr machen jeden Schritt sicherer und länger.</translation>
+    </message>
+    <message>
+        <source>Of the slices that are made and compared: larger ones say more of large features, and take longer.</source>
+        <translation>Der Schnitte, die gemacht und verglichen werden: Größere sagen mehr über große Merkmale und dauern länger.</translation>
+    </message>
+    <message>
+        <source>Only the patches of slices were compared: the descriptor sees grey pictures and those of three channels.</source>
+        <translation>Nur die Ausschnitte der Schnitte wurden verglichen: Der Deskriptor sieht graue Bilder und solche mit drei Kanälen.</translation>
+    </message>
+    <message>
+        <source>Optimised solid</source>
+        <translation>Optimierter Körper</translation>
+    </message>
+    <message>
+        <source>Optimiser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orthogonal</source>
+        <translation>Orthogonal</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfach</translation>
+    </message>
+    <message>
+        <source>Pooling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the descriptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pursuit</source>
+        <translation>Verfolgung</translation>
+    </message>
+    <message>
+        <source>Pyramid histograms</source>
+        <translation>Histogramme von Pyramiden</translation>
+    </message>
+    <message>
+        <source>Random filters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random mosaics: three of each</source>
+        <translation>Zufallsmosaike: je drei</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative Gram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Rounds at each scale: more bring the slices closer to the exemplar.</source>
+        <translation>Runden auf jeder Stufe: Mehr bringen die Schnitte der Vorlage näher.</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation>Abtasten</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Zweite</translation>
+    </message>
+    <message>
+        <source>Side of the neighbourhoods compared in slices at each scale: larger keeps larger structures whole and takes longer.</source>
+        <translation>Seite der Nachbarschaften, die in Schnitten auf jeder Stufe verglichen werden: Größere halten größere Strukturen ganz und dauern länger.</translation>
+    </message>
+    <message>
+        <source>Side of the patches that are compared: larger keeps larger structures, smaller varies more. Where a hole is filled, they are half as large again.</source>
+        <translation>Seite der verglichenen Patches: größere bewahren größere Strukturen, kleinere variieren mehr. Wo ein Loch gefüllt wird, sind sie um die Hälfte größer.</translation>
+    </message>
+    <message>
+        <source>Side of the slices</source>
+        <translation>Seite der Schnitte</translation>
+    </message>
+    <message>
+        <source>Side of the solid</source>
+        <translation>Seite des Körpers</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Slices square to {} are to look like exemplar {}, and there are {}: give it, or choose another one or none.</source>
+        <translation>Schnitte senkrecht zu {} sollen wie Vorlage {} aussehen, und es gibt {}: Geben Sie sie an, oder wählen Sie eine andere oder keine.</translation>
+    </message>
+    <message>
+        <source>Solid texture</source>
+        <translation>Körpertextur</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation type="unfinished">Senkrecht zu x</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation type="unfinished">Senkrecht zu y</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation type="unfinished">Senkrecht zu z</translation>
+    </message>
+    <message>
+        <source>Statistic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of training: a few hundred show what becomes of it, some thousands make it sharper. It can be stopped at any time and keeps what it has learned.</source>
+        <translation>Schritte des Trainings: Einige hundert zeigen, was daraus wird, einige tausend machen es schärfer. Es kann jederzeit angehalten werden und behält, was es gelernt hat.</translation>
+    </message>
+    <message>
+        <source>Stopped after {} of {} iterations; the generator knows what it had learned by then.</source>
+        <translation>Nach {} von {} Durchgängen angehalten; der Generator kann, was er bis dahin gelernt hatte.</translation>
+    </message>
+    <message>
+        <source>Texloom&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The checkpoint does not suit this run: begin anew without --resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The checkpoint holds no solid; begin anew without it.</source>
+        <translation>Der Zwischenstand enthält keinen Körper; ohne ihn neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The checkpoint is of a generator of another size; begin anew without it.</source>
+        <translation>Der Zwischenstand gehört zu einem Generator anderer Größe; ohne ihn neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The descriptor cannot be used: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The descriptor gives values that are no numbers at its tap {}: its weights are too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The descriptor sees {} channels, and the exemplar has {} with its maps: choose one that sees them all, such as exemplar, random or wavelet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The descriptor {} sees {} channels, and the exemplar has {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exemplar has {} × {} px here; its sides must have at least {} px.</source>
+        <translation>Die Vorlage hat hier {} × {} px; ihre Seiten müssen mindestens {} px haben.</translation>
+    </message>
+    <message>
+        <source>The exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first layer of the network that is compared; a larger number leaves fine detail free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first tap is {}, and the descriptor has {}: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first tap is {}, which comes after the last, {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The generator makes {} channels, and the exemplars have {}.</source>
+        <translation>Der Generator macht {} Kanäle, und die Vorlagen haben {}.</translation>
+    </message>
+    <message>
+        <source>The generator&apos;s array {} holds {}; variances are not below 0.</source>
+        <translation>Das Feld {} des Generators enthält {}; Varianzen sind nicht kleiner als 0.</translation>
+    </message>
+    <message>
+        <source>The generator&apos;s shape of {} dimensions, coarsest scale {}, {} channels of noise, steps of {} and {} channels is none that can be evaluated.</source>
+        <translation>Die Form des Generators mit {} Dimensionen, gröbster Stufe {}, {} Kanälen Rauschen, Schritten von {} und {} Kanälen kann nicht ausgewertet werden.</translation>
+    </message>
+    <message>
+        <source>The hole of {:.0f} px is larger than the {:.0f} px of the picture that are left to fill it from; mark a smaller one, or add another exemplar.</source>
+        <translation>Das Loch von {:.0f} px ist größer als die {:.0f} px des Bilds, die übrig sind, um es zu füllen; markieren Sie ein kleineres oder fügen Sie eine weitere Vorlage hinzu.</translation>
+    </message>
+    <message>
+        <source>The last layer that is compared, or all that there are; a smaller number leaves large structures free and is faster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The maps of the material have {} × {} and {} × {} px, so that they do not lie on one another; choose maps of one size.</source>
+        <translation>Die Karten des Materials haben {} × {} und {} × {} px, sodass sie nicht aufeinanderliegen; wählen Sie Karten einer Größe.</translation>
+    </message>
+    <message>
+        <source>The mesh has no face, so that there is nothing to show a material on; choose another one.</source>
+        <translation>Das Netz hat keine Fläche, auf der ein Material gezeigt werden könnte; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>The network has no layer for the tap {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The network whose feature maps are compared: the file that is given, else Texloom&apos;s own; maps beside colours need one that sees them: learned from the exemplar, random or wavelets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The solid in space, without end; the picture is its slice at z = 0.</source>
+        <translation>Der Körper im Raum, ohne Ende; das Bild ist sein Schnitt bei z = 0.</translation>
+    </message>
+    <message>
+        <source>The solid, which repeats after its side along every axis.</source>
+        <translation>Der Körper, der sich nach seiner Seite entlang jeder Achse wiederholt.</translation>
+    </message>
+    <message>
+        <source>The weights of {} do not fit {} channels and a square of odd side, or have no bias.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The weights of {} hold values that are no numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The weights of {} lie beyond the end of the file, which holds {} numbers: it is cut short or of another network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no light in this panorama; choose another picture.</source>
+        <translation>In diesem Panorama ist kein Licht; wählen Sie ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>Third</source>
+        <translation>Dritte</translation>
+    </message>
+    <message>
+        <source>Total variation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>Trains a small network on single slices, which then makes any part of an endless solid at once. For grain and blobs that look alike in all directions, and, with one axis free, for what runs along it.</source>
+        <translation>Trainiert ein kleines Netz an einzelnen Schnitten, das dann jeden Teil eines endlosen Körpers sofort macht. Für Körnung und Flecken, die in allen Richtungen gleich aussehen, und, mit einer freien Achse, für das, was an ihr entlangläuft.</translation>
+    </message>
+    <message>
+        <source>Turn square to x</source>
+        <translation>Drehung senkrecht zu x</translation>
+    </message>
+    <message>
+        <source>Turn square to y</source>
+        <translation>Drehung senkrecht zu y</translation>
+    </message>
+    <message>
+        <source>Turn square to z</source>
+        <translation>Drehung senkrecht zu z</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished">Volumen</translation>
+    </message>
+    <message>
+        <source>Voxels along each axis, after which the solid repeats: twice as many take eight times as long.</source>
+        <translation>Voxel entlang jeder Achse, nach denen sich der Körper wiederholt: Doppelt so viele dauern achtmal so lange.</translation>
+    </message>
+    <message>
+        <source>Wavelets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of patches</source>
+        <translation>Gewicht der Ausschnitte</translation>
+    </message>
+    <message>
+        <source>Weight of the descriptor</source>
+        <translation>Gewicht des Deskriptors</translation>
+    </message>
+    <message>
+        <source>Weight square to x</source>
+        <translation>Gewicht senkrecht zu x</translation>
+    </message>
+    <message>
+        <source>Weight square to y</source>
+        <translation>Gewicht senkrecht zu y</translation>
+    </message>
+    <message>
+        <source>Weight square to z</source>
+        <translation>Gewicht senkrecht zu z</translation>
+    </message>
+    <message>
+        <source>What is compared of the feature maps: their moments once each has the exemplar&apos;s mean and deviation, their Gram matrices as published, or these relative to the exemplar&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What slices look like: one image for all directions, or one each for those square to z, y and x.</source>
+        <translation>Wie Schnitte aussehen: ein Bild für alle Richtungen, oder je eines für die senkrecht zu z, y und x.</translation>
+    </message>
+    <message>
+        <source>What slices square to this axis look like. Own is the first exemplar for z, the second for y and the third for x, or the first where there are fewer; of a free axis nothing is wanted, as along the grain of wood.</source>
+        <translation>Wie Schnitte senkrecht zu dieser Achse aussehen. Die eigene ist für z die erste Vorlage, für y die zweite und für x die dritte, oder die erste, wo es weniger gibt; von einer freien Achse wird nichts verlangt, wie entlang der Maserung von Holz.</translation>
+    </message>
+    <message>
+        <source>What was learned, under half a megabyte: `texloom-cli sample` makes boxes, slices and coloured meshes of it.</source>
+        <translation>Was gelernt wurde, weniger als ein halbes Megabyte: `texloom-cli sample` macht daraus Quader, Schnitte und gefärbte Netze.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, moves the borders between what is copied to where they are seen least, so that few large pieces take the place of many small ones.</source>
+        <translation>Wo ein Loch gefüllt wird, werden die Grenzen zwischen dem Kopierten dorthin verlegt, wo man sie am wenigsten sieht, sodass wenige große Stücke an die Stelle vieler kleiner treten.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, takes the brightness and colour of what is copied from what is around it, so that no border is seen where the light changes; what is known stays as it is. Off: every pixel is a copy.</source>
+        <translation>Wo ein Loch gefüllt wird, richten sich Helligkeit und Farbe des Kopierten nach der Umgebung, sodass kein Rand zu sehen ist, wo das Licht sich ändert; was bekannt ist, bleibt, wie es ist. Aus: Jedes Pixel ist eine Kopie.</translation>
+    </message>
+    <message>
+        <source>Writing a turn</source>
+        <translation>Eine Umdrehung wird geschrieben</translation>
+    </message>
+    <message>
+        <source>a chain of its network does not end in a tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a channel of the file, counted from 0</source>
+        <translation>ein Kanal der Datei, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>a length from 1 to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its head lacks “{}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its network has more than {} steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the weights of its layer {} do not fit {} channels and a square of odd side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no weights for its layer {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} cannot be read.</source>
+        <translation>{} kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>{} has {} channels; there is no channel {}.</source>
+        <translation>{} hat {} Kanäle; einen Kanal {} gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{} holds more than {} bytes; unpack it first.</source>
+        <translation>{} enthält mehr als {} Bytes; entpacken Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>{} holds no picture that can be opened.</source>
+        <translation>{} enthält kein Bild, das geöffnet werden kann.</translation>
+    </message>
+    <message>
+        <source>{} holds {} files, more than {}; unpack it first.</source>
+        <translation>{} enthält {} Dateien, mehr als {}; entpacken Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>{} holds {} pictures; open those that you want.</source>
+        <translation>{} enthält {} Bilder; öffnen Sie die gewünschten.</translation>
+    </message>
+    <message>
+        <source>{} in {} is packed in a way that is not read; unpack the archive first.</source>
+        <translation>{} in {} ist auf eine Art gepackt, die nicht gelesen wird; entpacken Sie das Archiv zuerst.</translation>
+    </message>
+    <message>
+        <source>{} is a ZIP64 archive, which is not read; unpack it first.</source>
+        <translation>{} ist ein ZIP64-Archiv, das nicht gelesen wird; entpacken Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>{} is broken or no ZIP archive.</source>
+        <translation>{} ist beschädigt oder kein ZIP-Archiv.</translation>
+    </message>
+    <message>
+        <source>{} is grey and is taken as coloured, as the others are.</source>
+        <translation>{} ist grau und wird als farbig genommen, wie die anderen es sind.</translation>
+    </message>
+    <message>
+        <source>{} is no .json: name the one that lies beside the .bin with the weights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is there already; choose a folder without pictures of an earlier turn.</source>
+        <translation>{} gibt es schon; wählen Sie einen Ordner ohne Bilder einer früheren Umdrehung.</translation>
+    </message>
+    <message>
+        <source>{} names no convolution conv1_1: it is no network of VGG&apos;s kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: meshes with colours are written as .ply, .obj or .glb.</source>
+        <translation>{}: Netze mit Farben werden als .ply, .obj oder .glb geschrieben.</translation>
+    </message>
+    <message>
+        <source>{}: {} vertices want three numbers each, and there are {}.</source>
+        <translation>{}: {} Ecken brauchen je drei Zahlen, und es gibt {}.</translation>
+    </message>
+    <message>
+        <source>“pooling” of its head is neither average nor maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{}” in its network means nothing there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{}” of its head is no number from {} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>files</name>
     <message>
-        <source>Pictures and recipes (%1 *.json);;All files (*)</source>
-        <translation>Bilder und Rezepte (%1 *.json);;Alle Dateien (*)</translation>
+        <source>Pictures, materials and recipes (%1 *.zip *.json);;All files (*)</source>
+        <translation>Bilder, Materialien und Rezepte (%1 *.zip *.json);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -4897,6 +5624,14 @@
     <message>
         <source>It cannot go on, since these files changed after it began: %1.</source>
         <translation>Er kann nicht fortgesetzt werden, da sich diese Dateien seit seinem Beginn geändert haben: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>aus %1</translation>
     </message>
 </context>
 <context>
@@ -5128,6 +5863,14 @@
     <message>
         <source>Make more of a picture beyond its edges, with a method that completes pictures</source>
         <translation>Ein Bild über seine Ränder hinaus fortsetzen, mit einem Verfahren, das Bilder ergänzt</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Er&amp;neut exportieren</translation>
+    </message>
+    <message>
+        <source>Write the result to the folder and in the way of the last export, without asking</source>
+        <translation>Das Ergebnis ohne Rückfrage in den Ordner und auf die Art des letzten Exports schreiben</translation>
     </message>
 </context>
 <context>
@@ -5364,6 +6107,38 @@
     <message>
         <source>Drop maps such as bark_normal and bark_rough with bark, or add them.</source>
         <translation>Ziehen Sie Karten wie bark_normal und bark_rough mit bark herein, oder fügen Sie sie hinzu.</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1: %2 {1,?}</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>%1, inverted</source>
+        <translation>%1, umgekehrt</translation>
+    </message>
+    <message>
+        <source>%1, derived</source>
+        <translation>%1, abgeleitet</translation>
     </message>
 </context>
 <context>
@@ -5702,10 +6477,6 @@
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>As a further exemplar</source>
-        <translation>Als weitere Vorlage</translation>
-    </message>
-    <message>
         <source>Companion map</source>
         <translation>Begleitkarte</translation>
     </message>
@@ -5724,6 +6495,14 @@
     <message>
         <source>The method does not use a mask</source>
         <translation>Das Verfahren benutzt keine Maske</translation>
+    </message>
+    <message>
+        <source>Mixed with the exemplars in use</source>
+        <translation>Gemischt mit den verwendeten Vorlagen</translation>
+    </message>
+    <message>
+        <source>Opened to learn from</source>
+        <translation>Zum Lernen geöffnet</translation>
     </message>
 </context>
 <context>
@@ -6218,6 +6997,18 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>replaces a file that is not Texloom&apos;s</source>
         <translation>ersetzt eine Datei, die nicht von Texloom ist</translation>
     </message>
+    <message>
+        <source>Create &amp;folder</source>
+        <translation>&amp;Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>%1, %2 values clipped</source>
+        <translation>%1, %2 Werte abgeschnitten</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExtendDialog</name>
@@ -6352,12 +7143,56 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Stopped. Make another result, or close and open this dock to start again.</source>
         <translation>Angehalten. Erzeugen Sie ein anderes Ergebnis, oder schließen und öffnen Sie diesen Bereich, um neu zu beginnen.</translation>
     </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished">Art</translation>
+    </message>
+    <message>
+        <source>Arrays</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished">Werte</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::FramePage</name>
     <message>
-        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
-        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie.</translation>
+        <source>R&amp;atio</source>
+        <translation>Verhä&amp;ltnis</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, drag its edges or drag it as a whole; Shift makes a square. N takes the next corner, the arrow keys move it. Enter applies, Esc leaves.</source>
+        <translation>Ziehen Sie ein Rechteck auf, ziehen Sie seine Kanten oder es als Ganzes; Umschalt macht ein Quadrat. N nimmt die nächste Ecke, die Pfeiltasten bewegen sie. Eingabe wendet an, Esc verlässt.</translation>
+    </message>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it. Enter applies, Esc leaves.</source>
+        <translation>Ziehen Sie die Ecken; N nimmt die nächste, die Pfeiltasten bewegen sie. Eingabe wendet an, Esc verlässt.</translation>
+    </message>
+    <message>
+        <source>The rectangle&apos;s width by its height</source>
+        <translation>Die Breite des Rechtecks durch seine Höhe</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebig</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>As the picture</source>
+        <translation>Wie das Bild</translation>
     </message>
 </context>
 <context>
@@ -7011,6 +7846,73 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>The recipe was made by Texloom %1; this is %2, so the result may differ.</source>
         <translation>Das Rezept stammt von Texloom %1; dies ist %2, daher kann das Ergebnis abweichen.</translation>
     </message>
+    <message>
+        <source>Stopped. One run that waited was given up.</source>
+        <translation>Angehalten. Ein wartender Lauf wurde aufgegeben.</translation>
+    </message>
+    <message>
+        <source>Stopped. %1 runs that waited were given up.</source>
+        <translation>Angehalten. %1 wartende Läufe wurden aufgegeben.</translation>
+    </message>
+    <message>
+        <source>Maps of the same material lie beside it: %1.</source>
+        <translation>Daneben liegen Karten desselben Materials: %1.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">Hinzufügen</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already.</source>
+        <translation>Eine Vorgabe %1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>The session was saved by Texloom %1; this is %2, so results may differ.</source>
+        <translation>Die Sitzung wurde von Texloom %1 gespeichert; dies ist %2, daher können Ergebnisse abweichen.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MapDeriver</name>
+    <message>
+        <source>Deri&amp;ve a map</source>
+        <translation>Karte a&amp;bleiten</translation>
+    </message>
+    <message>
+        <source>&amp;Normal from height</source>
+        <translation>&amp;Normalen aus Höhen</translation>
+    </message>
+    <message>
+        <source>Makes the normal map that belongs to the height map.</source>
+        <translation>Macht die Normalenkarte, die zur Höhenkarte gehört.</translation>
+    </message>
+    <message>
+        <source>&amp;Height from normal</source>
+        <translation>&amp;Höhen aus Normalen</translation>
+    </message>
+    <message>
+        <source>Integrates the slopes of the normal map; how deep the relief is cannot be told from it.</source>
+        <translation>Integriert die Neigungen der Normalenkarte; wie tief das Relief ist, sagt sie nicht.</translation>
+    </message>
+    <message>
+        <source>&amp;Roughness, a first guess</source>
+        <translation>&amp;Rauheit, ein erster Anhalt</translation>
+    </message>
+    <message>
+        <source>Bright and pale places are taken as smooth, dark ones as rough: a start, to be corrected by hand.</source>
+        <translation>Helle und blasse Stellen gelten als glatt, dunkle als rau: ein Anfang, der von Hand zu verbessern ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Occlusion, a first guess</source>
+        <translation>&amp;Verdeckung, ein erster Anhalt</translation>
+    </message>
+    <message>
+        <source>Places that lie below their surroundings in the height map are darkened.</source>
+        <translation>Stellen, die in der Höhenkarte tiefer als ihre Umgebung liegen, werden abgedunkelt.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapPage</name>
@@ -7100,6 +8002,196 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Takes all away that is painted</source>
         <translation>Nimmt alles weg, was gemalt ist</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MaterialPage</name>
+    <message>
+        <source>Drag to turn it, with the middle button to move it, with Shift and the right button to turn the light; the wheel comes nearer. C shows the maps alone, M the material, F frames it, R resets.</source>
+        <translation>Ziehen dreht es, mit der mittleren Taste wird es verschoben, mit Umschalt und der rechten dreht sich das Licht; das Rad kommt näher. C zeigt die Karten allein, M das Material, F rückt es ins Bild, R setzt zurück.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Mesh from a file…</source>
+        <translation>Netz aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>Studio lights</source>
+        <translation>Studiolicht</translation>
+    </message>
+    <message>
+        <source>Courtyard</source>
+        <translation>Innenhof</translation>
+    </message>
+    <message>
+        <source>Studio room</source>
+        <translation>Studioraum</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>Panorama from a file…</source>
+        <translation>Panorama aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">Farbe</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation type="unfinished">Rauheit</translation>
+    </message>
+    <message>
+        <source>Metallic</source>
+        <translation type="unfinished">Metallisch</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Höhe</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished">Deckkraft</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished">Licht</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished">Keine</translation>
+    </message>
+    <message>
+        <source>From the lowest height to the highest, as a share of the maps&apos; side; needs a height map</source>
+        <translation>Von der geringsten Höhe zur größten, als Anteil der Seite der Karten; braucht eine Höhenkarte</translation>
+    </message>
+    <message>
+        <source> stops</source>
+        <translation> Blenden</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation type="unfinished">Wiederholen</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished">Zeigen</translation>
+    </message>
+    <message>
+        <source>Lit by</source>
+        <translation>Beleuchtet von</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Gedreht um</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Turntable…</source>
+        <translation>Rundumbilder …</translation>
+    </message>
+    <message>
+        <source>Mesh to show the material on</source>
+        <translation>Netz, auf dem das Material gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb)</source>
+        <translation>Netze (*.obj *.ply *.gltf *.glb)</translation>
+    </message>
+    <message>
+        <source>Panorama to light the material by</source>
+        <translation>Panorama, das das Material beleuchtet</translation>
+    </message>
+    <message>
+        <source>Pictures (*.exr *.hdr *.tif *.png *.jpg)</source>
+        <translation>Bilder (*.exr *.hdr *.tif *.png *.jpg)</translation>
+    </message>
+    <message>
+        <source>Save the picture of the material</source>
+        <translation>Bild des Materials speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.exr *.tif *.jpg)</source>
+        <translation>Bilder (*.png *.exr *.tif *.jpg)</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures of a turn</source>
+        <translation>Ordner für die Bilder einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>There is no material to save a picture of yet; press Run first.</source>
+        <translation>Es gibt noch kein Material, von dem ein Bild gespeichert werden könnte; drücken Sie zuerst Ausführen.</translation>
+    </message>
+    <message>
+        <source>Writing %1 pictures of a turn</source>
+        <translation>%1 Bilder einer Umdrehung werden geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MaterialView</name>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>No result yet. Press Run.</source>
+        <translation type="unfinished">Noch kein Ergebnis. Drücken Sie „Ausführen“.</translation>
     </message>
 </context>
 <context>
@@ -7669,10 +8761,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Die Vorgabe braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
     </message>
     <message>
-        <source>There is a preset %1 already; choose another name or remove it first.</source>
-        <translation>Eine Vorgabe %1 gibt es schon; wählen Sie einen anderen Namen oder entfernen Sie sie zuerst.</translation>
-    </message>
-    <message>
         <source>Kept the preset %1.</source>
         <translation>Vorgabe %1 behalten.</translation>
     </message>
@@ -7711,6 +8799,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Export settings as a preset</source>
         <translation>Einstellungen als Vorgabe exportieren</translation>
+    </message>
+    <message>
+        <source>Wrote the preset %1.</source>
+        <translation>Die Vorgabe %1 wurde geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -7863,6 +8955,14 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>Keep the chosen results: pinned ones are never removed automatically</source>
         <translation>Die gewählten Ergebnisse behalten: Angeheftete werden nie von selbst entfernt</translation>
     </message>
+    <message>
+        <source>&amp;Keep and go on</source>
+        <translation>&amp;Behalten und weiter</translation>
+    </message>
+    <message>
+        <source>Pin the chosen result and choose the next one; 1 to 5 give it stars, 0 none</source>
+        <translation>Das gewählte Ergebnis anheften und das nächste wählen; 1 bis 5 geben Sterne, 0 keinen</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultExport</name>
@@ -7908,6 +9008,18 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>shown</source>
         <translation>angezeigt</translation>
+    </message>
+    <message>
+        <source>made before the edit</source>
+        <translation>vor der Bearbeitung gemacht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stars</source>
+        <translation>%1 von %2 Sternen</translation>
+    </message>
+    <message>
+        <source>before the edit</source>
+        <translation>vor der Bearbeitung</translation>
     </message>
 </context>
 <context>
@@ -8000,6 +9112,26 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>De&amp;lete “%1”</source>
         <translation>„%1“ &amp;löschen</translation>
     </message>
+    <message>
+        <source>With stars</source>
+        <translation>Mit Sternen</translation>
+    </message>
+    <message>
+        <source>Delete pinned results?</source>
+        <translation>Angeheftete Ergebnisse löschen?</translation>
+    </message>
+    <message>
+        <source>“%1” is pinned. Delete it all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the %2 chosen results are pinned. Delete all of them?</source>
+        <translation>%1 der %2 gewählten Ergebnisse sind angeheftet. Alle löschen?</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultView</name>
@@ -8082,6 +9214,22 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>This method learned from no exemplar, so there is no map of where its pixels came from.</source>
         <translation>Dieses Verfahren hat von keiner Vorlage gelernt; deshalb gibt es keine Karte der Herkunft seiner Pixel.</translation>
+    </message>
+    <message>
+        <source>Does not wrap: make it wrap</source>
+        <translation>Nicht kachelbar: kachelbar machen</translation>
+    </message>
+    <message>
+        <source>Ticks both axes under “Wraps” and runs these settings again.</source>
+        <translation>Wählt unter „Kachelbar“ beide Achsen und führt diese Einstellungen neu aus.</translation>
+    </message>
+    <message>
+        <source>Made before the edit: run again</source>
+        <translation>Vor der Bearbeitung gemacht: neu ausführen</translation>
+    </message>
+    <message>
+        <source>The exemplar was edited since; runs these settings on it as it is now.</source>
+        <translation>Die Vorlage wurde seither bearbeitet; führt diese Einstellungen mit ihr aus, wie sie jetzt ist.</translation>
     </message>
 </context>
 <context>
@@ -8187,6 +9335,22 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Cancelled at %1, and nothing of it kept: %2.</source>
         <translation>Abgebrochen bei %1, nichts davon behalten: %2.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>The result and its maps lit, on a shape or a mesh of your own.</source>
+        <translation>Das Ergebnis und seine Karten im Licht, auf einer Form oder einem eigenen Netz.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished">Ordner öffnen</translation>
     </message>
 </context>
 <context>
@@ -8790,6 +9954,25 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ZoomBox</name>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished">%1 %</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s size on the screen: 100 % is one screen pixel for each of its own.</source>
+        <translation>Die Größe des Bildes auf dem Bildschirm: 100 % ist ein Bildschirmpixel für jedes seiner eigenen.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished">Anpassen</translation>
     </message>
 </context>
 <context>

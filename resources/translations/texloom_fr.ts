@@ -25,6 +25,13 @@
     </message>
 </context>
 <context>
+    <name>MethodChooser</name>
+    <message>
+        <source>Not part of this build</source>
+        <translation>Absent de cette version</translation>
+    </message>
+</context>
+<context>
     <name>background</name>
     <message>
         <source>There is not enough memory for this; close an image or choose a smaller one.</source>
@@ -1206,10 +1213,6 @@
         <translation>Recherche</translation>
     </message>
     <message>
-        <source>Side of the patches that are compared: larger keeps larger structures, smaller varies more.</source>
-        <translation>Côté des patchs comparés : plus garde de plus grandes structures, moins varie davantage.</translation>
-    </message>
-    <message>
         <source>Side of the patches, which lie a quarter of it apart: larger keeps larger structures, smaller varies more.</source>
         <translation>Côté des patchs, espacés d’un quart : plus garde de plus grandes structures, moins varie davantage.</translation>
     </message>
@@ -2362,10 +2365,6 @@
         <translation>La mémoire n’y suffit pas ; essayez une sortie plus petite.</translation>
     </message>
     <message>
-        <source>Tile set</source>
-        <translation>Jeu de tuiles</translation>
-    </message>
-    <message>
         <source>Tile size</source>
         <translation>Taille des tuiles</translation>
     </message>
@@ -3366,10 +3365,6 @@
         <translation>Un arbre trouve un voisinage presque le plus proche, en un temps qui ne croît guère avec l’échantillon ; exacte les compare tous.</translation>
     </message>
     <message>
-        <source>All of the image to start from is known, so that there is nothing to make; mask less.</source>
-        <translation>Toute l’image de départ est connue, il n’y a donc rien à faire ; masquez moins.</translation>
-    </message>
-    <message>
         <source>Ashikhmin</source>
         <translation>Ashikhmin</translation>
     </message>
@@ -4138,10 +4133,6 @@
         <translation>Selon la loi normale</translation>
     </message>
     <message>
-        <source>Nothing of the image to start from is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
-        <translation>Rien de l’image de départ n’est connu, si bien qu’il n’y a pas de trou à remplir ; omettez le masque, ou marquez ce qui doit rester.</translation>
-    </message>
-    <message>
         <source>Online</source>
         <translation>En ligne</translation>
     </message>
@@ -4805,12 +4796,748 @@
         <source>The system gives the program no further thread; raise its limits (ulimit -v and -u), or use fewer threads.</source>
         <translation>Le système ne donne plus de fil d’exécution au programme ; relevez ses limites (ulimit -v et -u) ou utilisez moins de fils.</translation>
     </message>
+    <message>
+        <source>A descriptor&apos;s file is given and another descriptor chosen: choose automatic, or leave the file out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A layer of the network takes {} channels of at least {}×{} px, and has {} of {}×{} px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A network of your own, such as one that import-descriptor or learn-descriptor made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A normal map needs 3 channels, and this one has {}; choose another map, or say what it holds.</source>
+        <translation>Une carte de normales demande 3 canaux, et celle-ci en a {} ; choisissez une autre carte ou dites ce qu’elle contient.</translation>
+    </message>
+    <message>
+        <source>A panorama needs 3 channels of light, and this one has {}; choose another picture.</source>
+        <translation>Un panorama demande 3 canaux de lumière, et celui-ci en a {} ; choisissez une autre image.</translation>
+    </message>
+    <message>
+        <source>A point at {} lies too far out; coordinates go from −{} to {}.</source>
+        <translation>Un point en {} est trop loin ; les coordonnées vont de −{} à {}.</translation>
+    </message>
+    <message>
+        <source>A solid of {} voxels a side holds no neighbourhood of {}.</source>
+        <translation>Un solide de {} voxels de côté ne contient aucun voisinage de {}.</translation>
+    </message>
+    <message>
+        <source>A step gave values that are no numbers: the optimisation ended with the last that are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A trained generator to go on from.</source>
+        <translation>Un générateur entraîné à partir duquel continuer.</translation>
+    </message>
+    <message>
+        <source>Adam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All three axes are free, so that nothing is wanted of the solid; give one of them an exemplar and a weight.</source>
+        <translation>Les trois axes sont libres, de sorte que rien n’est demandé au solide ; donnez à l’un d’eux un exemple et un poids.</translation>
+    </message>
+    <message>
+        <source>All {} × {} px of the image to start from are known, so that there is nothing to make; mask less.</source>
+        <translation>Les {} × {} px de l’image de départ sont tous connus : il n’y a rien à faire ; masquez moins.</translation>
+    </message>
+    <message>
+        <source>Also compares the distribution of colours, which networks alone let drift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anamorphosis: bending what repeats</source>
+        <translation>Anamorphose : courber ce qui se répète</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Tel quel</translation>
+    </message>
+    <message>
+        <source>As the descriptor says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At each scale: more come closer to the exemplar and take longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes noise, or an initial image, until the feature maps of a network vary together as the exemplar&apos;s do. New pixels rather than copies; long straight structures may bend or break.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cutting a slice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Descriptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Descriptor: {} (licence {}; {}; SHA-1 {}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of neighbourhoods</source>
+        <translation>Distance des voisinages</translation>
+    </message>
+    <message>
+        <source>Distributes the patches of all slices as the exemplar&apos;s are; or matches histograms of pyramids, for grain without shapes; or copies neighbourhoods that agree in all directions (Kopf); or makes one voxel after another (Wei).</source>
+        <translation>Distribue les morceaux de toutes les coupes comme ceux de l’exemple ; ou égalise des histogrammes de pyramides, pour du grain sans formes ; ou copie des voisinages qui s’accordent dans toutes les directions (Kopf) ; ou fait un voxel après l’autre (Wei).</translation>
+    </message>
+    <message>
+        <source>Even tone</source>
+        <translation>Égaliser le ton</translation>
+    </message>
+    <message>
+        <source>Evening tone</source>
+        <translation>Égalisation du ton</translation>
+    </message>
+    <message>
+        <source>Exemplar&apos;s side</source>
+        <translation>Côté de l’exemple</translation>
+    </message>
+    <message>
+        <source>Exemplars with a longer side are scaled down to this: smaller makes features smaller, so that a solid holds more of them.</source>
+        <translation>Les exemples d’un côté plus long y sont ramenés : plus petit rend les motifs plus petits, de sorte qu’un solide en contient davantage.</translation>
+    </message>
+    <message>
+        <source>Figure 5.42 of Raad&apos;s thesis on free exemplars: metal and rock with random low frequencies. Where high and low frequencies go together, as here, it shows.</source>
+        <translation>La figure 5.42 de la thèse de Raad sur des exemplaires libres : métal et roche aux basses fréquences aléatoires. Là où hautes et basses fréquences vont ensemble, comme ici, cela se voit.</translation>
+    </message>
+    <message>
+        <source>Figures 5.31 to 5.35 of Raad&apos;s thesis on free exemplars: wood and rock bent along one axis and along both. From farther away they remain much alike.</source>
+        <translation>Les figures 5.31 à 5.35 de la thèse de Raad sur des exemplaires libres : bois et roche courbés selon un axe et selon les deux. De plus loin, ils restent très semblables.</translation>
+    </message>
+    <message>
+        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, each three times.</source>
+        <translation>Les figures 5.36 à 5.41 de la thèse de Raad sur des exemplaires libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, trois fois chacun.</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Premier</translation>
+    </message>
+    <message>
+        <source>First tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Generator</source>
+        <translation>Générateur</translation>
+    </message>
+    <message>
+        <source>Gives all exemplars the colours of the first, without which slices of two kinds cannot agree where they cross.</source>
+        <translation>Donne à tous les exemples les couleurs du premier, sans quoi des coupes de deux sortes ne peuvent s’accorder là où elles se croisent.</translation>
+    </message>
+    <message>
+        <source>Gives the result the exemplar&apos;s distribution of colours at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gram matrices of a network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half</source>
+        <translation>Demi-tour</translation>
+    </message>
+    <message>
+        <source>How far Adam moves in one step, in deviations of the exemplar&apos;s colours: larger is faster and less exact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far each step goes at the beginning; it falls to a twentieth. Too large, and the loss jumps; too small, and it falls slowly.</source>
+        <translation>Longueur de chaque pas au début ; elle tombe à un vingtième. Trop grande, la perte saute ; trop petite, elle baisse lentement.</translation>
+    </message>
+    <message>
+        <source>How many sizes of the picture, each half the one before, the network sees at once: more hold larger structures together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much rough pixels are avoided: more smooths noise and fine detail alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much the distribution of small patches counts, which makes edges sharper; 0 leaves it to the descriptor.</source>
+        <translation>Combien compte la distribution des petits morceaux, qui rend les bords plus nets ; 0 s’en remet au descripteur.</translation>
+    </message>
+    <message>
+        <source>How much the features count that the descriptor sees in slices; 0 compares patches alone.</source>
+        <translation>Combien comptent les caractéristiques que le descripteur voit dans les coupes ; 0 ne compare que des morceaux.</translation>
+    </message>
+    <message>
+        <source>How much these slices count beside the others; 0 leaves the axis free.</source>
+        <translation>Combien ces coupes comptent à côté des autres ; 0 laisse l’axe libre.</translation>
+    </message>
+    <message>
+        <source>How the exemplar is turned in these slices; where they meet, patterns must agree.</source>
+        <translation>Comment l’exemple est tourné dans ces coupes ; là où elles se croisent, les motifs doivent s’accorder.</translation>
+    </message>
+    <message>
+        <source>How the network halves its feature maps: by their mean, or by the largest of four values.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights anew with every atom, which follows the patch more closely and takes a little longer.</source>
+        <translation>Comment sont trouvés les poids des atomes d’un patch : simple, comme publié, ajoute un atome après l’autre ; orthogonale retrouve tous les poids à chaque atome, suit le patch de plus près et prend un peu plus de temps.</translation>
+    </message>
+    <message>
+        <source>L-BFGS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L-BFGS learns the curvature of the loss and comes further in as many iterations; Adam takes steps of one length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learned from the exemplar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning rate</source>
+        <translation>Taux d’apprentissage</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>À gauche</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>Perte</translation>
+    </message>
+    <message>
+        <source>Low frequencies: three of each</source>
+        <translation>Basses fréquences : trois de chaque</translation>
+    </message>
+    <message>
+        <source>Makes a solid block that repeats in all directions and whose slices look like the exemplar, or like one exemplar for each direction. The picture is its slice at z = 0.</source>
+        <translation>Fait un bloc qui se répète dans toutes les directions et dont les coupes ressemblent à l’exemple, ou à un exemple par direction. L’image en est la coupe en z = 0.</translation>
+    </message>
+    <message>
+        <source>Match histograms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matching feature maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matching neighbourhoods</source>
+        <translation>Appariement des voisinages</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>En miroir</translation>
+    </message>
+    <message>
+        <source>Mirrored, half</source>
+        <translation>En miroir, demi-tour</translation>
+    </message>
+    <message>
+        <source>Mirrored, left</source>
+        <translation>En miroir, à gauche</translation>
+    </message>
+    <message>
+        <source>Mirrored, right</source>
+        <translation>En miroir, à droite</translation>
+    </message>
+    <message>
+        <source>Move seams</source>
+        <translation>Déplacer les coutures</translation>
+    </message>
+    <message>
+        <source>Moving seams</source>
+        <translation>Déplacement des coutures</translation>
+    </message>
+    <message>
+        <source>Neighbourhoods</source>
+        <translation>Voisinages</translation>
+    </message>
+    <message>
+        <source>Normalised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
+        <translation>Rien de l’image de départ, {} × {} px, n’est connu : il n’y a pas de trou à remplir ; omettez le masque ou marquez ce qui doit rester.</translation>
+    </message>
+    <message>
+        <source>Of each direction in one iteration: more make each step surer and longer.</source>
+        <translation>De chaque direction dans une itération : davantage rendent chaque pas plus sûr et plus long.</translation>
+    </message>
+    <message>
+        <source>Of the slices that are made and compared: larger ones say more of large features, and take longer.</source>
+        <translation>Des coupes qui sont faites et comparées : de plus grandes en disent plus sur les grands motifs, et prennent plus de temps.</translation>
+    </message>
+    <message>
+        <source>Only the patches of slices were compared: the descriptor sees grey pictures and those of three channels.</source>
+        <translation>Seuls les morceaux des coupes ont été comparés : le descripteur voit les images grises et celles de trois canaux.</translation>
+    </message>
+    <message>
+        <source>Optimised solid</source>
+        <translation>Solide optimisé</translation>
+    </message>
+    <message>
+        <source>Optimiser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orthogonal</source>
+        <translation>Orthogonale</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Le sien</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Simple</translation>
+    </message>
+    <message>
+        <source>Pooling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the descriptor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pursuit</source>
+        <translation>Poursuite</translation>
+    </message>
+    <message>
+        <source>Pyramid histograms</source>
+        <translation>Histogrammes de pyramides</translation>
+    </message>
+    <message>
+        <source>Random filters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Random mosaics: three of each</source>
+        <translation>Mosaïques aléatoires : trois de chaque</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relative Gram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>À droite</translation>
+    </message>
+    <message>
+        <source>Rounds at each scale: more bring the slices closer to the exemplar.</source>
+        <translation>Tours à chaque échelle : davantage rapprochent les coupes de l’exemple.</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Balayage</translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation>Balayage</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Deuxième</translation>
+    </message>
+    <message>
+        <source>Side of the neighbourhoods compared in slices at each scale: larger keeps larger structures whole and takes longer.</source>
+        <translation>Côté des voisinages comparés dans les coupes à chaque échelle : plus grand garde entières de plus grandes structures et prend plus de temps.</translation>
+    </message>
+    <message>
+        <source>Side of the patches that are compared: larger keeps larger structures, smaller varies more. Where a hole is filled, they are half as large again.</source>
+        <translation>Côté des patchs comparés : plus grand conserve des structures plus grandes, plus petit varie davantage. Là où un trou est rempli, ils sont plus grands de moitié.</translation>
+    </message>
+    <message>
+        <source>Side of the slices</source>
+        <translation>Côté des coupes</translation>
+    </message>
+    <message>
+        <source>Side of the solid</source>
+        <translation>Côté du solide</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Coupes</translation>
+    </message>
+    <message>
+        <source>Slices square to {} are to look like exemplar {}, and there are {}: give it, or choose another one or none.</source>
+        <translation>Les coupes perpendiculaires à {} doivent ressembler à l’exemple {}, et il y en a {} : donnez-le, ou choisissez-en un autre ou aucun.</translation>
+    </message>
+    <message>
+        <source>Solid texture</source>
+        <translation>Texture solide</translation>
+    </message>
+    <message>
+        <source>Square to x</source>
+        <translation type="unfinished">Perpendiculaire à x</translation>
+    </message>
+    <message>
+        <source>Square to y</source>
+        <translation type="unfinished">Perpendiculaire à y</translation>
+    </message>
+    <message>
+        <source>Square to z</source>
+        <translation type="unfinished">Perpendiculaire à z</translation>
+    </message>
+    <message>
+        <source>Statistic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of training: a few hundred show what becomes of it, some thousands make it sharper. It can be stopped at any time and keeps what it has learned.</source>
+        <translation>Pas d’entraînement : quelques centaines montrent ce qui en sortira, quelques milliers le rendent plus net. On peut l’arrêter à tout moment, et il garde ce qu’il a appris.</translation>
+    </message>
+    <message>
+        <source>Stopped after {} of {} iterations; the generator knows what it had learned by then.</source>
+        <translation>Arrêté après {} itérations sur {} ; le générateur sait ce qu’il avait appris jusque-là.</translation>
+    </message>
+    <message>
+        <source>Texloom&apos;s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The checkpoint does not suit this run: begin anew without --resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The checkpoint holds no solid; begin anew without it.</source>
+        <translation>Le point de reprise ne contient pas de solide ; recommencez sans lui.</translation>
+    </message>
+    <message>
+        <source>The checkpoint is of a generator of another size; begin anew without it.</source>
+        <translation>Le point de reprise est celui d’un générateur d’une autre taille ; recommencez sans lui.</translation>
+    </message>
+    <message>
+        <source>The descriptor cannot be used: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The descriptor gives values that are no numbers at its tap {}: its weights are too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The descriptor sees {} channels, and the exemplar has {} with its maps: choose one that sees them all, such as exemplar, random or wavelet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The descriptor {} sees {} channels, and the exemplar has {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exemplar has {} × {} px here; its sides must have at least {} px.</source>
+        <translation>L’exemple a ici {} × {} px ; ses côtés doivent avoir au moins {} px.</translation>
+    </message>
+    <message>
+        <source>The exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first layer of the network that is compared; a larger number leaves fine detail free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first tap is {}, and the descriptor has {}: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first tap is {}, which comes after the last, {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The generator makes {} channels, and the exemplars have {}.</source>
+        <translation>Le générateur fait {} canaux, et les exemples en ont {}.</translation>
+    </message>
+    <message>
+        <source>The generator&apos;s array {} holds {}; variances are not below 0.</source>
+        <translation>Le tableau {} du générateur contient {} ; les variances ne sont pas inférieures à 0.</translation>
+    </message>
+    <message>
+        <source>The generator&apos;s shape of {} dimensions, coarsest scale {}, {} channels of noise, steps of {} and {} channels is none that can be evaluated.</source>
+        <translation>La forme du générateur, de {} dimensions, d’échelle la plus grossière {}, de {} canaux de bruit, de pas de {} et de {} canaux, ne peut pas être évaluée.</translation>
+    </message>
+    <message>
+        <source>The hole of {:.0f} px is larger than the {:.0f} px of the picture that are left to fill it from; mark a smaller one, or add another exemplar.</source>
+        <translation>Le trou de {:.0f} px est plus grand que les {:.0f} px de l’image qui restent pour le remplir ; marquez-en un plus petit ou ajoutez un autre exemplaire.</translation>
+    </message>
+    <message>
+        <source>The last layer that is compared, or all that there are; a smaller number leaves large structures free and is faster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The maps of the material have {} × {} and {} × {} px, so that they do not lie on one another; choose maps of one size.</source>
+        <translation>Les cartes du matériau font {} × {} et {} × {} px et ne se superposent donc pas ; choisissez des cartes d’une même taille.</translation>
+    </message>
+    <message>
+        <source>The mesh has no face, so that there is nothing to show a material on; choose another one.</source>
+        <translation>Le maillage n’a aucune face où montrer un matériau ; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The network has no layer for the tap {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The network whose feature maps are compared: the file that is given, else Texloom&apos;s own; maps beside colours need one that sees them: learned from the exemplar, random or wavelets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The solid in space, without end; the picture is its slice at z = 0.</source>
+        <translation>Le solide dans l’espace, sans fin ; l’image en est la coupe en z = 0.</translation>
+    </message>
+    <message>
+        <source>The solid, which repeats after its side along every axis.</source>
+        <translation>Le solide, qui se répète après son côté le long de chaque axe.</translation>
+    </message>
+    <message>
+        <source>The weights of {} do not fit {} channels and a square of odd side, or have no bias.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The weights of {} hold values that are no numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The weights of {} lie beyond the end of the file, which holds {} numbers: it is cut short or of another network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no light in this panorama; choose another picture.</source>
+        <translation>Il n’y a pas de lumière dans ce panorama ; choisissez une autre image.</translation>
+    </message>
+    <message>
+        <source>Third</source>
+        <translation>Troisième</translation>
+    </message>
+    <message>
+        <source>Total variation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Entraînement</translation>
+    </message>
+    <message>
+        <source>Trains a small network on single slices, which then makes any part of an endless solid at once. For grain and blobs that look alike in all directions, and, with one axis free, for what runs along it.</source>
+        <translation>Entraîne un petit réseau sur des coupes isolées, qui fait ensuite aussitôt n’importe quelle partie d’un solide sans fin. Pour le grain et les taches semblables dans toutes les directions et, avec un axe libre, pour ce qui le longe.</translation>
+    </message>
+    <message>
+        <source>Turn square to x</source>
+        <translation>Rotation perpendiculaire à x</translation>
+    </message>
+    <message>
+        <source>Turn square to y</source>
+        <translation>Rotation perpendiculaire à y</translation>
+    </message>
+    <message>
+        <source>Turn square to z</source>
+        <translation>Rotation perpendiculaire à z</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished">Volume</translation>
+    </message>
+    <message>
+        <source>Voxels along each axis, after which the solid repeats: twice as many take eight times as long.</source>
+        <translation>Voxels le long de chaque axe, après lesquels le solide se répète : deux fois plus prennent huit fois plus de temps.</translation>
+    </message>
+    <message>
+        <source>Wavelets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of patches</source>
+        <translation>Poids des morceaux</translation>
+    </message>
+    <message>
+        <source>Weight of the descriptor</source>
+        <translation>Poids du descripteur</translation>
+    </message>
+    <message>
+        <source>Weight square to x</source>
+        <translation>Poids perpendiculaire à x</translation>
+    </message>
+    <message>
+        <source>Weight square to y</source>
+        <translation>Poids perpendiculaire à y</translation>
+    </message>
+    <message>
+        <source>Weight square to z</source>
+        <translation>Poids perpendiculaire à z</translation>
+    </message>
+    <message>
+        <source>What is compared of the feature maps: their moments once each has the exemplar&apos;s mean and deviation, their Gram matrices as published, or these relative to the exemplar&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What slices look like: one image for all directions, or one each for those square to z, y and x.</source>
+        <translation>L’aspect des coupes : une image pour toutes les directions, ou une pour chacune de celles perpendiculaires à z, y et x.</translation>
+    </message>
+    <message>
+        <source>What slices square to this axis look like. Own is the first exemplar for z, the second for y and the third for x, or the first where there are fewer; of a free axis nothing is wanted, as along the grain of wood.</source>
+        <translation>L’aspect des coupes perpendiculaires à cet axe. Le sien est le premier exemple pour z, le deuxième pour y et le troisième pour x, ou le premier s’il y en a moins ; d’un axe libre rien n’est demandé, comme le long du fil du bois.</translation>
+    </message>
+    <message>
+        <source>What was learned, under half a megabyte: `texloom-cli sample` makes boxes, slices and coloured meshes of it.</source>
+        <translation>Ce qui a été appris, moins d’un demi-mégaoctet : `texloom-cli sample` en fait des boîtes, des coupes et des maillages colorés.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, moves the borders between what is copied to where they are seen least, so that few large pieces take the place of many small ones.</source>
+        <translation>Là où un trou est rempli, déplace les limites entre ce qui est copié là où elles se voient le moins, de sorte que peu de grands morceaux remplacent beaucoup de petits.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, takes the brightness and colour of what is copied from what is around it, so that no border is seen where the light changes; what is known stays as it is. Off: every pixel is a copy.</source>
+        <translation>Là où un trou est rempli, la luminosité et la couleur de ce qui est copié suivent ce qui l’entoure, de sorte qu’aucun bord ne se voit là où la lumière change ; ce qui est connu reste tel quel. Désactivé : chaque pixel est une copie.</translation>
+    </message>
+    <message>
+        <source>Writing a turn</source>
+        <translation>Écriture d’un tour</translation>
+    </message>
+    <message>
+        <source>a chain of its network does not end in a tap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a channel of the file, counted from 0</source>
+        <translation>un canal du fichier, compté à partir de 0</translation>
+    </message>
+    <message>
+        <source>a length from 1 to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its head lacks “{}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its network has more than {} steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the weights of its layer {} do not fit {} channels and a square of odd side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are no weights for its layer {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} cannot be read.</source>
+        <translation>{} ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>{} has {} channels; there is no channel {}.</source>
+        <translation>{} a {} canaux ; il n’y a pas de canal {}.</translation>
+    </message>
+    <message>
+        <source>{} holds more than {} bytes; unpack it first.</source>
+        <translation>{} contient plus de {} octets ; décompressez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>{} holds no picture that can be opened.</source>
+        <translation>{} ne contient aucune image qui puisse être ouverte.</translation>
+    </message>
+    <message>
+        <source>{} holds {} files, more than {}; unpack it first.</source>
+        <translation>{} contient {} fichiers, plus de {} ; décompressez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>{} holds {} pictures; open those that you want.</source>
+        <translation>{} contient {} images ; ouvrez celles que vous voulez.</translation>
+    </message>
+    <message>
+        <source>{} in {} is packed in a way that is not read; unpack the archive first.</source>
+        <translation>{} dans {} est comprimé d’une façon qui n’est pas lue ; décompressez d’abord l’archive.</translation>
+    </message>
+    <message>
+        <source>{} is a ZIP64 archive, which is not read; unpack it first.</source>
+        <translation>{} est une archive ZIP64, qui n’est pas lue ; décompressez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>{} is broken or no ZIP archive.</source>
+        <translation>{} est endommagé ou n’est pas une archive ZIP.</translation>
+    </message>
+    <message>
+        <source>{} is grey and is taken as coloured, as the others are.</source>
+        <translation>{} est en gris et est pris comme étant en couleur, comme les autres.</translation>
+    </message>
+    <message>
+        <source>{} is no .json: name the one that lies beside the .bin with the weights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is there already; choose a folder without pictures of an earlier turn.</source>
+        <translation>{} existe déjà ; choisissez un dossier sans images d’un tour précédent.</translation>
+    </message>
+    <message>
+        <source>{} names no convolution conv1_1: it is no network of VGG&apos;s kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: meshes with colours are written as .ply, .obj or .glb.</source>
+        <translation>{} : les maillages colorés sont écrits en .ply, .obj ou .glb.</translation>
+    </message>
+    <message>
+        <source>{}: {} vertices want three numbers each, and there are {}.</source>
+        <translation>{} : {} sommets demandent trois nombres chacun, et il y en a {}.</translation>
+    </message>
+    <message>
+        <source>“pooling” of its head is neither average nor maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{}” in its network means nothing there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{}” of its head is no number from {} to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>files</name>
     <message>
-        <source>Pictures and recipes (%1 *.json);;All files (*)</source>
-        <translation>Images et recettes (%1 *.json);;Tous les fichiers (*)</translation>
+        <source>Pictures, materials and recipes (%1 *.zip *.json);;All files (*)</source>
+        <translation>Images, matériaux et recettes (%1 *.zip *.json);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -4897,6 +5624,14 @@
     <message>
         <source>It cannot go on, since these files changed after it began: %1.</source>
         <translation>Il ne peut pas continuer, car ces fichiers ont changé depuis son début : %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>à partir de %1</translation>
     </message>
 </context>
 <context>
@@ -5128,6 +5863,14 @@
     <message>
         <source>Make more of a picture beyond its edges, with a method that completes pictures</source>
         <translation>Prolonger une image au-delà de ses bords, avec une méthode qui complète des images</translation>
+    </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Exporter de nou&amp;veau</translation>
+    </message>
+    <message>
+        <source>Write the result to the folder and in the way of the last export, without asking</source>
+        <translation>Écrire le résultat dans le dossier et de la façon du dernier export, sans demander</translation>
     </message>
 </context>
 <context>
@@ -5364,6 +6107,38 @@
     <message>
         <source>Drop maps such as bark_normal and bark_rough with bark, or add them.</source>
         <translation>Déposez des cartes comme bark_normal et bark_rough avec bark, ou ajoutez-les.</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rouge</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>vert</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>bleu</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <translation>alpha</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished">%1 : %2 {1,?}</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>canal %1</translation>
+    </message>
+    <message>
+        <source>%1, inverted</source>
+        <translation>%1, inversé</translation>
+    </message>
+    <message>
+        <source>%1, derived</source>
+        <translation>%1, dérivée</translation>
     </message>
 </context>
 <context>
@@ -5702,10 +6477,6 @@
         <translation>Ajouter</translation>
     </message>
     <message>
-        <source>As a further exemplar</source>
-        <translation>Comme échantillon de plus</translation>
-    </message>
-    <message>
         <source>Companion map</source>
         <translation>Carte associée</translation>
     </message>
@@ -5724,6 +6495,14 @@
     <message>
         <source>The method does not use a mask</source>
         <translation>La méthode n’utilise pas de masque</translation>
+    </message>
+    <message>
+        <source>Mixed with the exemplars in use</source>
+        <translation>Mélangé aux échantillons utilisés</translation>
+    </message>
+    <message>
+        <source>Opened to learn from</source>
+        <translation>Ouvert pour en apprendre</translation>
     </message>
 </context>
 <context>
@@ -6218,6 +6997,18 @@ Déposez une image ici.</translation>
         <source>replaces a file that is not Texloom&apos;s</source>
         <translation>remplace un fichier qui n&apos;est pas de Texloom</translation>
     </message>
+    <message>
+        <source>Create &amp;folder</source>
+        <translation>Créer le &amp;dossier</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Le dossier %1 ne peut pas être créé.</translation>
+    </message>
+    <message>
+        <source>%1, %2 values clipped</source>
+        <translation>%1, %2 valeurs écrêtées</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExtendDialog</name>
@@ -6352,12 +7143,56 @@ Déposez une image ici.</translation>
         <source>Stopped. Make another result, or close and open this dock to start again.</source>
         <translation>Arrêté. Produisez un autre résultat, ou fermez et rouvrez ce volet pour recommencer.</translation>
     </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished">Genre</translation>
+    </message>
+    <message>
+        <source>Arrays</source>
+        <translation>Tableaux</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished">Valeurs</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Sommets</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::FramePage</name>
     <message>
-        <source>Drag the corners; N takes the next one, the arrow keys move it.</source>
-        <translation>Glissez les coins ; N prend le suivant, les flèches le déplacent.</translation>
+        <source>R&amp;atio</source>
+        <translation>R&amp;apport</translation>
+    </message>
+    <message>
+        <source>Draw a rectangle, drag its edges or drag it as a whole; Shift makes a square. N takes the next corner, the arrow keys move it. Enter applies, Esc leaves.</source>
+        <translation>Tracez un rectangle, faites glisser ses bords ou le tout ; Maj fait un carré. N prend le coin suivant, les flèches le déplacent. Entrée applique, Échap quitte.</translation>
+    </message>
+    <message>
+        <source>Drag the corners; N takes the next one, the arrow keys move it. Enter applies, Esc leaves.</source>
+        <translation>Faites glisser les coins ; N prend le suivant, les flèches le déplacent. Entrée applique, Échap quitte.</translation>
+    </message>
+    <message>
+        <source>The rectangle&apos;s width by its height</source>
+        <translation>La largeur du rectangle par sa hauteur</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Carré</translation>
+    </message>
+    <message>
+        <source>As the picture</source>
+        <translation>Comme l’image</translation>
     </message>
 </context>
 <context>
@@ -7011,6 +7846,73 @@ Déposez une image ici.</translation>
         <source>The recipe was made by Texloom %1; this is %2, so the result may differ.</source>
         <translation>La recette a été faite par Texloom %1 ; ceci est %2, le résultat peut donc différer.</translation>
     </message>
+    <message>
+        <source>Stopped. One run that waited was given up.</source>
+        <translation>Arrêté. Un calcul en attente a été abandonné.</translation>
+    </message>
+    <message>
+        <source>Stopped. %1 runs that waited were given up.</source>
+        <translation>Arrêté. %1 calculs en attente ont été abandonnés.</translation>
+    </message>
+    <message>
+        <source>Maps of the same material lie beside it: %1.</source>
+        <translation>Des cartes du même matériau se trouvent à côté : %1.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished">Ajouter</translation>
+    </message>
+    <message>
+        <source>There is a preset %1 already.</source>
+        <translation>Il y a déjà un préréglage %1.</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Le remplacer</translation>
+    </message>
+    <message>
+        <source>The session was saved by Texloom %1; this is %2, so results may differ.</source>
+        <translation>La session a été enregistrée par Texloom %1 ; ceci est %2, les résultats peuvent donc différer.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MapDeriver</name>
+    <message>
+        <source>Deri&amp;ve a map</source>
+        <translation>Déri&amp;ver une carte</translation>
+    </message>
+    <message>
+        <source>&amp;Normal from height</source>
+        <translation>&amp;Normales d’après la hauteur</translation>
+    </message>
+    <message>
+        <source>Makes the normal map that belongs to the height map.</source>
+        <translation>Fait la carte de normales qui correspond à la carte de hauteur.</translation>
+    </message>
+    <message>
+        <source>&amp;Height from normal</source>
+        <translation>&amp;Hauteur d’après les normales</translation>
+    </message>
+    <message>
+        <source>Integrates the slopes of the normal map; how deep the relief is cannot be told from it.</source>
+        <translation>Intègre les pentes de la carte de normales ; elle ne dit pas la profondeur du relief.</translation>
+    </message>
+    <message>
+        <source>&amp;Roughness, a first guess</source>
+        <translation>&amp;Rugosité, une première estimation</translation>
+    </message>
+    <message>
+        <source>Bright and pale places are taken as smooth, dark ones as rough: a start, to be corrected by hand.</source>
+        <translation>Les endroits clairs et pâles sont pris comme lisses, les sombres comme rugueux : un début, à corriger à la main.</translation>
+    </message>
+    <message>
+        <source>&amp;Occlusion, a first guess</source>
+        <translation>&amp;Occlusion, une première estimation</translation>
+    </message>
+    <message>
+        <source>Places that lie below their surroundings in the height map are darkened.</source>
+        <translation>Les endroits plus bas que leur entourage dans la carte de hauteur sont assombris.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapPage</name>
@@ -7100,6 +8002,196 @@ Déposez une image ici.</translation>
     <message>
         <source>Takes all away that is painted</source>
         <translation>Retire tout ce qui est peint</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MaterialPage</name>
+    <message>
+        <source>Drag to turn it, with the middle button to move it, with Shift and the right button to turn the light; the wheel comes nearer. C shows the maps alone, M the material, F frames it, R resets.</source>
+        <translation>Glissez pour le tourner, avec le bouton du milieu pour le déplacer, avec Maj et le bouton droit pour tourner la lumière ; la molette rapproche. C montre les cartes seules, M le matériau, F le cadre, R réinitialise.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Cube</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Mesh from a file…</source>
+        <translation>Maillage d’un fichier…</translation>
+    </message>
+    <message>
+        <source>Studio lights</source>
+        <translation>Lumières de studio</translation>
+    </message>
+    <message>
+        <source>Courtyard</source>
+        <translation>Cour</translation>
+    </message>
+    <message>
+        <source>Studio room</source>
+        <translation>Salle de studio</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Coucher de soleil</translation>
+    </message>
+    <message>
+        <source>Panorama from a file…</source>
+        <translation>Panorama d’un fichier…</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">Couleur</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normales</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation type="unfinished">Rugosité</translation>
+    </message>
+    <message>
+        <source>Metallic</source>
+        <translation type="unfinished">Métallique</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Occlusion</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Hauteur</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished">Opacité</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished">Lumière</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation type="unfinished">Aucun</translation>
+    </message>
+    <message>
+        <source>From the lowest height to the highest, as a share of the maps&apos; side; needs a height map</source>
+        <translation>De la plus petite hauteur à la plus grande, en part du côté des cartes ; demande une carte de hauteurs</translation>
+    </message>
+    <message>
+        <source> stops</source>
+        <translation> crans</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation type="unfinished">Répéter</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished">Montrer</translation>
+    </message>
+    <message>
+        <source>Lit by</source>
+        <translation>Éclairé par</translation>
+    </message>
+    <message>
+        <source>Turned by</source>
+        <translation>Tourné de</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposition</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Enregistrer l’image…</translation>
+    </message>
+    <message>
+        <source>Turntable…</source>
+        <translation>Tour complet…</translation>
+    </message>
+    <message>
+        <source>Mesh to show the material on</source>
+        <translation>Maillage qui porte le matériau</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb)</source>
+        <translation>Maillages (*.obj *.ply *.gltf *.glb)</translation>
+    </message>
+    <message>
+        <source>Panorama to light the material by</source>
+        <translation>Panorama qui éclaire le matériau</translation>
+    </message>
+    <message>
+        <source>Pictures (*.exr *.hdr *.tif *.png *.jpg)</source>
+        <translation>Images (*.exr *.hdr *.tif *.png *.jpg)</translation>
+    </message>
+    <message>
+        <source>Save the picture of the material</source>
+        <translation>Enregistrer l’image du matériau</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.exr *.tif *.jpg)</source>
+        <translation>Images (*.png *.exr *.tif *.jpg)</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures of a turn</source>
+        <translation>Dossier des images d’un tour</translation>
+    </message>
+    <message>
+        <source>There is no material to save a picture of yet; press Run first.</source>
+        <translation>Il n’y a pas encore de matériau à enregistrer ; appuyez d’abord sur Lancer.</translation>
+    </message>
+    <message>
+        <source>Writing %1 pictures of a turn</source>
+        <translation>Écriture de %1 images d’un tour</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::MaterialView</name>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin en cours…</translation>
+    </message>
+    <message>
+        <source>No result yet. Press Run.</source>
+        <translation type="unfinished">Pas encore de résultat. Cliquez sur Lancer.</translation>
     </message>
 </context>
 <context>
@@ -7669,10 +8761,6 @@ Déposez une image ici.</translation>
         <translation>Le préréglage doit avoir un nom avec une lettre ou un chiffre.</translation>
     </message>
     <message>
-        <source>There is a preset %1 already; choose another name or remove it first.</source>
-        <translation>Il y a déjà un préréglage %1 ; choisissez un autre nom ou retirez-le d’abord.</translation>
-    </message>
-    <message>
         <source>Kept the preset %1.</source>
         <translation>Préréglage %1 gardé.</translation>
     </message>
@@ -7711,6 +8799,10 @@ Déposez une image ici.</translation>
     <message>
         <source>Export settings as a preset</source>
         <translation>Exporter les réglages comme préréglage</translation>
+    </message>
+    <message>
+        <source>Wrote the preset %1.</source>
+        <translation>Le préréglage %1 a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -7863,6 +8955,14 @@ Déposez une image ici.</translation>
         <source>Keep the chosen results: pinned ones are never removed automatically</source>
         <translation>Garder les résultats choisis : ceux épinglés ne sont jamais retirés d’office</translation>
     </message>
+    <message>
+        <source>&amp;Keep and go on</source>
+        <translation>&amp;Garder et continuer</translation>
+    </message>
+    <message>
+        <source>Pin the chosen result and choose the next one; 1 to 5 give it stars, 0 none</source>
+        <translation>Épingler le résultat choisi et choisir le suivant ; 1 à 5 donnent des étoiles, 0 aucune</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultExport</name>
@@ -7908,6 +9008,18 @@ Déposez une image ici.</translation>
     <message>
         <source>shown</source>
         <translation>affiché</translation>
+    </message>
+    <message>
+        <source>made before the edit</source>
+        <translation>fait avant la retouche</translation>
+    </message>
+    <message>
+        <source>%1 of %2 stars</source>
+        <translation>%1 étoiles sur %2</translation>
+    </message>
+    <message>
+        <source>before the edit</source>
+        <translation>avant la retouche</translation>
     </message>
 </context>
 <context>
@@ -8000,6 +9112,26 @@ Déposez une image ici.</translation>
         <source>De&amp;lete “%1”</source>
         <translation>&amp;Supprimer « %1 »</translation>
     </message>
+    <message>
+        <source>With stars</source>
+        <translation>Avec étoiles</translation>
+    </message>
+    <message>
+        <source>Delete pinned results?</source>
+        <translation>Supprimer des résultats épinglés ?</translation>
+    </message>
+    <message>
+        <source>“%1” is pinned. Delete it all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the %2 chosen results are pinned. Delete all of them?</source>
+        <translation>%1 des %2 résultats choisis sont épinglés. Les supprimer tous ?</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ResultView</name>
@@ -8082,6 +9214,22 @@ Déposez une image ici.</translation>
     <message>
         <source>This method learned from no exemplar, so there is no map of where its pixels came from.</source>
         <translation>Cette méthode n’a appris d’aucun échantillon ; il n’y a donc pas de carte de la provenance de ses pixels.</translation>
+    </message>
+    <message>
+        <source>Does not wrap: make it wrap</source>
+        <translation>Non raccordable : rendre raccordable</translation>
+    </message>
+    <message>
+        <source>Ticks both axes under “Wraps” and runs these settings again.</source>
+        <translation>Coche les deux axes sous « Raccord » et relance ces réglages.</translation>
+    </message>
+    <message>
+        <source>Made before the edit: run again</source>
+        <translation>Fait avant la retouche : relancer</translation>
+    </message>
+    <message>
+        <source>The exemplar was edited since; runs these settings on it as it is now.</source>
+        <translation>L’échantillon a été retouché depuis ; relance ces réglages sur son état actuel.</translation>
     </message>
 </context>
 <context>
@@ -8187,6 +9335,22 @@ Déposez une image ici.</translation>
     <message>
         <source>Cancelled at %1, and nothing of it kept: %2.</source>
         <translation>Annulé à %1, sans rien en garder : %2.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>The result and its maps lit, on a shape or a mesh of your own.</source>
+        <translation>Le résultat et ses cartes éclairés, sur une forme ou un maillage à vous.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished">Ouvrir le dossier</translation>
     </message>
 </context>
 <context>
@@ -8790,6 +9954,25 @@ Déposez une image ici.</translation>
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ZoomBox</name>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished">%1 %</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s size on the screen: 100 % is one screen pixel for each of its own.</source>
+        <translation>La taille de l’image à l’écran : 100 % est un pixel d’écran pour chacun des siens.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation type="unfinished">Ajuster</translation>
     </message>
 </context>
 <context>
