@@ -132,8 +132,7 @@ void GeneratorTrainer::backward(const Volume& gradient, JobContext& context) {
         const int ups = tape.enlarged.channels();
         normaliseGradient(*tape.sideField, tape.side, false, scale.side, joined, ups, m_change, sums.side,
                           context);
-        const Field side = m_change;
-        blockBackward(scale.noise, tape.noiseBlock, side, sums.noise, nullptr, context);
+        blockBackward(scale.noise, tape.noiseBlock, m_change, sums.noise, nullptr, context);
         normaliseGradient(tape.enlarged, tape.up, false, scale.up, joined, 0, m_change, sums.up, context);
         const Box &box = m_boxes[at(k)].joined, &coarse = m_boxes[at(k + 1)].output;
         const Field& from = *m_tapes[at(k + 1)].output;

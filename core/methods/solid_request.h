@@ -99,13 +99,13 @@ template <class Settings> std::vector<Param> sliceFields() {
         weight(&Settings::weightX, "weight-x", TR("Weight square to x")),
         weight(&Settings::weightY, "weight-y", TR("Weight square to y")),
         weight(&Settings::weightZ, "weight-z", TR("Weight square to z")),
-        field(&Settings::exemplarSide, "exemplar-side", TR("Exemplar's side"))
+        field(static_cast<int Settings::*>(&Settings::exemplarSide), "exemplar-side", TR("Exemplar's side"))
             .range(16, 512)
             .unit("px")
             .help(TR("Exemplars with a longer side are scaled down to this: smaller makes features smaller, "
                      "so that "
                      "a solid holds more of them.")),
-        field(&Settings::matchColours, "match-colours", TR("Match colours"))
+        field(static_cast<bool Settings::*>(&Settings::matchColours), "match-colours", TR("Match colours"))
             .group(TR("Directions"))
             .help(TR("Gives all exemplars the colours of the first, without which slices of two kinds cannot "
                      "agree where they cross."))};

@@ -126,14 +126,15 @@ std::string glbOf(const Mesh& mesh, const std::vector<float>& colours, const std
             append(data, vertex);
     close(begin, kIndices, kUnsigned, "SCALAR", 3 * mesh.triangles.size());
     const Json primitive = {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}}, {"indices", 3}};
-    const Json head = {{"asset", {{"version", "2.0"}, {"generator", "Texloom"}}},
-                       {"scene", 0},
-                       {"scenes", {{{"nodes", {0}}}}},
-                       {"nodes", {{{"mesh", 0}}}},
-                       {"meshes", {{{"primitives", {primitive}}}}},
-                       {"buffers", {{{"byteLength", data.size()}}}},
-                       {"bufferViews", views},
-                       {"accessors", accessors}};
+    Json head;
+    head["asset"] = {{"version", "2.0"}, {"generator", "Texloom"}};
+    head["scene"] = 0;
+    head["scenes"][0]["nodes"] = Json::array({0});
+    head["nodes"][0]["mesh"] = 0;
+    head["meshes"][0]["primitives"] = Json::array({primitive});
+    head["buffers"][0]["byteLength"] = data.size();
+    head["bufferViews"] = views;
+    head["accessors"] = accessors;
     std::string text = head.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string bytes = "glTF";

@@ -19,6 +19,8 @@ public:
 
     const std::vector<SliceGoal>& goals() const { return m_goals; }
     bool describes() const { return m_describes; }
+    /// Whether the exemplars are of one colour, so that there is nothing to compare.
+    bool constant() const { return m_colours->components() == 0; }
     /// Principal colours: the mean, and the change of the channels by each component of variance 1, row by
     /// row in channels × channels numbers, of which those without a component are 0.
     const std::vector<float>& mean() const { return m_mean; }

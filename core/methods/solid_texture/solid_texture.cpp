@@ -41,6 +41,10 @@ public:
     bool describes() const { return m_loss.describes(); }
 
     void run() {
+        if (m_loss.constant()) {
+            m_done = m_settings.iterations;
+            return;
+        }
         if (const std::string* earlier = m_context.resumed())
             takeUp(*earlier);
         for (; m_done < m_settings.iterations && !m_context.endsEarly(); ++m_done) {
@@ -108,10 +112,8 @@ private:
     }
 
     std::string state() const {
-        std::string text(reinterpret_cast<const char*>(&m_done), sizeof m_done);
         const int next = m_done + 1;
-        std::memcpy(text.data(), &next, sizeof next);
-        return text + m_trainer.state();
+        return std::string(reinterpret_cast<const char*>(&next), sizeof next) + m_trainer.state();
     }
     void takeUp(const std::string& text) {
         if (text.size() < sizeof m_done)
