@@ -127,9 +127,6 @@ public:
     void preview(Size full, const std::function<Image(Size size, int step)>& made);
     /// Whether preview() would take a picture now, for methods that must make one for it.
     bool previewDue() const { return stopsEarly() || (m_previews && Clock::now() >= m_nextPreview); }
-    /// Whether the job is to stop and keep what it has. A method that can make a whole result of that, as one
-    /// that trains, ends its work by itself then, without another preview().
-    bool endsEarly() const { return stopsEarly(); }
     /// Random numbers of this job; see Random.
     const Random& random() const { return m_random; }
     int threads() const { return m_threads; }

@@ -47,7 +47,7 @@ public:
         }
         if (const std::string* earlier = m_context.resumed())
             takeUp(*earlier);
-        for (; m_done < m_settings.iterations && !m_context.endsEarly(); ++m_done) {
+        for (; m_done < m_settings.iterations && !m_stopped; ++m_done) {
             m_lastLoss = iteration();
             m_context.curve(TR("Loss"), m_lastLoss);
             m_context.progress((m_done + 1.0) / m_settings.iterations);
@@ -96,10 +96,8 @@ private:
 
     /// The slice that is learned from now, laid out over the output.
     void show(const Volume& slice, Axis axis) {
-        if (m_context.endsEarly())
-            return;
         const int side = m_settings.trainSide;
-        m_context.preview(m_request.size, [&](Size size, int step) {
+        const auto laidOut = [&](Size size, int step) {
             Image picture(size, slice.channels());
             for (int c = 0; c < slice.channels(); ++c)
                 for (int y = 0; y < size.height; ++y)
@@ -108,7 +106,12 @@ private:
                         picture(x, y, c) = slice(v.x, v.y, v.z, c);
                     }
             return picture;
-        });
+        };
+        try {
+            m_context.preview(m_request.size, laidOut);
+        } catch (const StoppedEarly&) { // what was learned is worth more than this picture
+            m_stopped = true;
+        }
     }
 
     std::string state() const {
@@ -128,6 +131,7 @@ private:
     SliceLoss m_loss;
     GeneratorTrainer m_trainer;
     int m_done = 0;
+    bool m_stopped = false; ///< told to stop and keep what there is
     double m_lastLoss = 0;
 };
 
