@@ -11,10 +11,10 @@
 
 namespace texloom::gram_cnn {
 
-TextureLossOptions Settings::lossOptions() const {
+TextureLossOptions Settings::lossOptions(const Descriptor& used) const {
     TextureLossOptions options;
     options.statistic = statistic;
-    options.levels = levels;
+    options.levels = levels > 0 ? levels : used.levels;
     if (pooling != PoolingChoice::Own)
         options.pooling = pooling == PoolingChoice::Average ? Pooling::Average : Pooling::Maximum;
     options.firstTap = firstTap - 1;
@@ -36,7 +36,7 @@ void check(const Request& request, const Settings& settings) {
     if (settings.firstTap > settings.lastTap)
         failUsage(TR("The first tap is {}, which comes after the last, {}."), settings.firstTap,
                   settings.lastTap);
-    const int least = TextureLoss::leastSide(descriptor, settings.levels);
+    const int least = TextureLoss::leastSide(descriptor, settings.lossOptions(descriptor).levels);
     for (const Size& size : request.exemplarSizes())
         if (std::min(size.width, size.height) < least)
             failUsage(TR("An exemplar of {}×{} px is too small for the network, which needs {} px a side."),
@@ -45,7 +45,7 @@ void check(const Request& request, const Settings& settings) {
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Descriptor descriptor = plannedDescriptor(request, settings.descriptor);
-    const TextureLossOptions options = settings.lossOptions();
+    const TextureLossOptions options = settings.lossOptions(descriptor);
     const Size canvas = canvasAt(request, 0);
     auto area = static_cast<std::uint64_t>(canvas.area());
     std::uint64_t pixels = area, exemplarPixels = 0;
@@ -97,10 +97,10 @@ const Method self = method<Settings>(
          .range(1, 2000)
          .help(TR("At each scale: more come closer to the exemplar and take longer.")),
      field(&Settings::levels, "levels", TR("Levels"))
-         .range(1, 4)
+         .range(0, 4)
          .help(TR(
              "How many sizes of the picture, each half the one before, the network sees at once: more hold "
-             "larger structures together.")),
+             "larger structures together; 0 leaves it to the descriptor.")),
      field(&Settings::colours, "colours", TR("Compare colours"))
          .help(TR("Also compares the distribution of colours, which networks alone let drift.")),
      field(&Settings::histogram, "histogram", TR("Match histograms"))

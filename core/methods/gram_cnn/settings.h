@@ -13,7 +13,7 @@ struct Settings {
     DescriptorChoice descriptor = DescriptorChoice::Automatic;
     int scales = 4;      ///< from coarse to fine, at most
     int iterations = 50; ///< at each scale
-    int levels = 2;      ///< of the picture's pyramid on which the descriptor is used
+    int levels = 0;      ///< of the picture's pyramid on which the descriptor is used; 0: as it says
     Statistic statistic = Statistic::Normalised;
     PoolingChoice pooling = PoolingChoice::Own;
     int firstTap = 1;
@@ -24,7 +24,7 @@ struct Settings {
     bool histogram = true;
     double variation = 0;
 
-    TextureLossOptions lossOptions() const;
+    TextureLossOptions lossOptions(const Descriptor& used) const;
 };
 
 } // namespace texloom::gram_cnn

@@ -148,7 +148,7 @@ TextureLoss Synthesizer::lossAt(int scale) {
     std::vector<LossExemplar> learned;
     for (std::size_t e = 0; e < m_request.exemplars.size(); ++e)
         learned.push_back({&m_exemplars[at(scale)][e], m_request.exemplars[e].weight});
-    return {m_descriptor, m_settings.lossOptions(), learned, m_context};
+    return {m_descriptor, m_settings.lossOptions(m_descriptor), learned, m_context};
 }
 
 /// The loss of the picture that has these components, and its derivative by them.
