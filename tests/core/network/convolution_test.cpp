@@ -44,7 +44,7 @@ double valueBeyond(const Tensor& in, int c, int y, int x, Edges edges) {
 double directly(const Tensor& in, const Filters& filters, Edges edges, int o, int y, int x) {
     const int r = (filters.side - 1) / 2;
     const int left = edges.x == Padding::None ? 0 : r, top = edges.y == Padding::None ? 0 : r;
-    auto sum = static_cast<double>(filters.bias[at(o)]);
+    auto sum = static_cast<double>(filters.bias[texloom::at(o)]);
     for (int c = 0; c < filters.inputs; ++c)
         for (int j = 0; j < filters.side; ++j)
             for (int i = 0; i < filters.side; ++i)
