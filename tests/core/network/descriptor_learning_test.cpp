@@ -11,7 +11,7 @@ namespace texloom::test {
 namespace {
 
 /// Stripes of two directions.
-Tensor stripes(int side) {
+Tensor stripedPicture(int side) {
     Tensor to(1, side, side);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x)
@@ -21,7 +21,7 @@ Tensor stripes(int side) {
 
 TEST(DescriptorLearning, unitsFireOnThreeOfTenPatchesWithAMeanSquareOfOne) {
     NetworkJob job;
-    const Tensor picture = stripes(64);
+    const Tensor picture = stripedPicture(64);
     const LearningOptions options{{{8, 5}, {12, 3}}, 4000, 5};
     const Descriptor descriptor = learnDescriptor({&picture, 1}, options, job.context);
     EXPECT_EQ(descriptor.taps(), (std::vector<std::string>{"relu1", "relu2"}));
@@ -48,7 +48,7 @@ TEST(DescriptorLearning, unitsFireOnThreeOfTenPatchesWithAMeanSquareOfOne) {
 }
 
 TEST(DescriptorLearning, hasTheSameBitsForAnyNumberOfThreads) {
-    const Tensor picture = stripes(48);
+    const Tensor picture = stripedPicture(48);
     const LearningOptions options{{{6, 3}, {8, 3}}, 500, 3};
     NetworkJob one(1), four(4);
     const Descriptor a = learnDescriptor({&picture, 1}, options, one.context);

@@ -45,7 +45,7 @@ Descriptor smallDescriptor(int channels) {
 }
 
 /// Values from 0 to 1, smooth on one scale.
-Tensor picture(int channels, int height, int width, int seed) {
+Tensor smoothPicture(int channels, int height, int width, int seed) {
     const Tensor noise = normalTensor(channels, height, width, seed);
     Tensor to(channels, height, width);
     for (int c = 0; c < channels; ++c)
@@ -58,23 +58,23 @@ Tensor picture(int channels, int height, int width, int seed) {
     return to;
 }
 
-struct Case {
+struct LossCase {
     const char* name;
     TextureLossOptions options;
     Edges edges;
     int channels;
 };
 
-class LossGradient : public testing::TestWithParam<Case> {};
+class LossGradient : public testing::TestWithParam<LossCase> {};
 
 /// Along random directions the derivative is the central difference.
 TEST_P(LossGradient, isTheCentralDifference) {
     NetworkJob job;
-    const Tensor exemplar = picture(GetParam().channels, 24, 20, 1);
+    const Tensor exemplar = smoothPicture(GetParam().channels, 24, 20, 1);
     const Descriptor descriptor = smallDescriptor(GetParam().channels == 1 ? 3 : GetParam().channels);
     const LossExemplar learned{&exemplar, 1};
     TextureLoss loss(descriptor, GetParam().options, {&learned, 1}, job.context);
-    const Tensor at0 = picture(GetParam().channels, 16, 18, 2);
+    const Tensor at0 = smoothPicture(GetParam().channels, 16, 18, 2);
     Tensor gradient;
     loss.evaluate(at0, GetParam().edges, &gradient, job.context);
     for (int trial = 0; trial < 4; ++trial) {
@@ -100,28 +100,29 @@ TEST_P(LossGradient, isTheCentralDifference) {
 const Edges kCircular = Edges::all(Padding::Circular);
 INSTANTIATE_TEST_SUITE_P(
     Every, LossGradient,
-    testing::Values(Case{"normalised", {}, kCircular, 3},
-                    Case{"gram", {.statistic = Statistic::Gram}, kCircular, 3},
-                    Case{"relative", {.statistic = Statistic::Relative}, kCircular, 3},
-                    Case{"maximum", {.pooling = Pooling::Maximum}, kCircular, 3},
-                    Case{"grey", {}, kCircular, 1}, Case{"five", {.levels = 1}, kCircular, 5},
-                    Case{"reflected", {}, Edges::all(Padding::Reflect), 3},
-                    Case{"half", {.colours = false}, {Padding::Circular, Padding::Reflect}, 3},
-                    Case{"tap", {.firstTap = 1, .lastTap = 2}, kCircular, 3},
-                    Case{"variation", {.colours = false, .variation = 1}, kCircular, 3}),
+    testing::Values(LossCase{"normalised", {}, kCircular, 3},
+                    LossCase{"gram", {.statistic = Statistic::Gram}, kCircular, 3},
+                    LossCase{"relative", {.statistic = Statistic::Relative}, kCircular, 3},
+                    LossCase{"maximum", {.pooling = Pooling::Maximum}, kCircular, 3},
+                    LossCase{"grey", {}, kCircular, 1}, LossCase{"five", {.levels = 1}, kCircular, 5},
+                    LossCase{"reflected", {}, Edges::all(Padding::Reflect), 3},
+                    LossCase{"half", {.colours = false}, {Padding::Circular, Padding::Reflect}, 3},
+                    LossCase{"tap", {.firstTap = 1, .lastTap = 2}, kCircular, 3},
+                    LossCase{"variation", {.colours = false, .variation = 1}, kCircular, 3}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(TextureLoss, isNothingForTheExemplarItself) {
     NetworkJob job;
-    const Tensor exemplar = picture(3, 32, 32, 1);
+    const Tensor exemplar = smoothPicture(3, 32, 32, 1);
     const LossExemplar learned{&exemplar, 1};
     for (const Statistic statistic : {Statistic::Normalised, Statistic::Gram, Statistic::Relative}) {
         TextureLoss loss(smallDescriptor(3), {.statistic = statistic}, {&learned, 1}, job.context);
         Tensor gradient;
         EXPECT_NEAR(loss.evaluate(exemplar, Edges::all(Padding::Reflect), &gradient, job.context), 0, 1e-8);
         EXPECT_NEAR(innerProduct(gradient, gradient), 0, 1e-10);
-        EXPECT_GT(loss.evaluate(picture(3, 32, 32, 5), Edges::all(Padding::Reflect), nullptr, job.context),
-                  1e-4);
+        EXPECT_GT(
+            loss.evaluate(smoothPicture(3, 32, 32, 5), Edges::all(Padding::Reflect), nullptr, job.context),
+            1e-4);
         double sum = 0;
         for (const double term : loss.terms())
             sum += term;
@@ -132,7 +133,7 @@ TEST(TextureLoss, isNothingForTheExemplarItself) {
 
 TEST(TextureLoss, doesNotSeeCircularShifts) {
     NetworkJob job;
-    const Tensor exemplar = picture(3, 24, 24, 1), one = picture(3, 24, 32, 2);
+    const Tensor exemplar = smoothPicture(3, 24, 24, 1), one = smoothPicture(3, 24, 32, 2);
     Tensor other = one;
     for (int c = 0; c < 3; ++c)
         for (int y = 0; y < 24; ++y)
@@ -146,18 +147,18 @@ TEST(TextureLoss, doesNotSeeCircularShifts) {
 
 TEST(TextureLoss, weighsExemplars) {
     NetworkJob job;
-    const Tensor a = picture(3, 24, 24, 1), b = picture(3, 24, 24, 8);
+    const Tensor a = smoothPicture(3, 24, 24, 1), b = smoothPicture(3, 24, 24, 8);
     const LossExemplar twice[] = {{&a, 2}, {&b, 1}}, thrice[] = {{&a, 1}, {&a, 1}, {&b, 1}};
     const TextureLossOptions options{.colours = false};
     TextureLoss weighed(smallDescriptor(3), options, twice, job.context);
     TextureLoss repeated(smallDescriptor(3), options, thrice, job.context);
-    const Tensor of = picture(3, 16, 16, 4);
+    const Tensor of = smoothPicture(3, 16, 16, 4);
     const double value = weighed.evaluate(of, kCircular, nullptr, job.context);
     EXPECT_NEAR(repeated.evaluate(of, kCircular, nullptr, job.context), value, 1e-9);
 }
 
 TEST(TextureLoss, hasTheSameBitsForAnyNumberOfThreads) {
-    const Tensor exemplar = picture(3, 40, 40, 1), of = picture(3, 48, 40, 2);
+    const Tensor exemplar = smoothPicture(3, 40, 40, 1), of = smoothPicture(3, 48, 40, 2);
     const LossExemplar learned{&exemplar, 1};
     Tensor gradients[2];
     double values[2] = {};
@@ -194,12 +195,12 @@ TEST(TextureLoss, constantExemplarsHaveNoTexture) {
     const LossExemplar learned{&exemplar, 1};
     TextureLoss loss(smallDescriptor(3), {}, {&learned, 1}, job.context);
     Tensor gradient;
-    EXPECT_TRUE(std::isfinite(loss.evaluate(picture(3, 16, 16, 1), kCircular, &gradient, job.context)));
+    EXPECT_TRUE(std::isfinite(loss.evaluate(smoothPicture(3, 16, 16, 1), kCircular, &gradient, job.context)));
 }
 
 TEST(TextureLoss, refusesWhatDoesNotSuit) {
     NetworkJob job;
-    const Tensor two = picture(2, 24, 24, 1), small = picture(3, 15, 40, 1);
+    const Tensor two = smoothPicture(2, 24, 24, 1), small = smoothPicture(3, 15, 40, 1);
     const LossExemplar ofTwo{&two, 1}, tooSmall{&small, 1};
     EXPECT_THROW(TextureLoss(smallDescriptor(3), {}, {&ofTwo, 1}, job.context), UsageError);
     EXPECT_THROW(TextureLoss(smallDescriptor(3), {}, {&tooSmall, 1}, job.context), UsageError);

@@ -23,8 +23,8 @@ WeightsImport withTaps(const std::vector<std::string>& taps) {
 }
 
 /// conv1_1 makes red less green, and twice blue; conv2_1 their sum and −1.
-struct Files {
-    Files() {
+struct NetworkFiles {
+    NetworkFiles() {
         write(R"({"tensors": [
             {"name": "pre.weight", "shape": [3, 3, 1, 1], "offset": 0},
             {"name": "pre.bias", "shape": [3], "offset": 9},
@@ -53,7 +53,7 @@ struct Files {
 };
 
 TEST(WeightsFile, isTheNetworkThatItSays) {
-    const Files files;
+    const NetworkFiles files;
     const Descriptor descriptor = importWeights(files.folder / "net.json", {});
     EXPECT_EQ(descriptor.taps(), (std::vector<std::string>{"relu1_1", "relu2_1"}));
     const DescriptorNetwork network(descriptor, Pooling::Average, 0, 9);
@@ -71,14 +71,14 @@ TEST(WeightsFile, isTheNetworkThatItSays) {
 }
 
 TEST(WeightsFile, takesTheTapsThatAreAskedFor) {
-    const Files files;
+    const NetworkFiles files;
     EXPECT_EQ(importWeights(files.folder / "net.json", withTaps({"relu1_1"})).taps(),
               (std::vector<std::string>{"relu1_1"}));
     EXPECT_THAT(files.refusal(withTaps({"relu4_1"})), HasSubstr("relu4_1"));
 }
 
 TEST(WeightsFile, refusesWhatIsDamagedOrOfAnotherNetwork) {
-    const Files files;
+    const NetworkFiles files;
     files.values({1, 2, 3});
     EXPECT_THAT(files.refusal(), HasSubstr("cut short"));
     files.values(std::vector<float>(23, std::nanf("")));
