@@ -53,7 +53,7 @@ private:
         std::uint64_t offset = 0, count = 1; ///< in numbers
     };
 
-    static std::filesystem::path binaryOf(std::filesystem::path json) {
+    static std::filesystem::path binaryOf(const std::filesystem::path& json) {
         if (json.extension() != ".json")
             failUsage(TR("{} is no .json: name the one that lies beside the .bin with the weights."),
                       json.filename().string());
