@@ -33,13 +33,13 @@ public:
 
     /// The part of a phase at each pixel of a square, with an absolute sum of 1.
     std::vector<double> part(int side, double phase) const {
+        const int radius = side / 2;
         std::complex<double> sum;
         double weights = 0;
         const auto every = [&](const auto& visit) {
             for (int j = 0; j < side; ++j)
                 for (int i = 0; i < side; ++i) {
-                    const double x = i - side / 2,
-                                 y = j - side / 2; // NOLINT(bugprone-integer-division): whole pixels
+                    const double x = i - radius, y = j - radius;
                     const double along = x * std::cos(m_angle) + y * std::sin(m_angle);
                     const double across = -x * std::sin(m_angle) + y * std::cos(m_angle);
                     // Longer than wide, so that directions are told apart.
