@@ -8,6 +8,7 @@
 #include "core/image/half_scale.h"
 #include "core/job/voxel_random.h"
 #include "core/match/tap_sums.h"
+#include "core/math/histogram.h"
 #include "core/methods/solid_optimise/exemplar_patches.h"
 #include "core/methods/solid_optimise/padded.h"
 #include "core/methods/solid_optimise/problem.h"
@@ -76,6 +77,8 @@ private:
     void make();
     Chosen made(int x, int y, int z, std::vector<Candidate>& found) const;
     int binOf(int channel, float value) const;
+    void learnColours();
+    void matchContrast();
 
     const Problem& m_problem;
     JobContext& m_context;
@@ -87,6 +90,7 @@ private:
     std::vector<std::int32_t> m_binUse;   ///< of the solid
     std::vector<float> m_binShare;        ///< of the exemplars, in voxels of the solid
     std::vector<Chosen> m_chosen;
+    std::vector<Histogram> m_colours; ///< of each channel at this scale
 };
 
 NeighbourhoodMatcher::NeighbourhoodMatcher(const Problem& problem, int scale, Progress& progress)
@@ -132,6 +136,30 @@ NeighbourhoodMatcher::NeighbourhoodMatcher(const Problem& problem, int scale, Pr
     if (progress.solid.width() != m_side)
         progress.solid = Volume({m_side, m_side, m_side}, m_channels);
     countUse();
+    learnColours();
+}
+
+void NeighbourhoodMatcher::learnColours() {
+    for (int c = 0; c < m_channels; ++c) {
+        std::vector<float> all;
+        for (const Match& match : m_matches)
+            for (int y = 0; y < match.patches.exemplar().height; ++y) {
+                const float* row = match.patches.exemplar().plane(c).row(y);
+                all.insert(all.end(), row, row + match.patches.exemplar().width);
+            }
+        const int count = static_cast<int>(all.size());
+        m_colours.emplace_back(PlaneView{all.data(), count, 1, count}, [this] { m_context.check(); });
+    }
+}
+
+/// The pixels nearest to a mean are those of the middle of the exemplar's colours: without this, one search
+/// after the other finds flatter neighbourhoods.
+void NeighbourhoodMatcher::matchContrast() {
+    m_context.parallel(0, m_channels, [&](int c) {
+        SampleRanks ranks;
+        m_colours[at(c)].match({m_progress.solid.row(0, 0, c), m_side, m_side * m_side, m_side}, ranks,
+                               [this] { m_context.check(); });
+    });
 }
 
 int NeighbourhoodMatcher::binOf(int channel, float value) const {
@@ -351,6 +379,7 @@ void NeighbourhoodMatcher::make() {
     for (int c = 0; c < m_channels; ++c)
         for (std::size_t i = 0; i < m_chosen.size(); ++i)
             solid.row(0, 0, c)[i] = m_matches[m_chosen[i].goal].patches.colour(m_chosen[i].pixel)[c];
+    matchContrast();
 }
 
 double NeighbourhoodMatcher::step(int number, bool exhaustive) {
