@@ -3,6 +3,7 @@
 #include "core/base/at.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace texloom::solid_texture {
 
@@ -16,6 +17,23 @@ Tensor tensorOf(const ImageView& image) {
         for (int y = 0; y < image.height; ++y)
             std::copy_n(image.plane(c).row(y), image.width, tensor.row(c, y));
     return tensor;
+}
+
+/// Adds a derivative as though it had a length of 1: the two losses differ by orders of magnitude, and by as
+/// much from the first iterations to the last ones, which Adam would remember (Ulyanov et al. 2016).
+void addNormalised(const Image& change, double weight, Image& gradient) {
+    double squares = 0;
+    for (int c = 0; c < change.channels(); ++c)
+        for (int y = 0; y < change.height(); ++y)
+            for (int x = 0; x < change.width(); ++x)
+                squares += static_cast<double>(change(x, y, c)) * static_cast<double>(change(x, y, c));
+    if (squares <= 0)
+        return;
+    const auto factor = static_cast<float>(weight / std::sqrt(squares));
+    for (int c = 0; c < change.channels(); ++c)
+        for (int y = 0; y < change.height(); ++y)
+            for (int x = 0; x < change.width(); ++x)
+                gradient(x, y, c) += factor * change(x, y, c);
 }
 
 TextureLossOptions lossOptions() {
@@ -88,11 +106,11 @@ double SliceLoss::byDescriptor(std::size_t goal, const Image& picture, Image& gr
     m_picture = tensorOf(picture);
     const double loss =
         m_descriptors[goal]->evaluate(m_picture, Edges::all(Padding::Reflect), &m_gradient, context);
-    for (int c = 0; c < gradient.channels(); ++c)
-        for (int y = 0; y < gradient.height(); ++y)
-            for (int x = 0; x < gradient.width(); ++x)
-                gradient(x, y, c) +=
-                    static_cast<float>(m_settings.descriptorWeight) * m_gradient.row(c, y)[x];
+    Image change(picture.size(), picture.channels());
+    for (int c = 0; c < change.channels(); ++c)
+        for (int y = 0; y < change.height(); ++y)
+            std::copy_n(m_gradient.row(c, y), change.width(), change.plane(c).row(y));
+    addNormalised(change, m_settings.descriptorWeight, gradient);
     return m_settings.descriptorWeight * loss;
 }
 
@@ -101,15 +119,18 @@ double SliceLoss::byPatches(std::size_t goal, const Image& picture, int number, 
     const int components = m_colours->components();
     Image split(picture.size(), components), change(picture.size(), components);
     m_colours->project(picture, m_means, 0, picture.height(), split);
-    const double loss = m_patches[goal].evaluate(split, number, m_settings.patchWeight, change, context);
-    for (int c = 0; c < gradient.channels(); ++c)
+    const double weight = m_describes ? m_settings.patchWeight : 1;
+    const double loss = m_patches[goal].evaluate(split, number, 1, change, context);
+    Image mixed(picture.size(), picture.channels());
+    for (int c = 0; c < mixed.channels(); ++c)
         for (int k = 0; k < components; ++k) {
             const auto share = static_cast<float>(m_toComponents(k, c));
-            for (int y = 0; y < gradient.height(); ++y)
-                for (int x = 0; x < gradient.width(); ++x)
-                    gradient(x, y, c) += share * change(x, y, k);
+            for (int y = 0; y < mixed.height(); ++y)
+                for (int x = 0; x < mixed.width(); ++x)
+                    mixed(x, y, c) += share * change(x, y, k);
         }
-    return m_settings.patchWeight * loss;
+    addNormalised(mixed, weight, gradient);
+    return weight * loss;
 }
 
 double SliceLoss::evaluate(std::size_t goal, const Volume& slice, int number, Volume& gradient,
