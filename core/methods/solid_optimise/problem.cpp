@@ -69,6 +69,16 @@ Problem::Problem(const Request& request, const Settings& settings, bool principa
     }
 }
 
+void Problem::toColours(const ImageView& components, Image& to) const {
+    if (m_colours.components() > 0) {
+        m_colours.unproject(components, m_means, 0, to.height(), to);
+        return;
+    }
+    for (int c = 0; c < to.channels(); ++c)
+        for (int y = 0; y < to.height(); ++y)
+            std::fill_n(to.plane(c).row(y), to.width(), static_cast<float>(m_means[at(c)]));
+}
+
 void Problem::show(const Volume& solid) const {
     m_context.preview(m_request.size, [&](Size size, int step) { return picture(solid, size, step); });
 }
@@ -82,7 +92,7 @@ Image Problem::picture(const Volume& solid, Size size, int step) const {
             for (int x = 0; x < side; ++x)
                 chosen(x, y, c) = solid(x * solid.width() / side, y * solid.height() / side, 0, c);
     if (m_principal)
-        m_colours.unproject(chosen, m_means, 0, side, slice);
+        toColours(chosen, slice);
     else
         slice = std::move(chosen);
     Image picture(size, slice.channels());
@@ -99,7 +109,7 @@ Volume Problem::coloured(const Volume& solid) const {
     Volume to(solid.size(), m_request.channels());
     m_context.parallel(0, solid.depth(), [&](int z) {
         Image made({solid.width(), solid.height()}, m_request.channels());
-        m_colours.unproject(solid.slice(z), m_means, 0, solid.height(), made);
+        toColours(solid.slice(z), made);
         for (int c = 0; c < made.channels(); ++c)
             for (int y = 0; y < solid.height(); ++y)
                 std::copy_n(made.plane(c).row(y), solid.width(), to.row(y, z, c));

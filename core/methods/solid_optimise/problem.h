@@ -35,6 +35,9 @@ public:
     Volume coloured(const Volume& solid) const;
 
 private:
+    /// Where the exemplars are of one colour, that.
+    void toColours(const ImageView& components, Image& to) const;
+
     const Request& m_request;
     const Settings& m_settings;
     JobContext& m_context;
