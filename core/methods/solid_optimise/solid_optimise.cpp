@@ -84,9 +84,10 @@ std::vector<Param> fields() {
                       {"kopf", TR("Neighbourhoods")},
                       {"wei", TR("Scan")}})
             .help(TR(
-                "Distributes the patches of all slices as the exemplar's are; or matches histograms of "
-                "pyramids, for grain without shapes; or copies neighbourhoods that agree in all directions "
-                "(Kopf); or makes one voxel after another (Wei).")),
+                "Distributes the patches of all slices as the exemplar's are, which is sharpest; or matches "
+                "histograms of pyramids, quick, for grain without shapes; or copies neighbourhoods (Kopf), "
+                "soft "
+                "where directions disagree; or makes one voxel after another (Wei).")),
         field(&Settings::side, "side", TR("Side of the solid"))
             .range(16, 256)
             .unit("voxels")
