@@ -188,6 +188,7 @@ Volume scanned(const Problem& problem, int scales) {
         Scanner scanner(problem, scale);
         for (int n = progress.iteration; n < iterations; ++n) {
             const double change = scanner.scan(progress.solid, scale < scales - 1 || n > 0);
+            matchColours(problem, progress.solid); // means of neighbours drift
             context.curve(TR("Change"), change);
             problem.show(progress.solid);
             progress.iteration = n + 1;
