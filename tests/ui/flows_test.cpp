@@ -160,8 +160,8 @@ private Q_SLOTS:
         rectify(window);
 
         window.inspector()->output()->setOutputSize({96, 96});
-        child<QCheckBox>(window, "wrapX")->click();
-        child<QCheckBox>(window, "wrapY")->click();
+        QVERIFY(child<QCheckBox>(window, "wrapX")->isChecked() &&
+                child<QCheckBox>(window, "wrapY")->isChecked()); // as the window starts
         tryFour(window);
         const CompareView* const compare = window.compare();
         child<QAction>(window, "repeat")->trigger();

@@ -333,11 +333,11 @@ private Q_SLOTS:
         settle();
         const auto at = [canvas](double x, double y) { return canvas->view().toWidget({x, y}); };
         const auto area = [canvas] { return std::get<Wholes>(canvas->frame()); };
-        canvas->setFrame(Wholes{80, 40, 40, 20});
+        canvas->setFrame(Wholes{40, 20, 100, 60});
         dragOn(*canvas, at(100, 50), at(110, 55)); // the body
-        QCOMPARE(area(), (Wholes{90, 45, 40, 20}));
-        dragOn(*canvas, at(130, 55), at(150, 58)); // an edge
-        QCOMPARE(area(), (Wholes{90, 45, 60, 20}));
+        QCOMPARE(area(), (Wholes{50, 25, 100, 60}));
+        dragOn(*canvas, at(150, 55), at(170, 58)); // an edge
+        QCOMPARE(area(), (Wholes{50, 25, 120, 60}));
         dragOn(*canvas, at(10, 10), at(50, 40)); // a new one
         QCOMPARE(area(), (Wholes{10, 10, 40, 30}));
         dragOn(*canvas, at(190, 90), at(160, 80), Qt::ShiftModifier); // a square

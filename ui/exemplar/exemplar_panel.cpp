@@ -147,7 +147,8 @@ QWidget* ExemplarPanel::makeDetails() {
     m_form->addRow(tr("&Colour space"), m_space);
     m_form->addRow(tr("Wei&ght"), m_weight);
     m_form->addRow(tr("Mask"), m_maskRow);
-    m_form->addRow(tr("Maps"), m_companions);
+    m_form->addRow(new QLabel(tr("Maps"), details)); // across: what they hold takes room
+    m_form->addRow(m_companions);
     return details;
 }
 

@@ -1,6 +1,9 @@
 #include "ui/viewers/viewer_keys.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QKeyEvent>
+#include <QPointer>
 
 #include <array>
 
@@ -21,7 +24,32 @@ std::optional<ViewerCommand> commandOf(QKeyCombination key) {
     return {};
 }
 
+/// Takes from numbers' fields what they would keep for themselves of the viewers' letters.
+class LetterKeys : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::ShortcutOverride)
+            return false;
+        const bool number = qobject_cast<QAbstractSpinBox*>(watched) != nullptr ||
+                            qobject_cast<QAbstractSpinBox*>(watched->parent()) != nullptr;
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        const bool letter = key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z;
+        if (!number || !letter || !viewerCommandAt(key))
+            return false;
+        event->ignore(); // a shortcut may have it
+        return true;
+    }
+};
+
 } // namespace
+
+void keepLettersFromNumbers() {
+    static QPointer<LetterKeys> keys;
+    if (!keys)
+        qApp->installEventFilter(keys = new LetterKeys(qApp));
+}
 
 void setViewerKeys(ViewerCommand command, const QList<QKeySequence>& keys) {
     keysOfAll()[static_cast<std::size_t>(command)] = keys;

@@ -20,4 +20,7 @@ void setViewerKeys(ViewerCommand command, const QList<QKeySequence>& keys);
 /// The command that a key is for, if it is for one.
 std::optional<ViewerCommand> viewerCommandAt(const QKeyEvent& event);
 
+/// Numbers' fields leave letters to the viewers: no number has one. For the whole program, once.
+void keepLettersFromNumbers();
+
 } // namespace texloom::ui

@@ -9,6 +9,7 @@
 #include "ui/session/document.h"
 #include "ui/session/preset_menu.h"
 #include "ui/session/undo_history.h"
+#include "ui/viewers/viewer_keys.h"
 #include "ui/window/main_window.h"
 
 #include <QActionGroup>
@@ -58,6 +59,7 @@ void MainWindow::reserveKeys() {
         menuBar()->setActiveAction(menuBar()->actions().front());
     });
     reserveMenuKeys(menuBar(), this);
+    keepLettersFromNumbers();
 }
 
 QMenu* MainWindow::makeFileMenu() {
