@@ -189,6 +189,7 @@ private Q_SLOTS:
         QTest::keyClick(viewer, Qt::Key_Delete);
         QCOMPARE(history->rowCount(), 1);
         list->setFocus();
+        QTest::keyClick(viewer, Qt::Key_P); // a pinned one would ask first
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(history->rowCount(), 0);
         QVERIFY(window.messages()->text().contains(QStringLiteral("was deleted")));
