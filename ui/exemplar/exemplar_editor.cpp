@@ -62,7 +62,7 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(tools);
-    scroll->setFixedWidth(std::max(tools->sizeHint().width(), fontMetrics().averageCharWidth() * 44) +
+    scroll->setFixedWidth(std::max(tools->minimumSizeHint().width(), fontMetrics().averageCharWidth() * 44) +
                           scroll->verticalScrollBar()->sizeHint().width());
     auto* done = new QPushButton(tr("&Done"), this);
     done->setObjectName(QStringLiteral("editDone"));
