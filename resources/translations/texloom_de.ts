@@ -4798,15 +4798,15 @@
     </message>
     <message>
         <source>A descriptor&apos;s file is given and another descriptor chosen: choose automatic, or leave the file out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Deskriptordatei ist angegeben und ein anderer Deskriptor gewählt: wählen Sie „Automatisch“ oder lassen Sie die Datei weg.</translation>
     </message>
     <message>
         <source>A layer of the network takes {} channels of at least {}×{} px, and has {} of {}×{} px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schicht des Netzes nimmt {} Kanäle von mindestens {}×{} px und hat {} von {}×{} px.</translation>
     </message>
     <message>
         <source>A network of your own, such as one that import-descriptor or learn-descriptor made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein eigenes Netz, etwa eines von import-descriptor oder learn-descriptor.</translation>
     </message>
     <message>
         <source>A normal map needs 3 channels, and this one has {}; choose another map, or say what it holds.</source>
@@ -4826,7 +4826,7 @@
     </message>
     <message>
         <source>A step gave values that are no numbers: the optimisation ended with the last that are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schritt ergab Werte, die keine Zahlen sind: die Optimierung endete mit den letzten, die welche sind.</translation>
     </message>
     <message>
         <source>A trained generator to go on from.</source>
@@ -4834,7 +4834,7 @@
     </message>
     <message>
         <source>Adam</source>
-        <translation type="unfinished"></translation>
+        <translation>Adam</translation>
     </message>
     <message>
         <source>All three axes are free, so that nothing is wanted of the solid; give one of them an exemplar and a weight.</source>
@@ -4846,11 +4846,11 @@
     </message>
     <message>
         <source>Also compares the distribution of colours, which networks alone let drift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleicht auch die Verteilung der Farben, die Netze allein abdriften lassen.</translation>
     </message>
     <message>
         <source>An exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Vorlage von {}×{} px ist zu klein für das Netz, das je Seite {} px braucht.</translation>
     </message>
     <message>
         <source>Anamorphosis: bending what repeats</source>
@@ -4862,43 +4862,39 @@
     </message>
     <message>
         <source>As the descriptor says</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der Deskriptor sagt</translation>
     </message>
     <message>
         <source>At each scale: more come closer to the exemplar and take longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf jeder Skala: mehr kommen der Vorlage näher und dauern länger.</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung</translation>
     </message>
     <message>
         <source>Changes noise, or an initial image, until the feature maps of a network vary together as the exemplar&apos;s do. New pixels rather than copies; long straight structures may bend or break.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändert Rauschen oder ein Ausgangsbild, bis die Merkmalskarten eines Netzes so miteinander schwanken wie die der Vorlage. Neue Pixel statt Kopien; lange gerade Strukturen können sich biegen oder brechen.</translation>
     </message>
     <message>
         <source>Compare colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben vergleichen</translation>
     </message>
     <message>
         <source>Cutting a slice</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schnitt wird gelegt</translation>
     </message>
     <message>
         <source>Descriptor</source>
-        <translation type="unfinished"></translation>
+        <translation>Deskriptor</translation>
     </message>
     <message>
         <source>Descriptor: {} (licence {}; {}; SHA-1 {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Deskriptor: {} (Lizenz {}; {}; SHA-1 {}).</translation>
     </message>
     <message>
         <source>Distance of neighbourhoods</source>
         <translation>Abstand der Nachbarschaften</translation>
-    </message>
-    <message>
-        <source>Distributes the patches of all slices as the exemplar&apos;s are; or matches histograms of pyramids, for grain without shapes; or copies neighbourhoods that agree in all directions (Kopf); or makes one voxel after another (Wei).</source>
-        <translation>Verteilt die Ausschnitte aller Schnitte wie die der Vorlage; oder gleicht Histogramme von Pyramiden an, für Körnung ohne Formen; oder kopiert Nachbarschaften, die in allen Richtungen übereinstimmen (Kopf); oder macht ein Voxel nach dem anderen (Wei).</translation>
     </message>
     <message>
         <source>Even tone</source>
@@ -4934,7 +4930,7 @@
     </message>
     <message>
         <source>First tap</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Abgriff</translation>
     </message>
     <message>
         <source>Free</source>
@@ -4950,15 +4946,15 @@
     </message>
     <message>
         <source>Gives the result the exemplar&apos;s distribution of colours at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt dem Ergebnis am Ende die Farbverteilung der Vorlage.</translation>
     </message>
     <message>
         <source>Gram</source>
-        <translation type="unfinished"></translation>
+        <translation>Gram</translation>
     </message>
     <message>
         <source>Gram matrices of a network</source>
-        <translation type="unfinished"></translation>
+        <translation>Gram-Matrizen eines Netzes</translation>
     </message>
     <message>
         <source>Half</source>
@@ -4966,19 +4962,15 @@
     </message>
     <message>
         <source>How far Adam moves in one step, in deviations of the exemplar&apos;s colours: larger is faster and less exact.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit Adam in einem Schritt geht, in Abweichungen der Farben der Vorlage: größer ist schneller und ungenauer.</translation>
     </message>
     <message>
         <source>How far each step goes at the beginning; it falls to a twentieth. Too large, and the loss jumps; too small, and it falls slowly.</source>
         <translation>Wie weit jeder Schritt am Anfang geht; es fällt auf ein Zwanzigstel. Zu groß, und der Verlust springt; zu klein, und er fällt langsam.</translation>
     </message>
     <message>
-        <source>How many sizes of the picture, each half the one before, the network sees at once: more hold larger structures together.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>How much rough pixels are avoided: more smooths noise and fine detail alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sehr raue Pixel vermieden werden: mehr glättet Rauschen und feine Einzelheiten gleichermaßen.</translation>
     </message>
     <message>
         <source>How much the distribution of small patches counts, which makes edges sharper; 0 leaves it to the descriptor.</source>
@@ -4998,7 +4990,7 @@
     </message>
     <message>
         <source>How the network halves its feature maps: by their mean, or by the largest of four values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das Netz seine Merkmalskarten halbiert: durch ihr Mittel oder den größten von vier Werten.</translation>
     </message>
     <message>
         <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights anew with every atom, which follows the patch more closely and takes a little longer.</source>
@@ -5006,19 +4998,19 @@
     </message>
     <message>
         <source>L-BFGS</source>
-        <translation type="unfinished"></translation>
+        <translation>L-BFGS</translation>
     </message>
     <message>
         <source>L-BFGS learns the curvature of the loss and comes further in as many iterations; Adam takes steps of one length.</source>
-        <translation type="unfinished"></translation>
+        <translation>L-BFGS lernt die Krümmung des Verlusts und kommt mit gleich vielen Iterationen weiter; Adam macht Schritte von einer Länge.</translation>
     </message>
     <message>
         <source>Last tap</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzter Abgriff</translation>
     </message>
     <message>
         <source>Learned from the exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Vorlage gelernt</translation>
     </message>
     <message>
         <source>Learning rate</source>
@@ -5030,7 +5022,7 @@
     </message>
     <message>
         <source>Levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Loss</source>
@@ -5046,11 +5038,11 @@
     </message>
     <message>
         <source>Match histograms</source>
-        <translation type="unfinished"></translation>
+        <translation>Histogramme angleichen</translation>
     </message>
     <message>
         <source>Matching feature maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmalskarten angleichen</translation>
     </message>
     <message>
         <source>Matching neighbourhoods</source>
@@ -5058,7 +5050,7 @@
     </message>
     <message>
         <source>Maximum</source>
-        <translation type="unfinished"></translation>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Mirrored</source>
@@ -5090,7 +5082,7 @@
     </message>
     <message>
         <source>Normalised</source>
-        <translation type="unfinished"></translation>
+        <translation>Normiert</translation>
     </message>
     <message>
         <source>Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
@@ -5114,7 +5106,7 @@
     </message>
     <message>
         <source>Optimiser</source>
-        <translation type="unfinished"></translation>
+        <translation>Optimierer</translation>
     </message>
     <message>
         <source>Orthogonal</source>
@@ -5130,11 +5122,11 @@
     </message>
     <message>
         <source>Pooling</source>
-        <translation type="unfinished"></translation>
+        <translation>Pooling</translation>
     </message>
     <message>
         <source>Preparing the descriptor</source>
-        <translation type="unfinished"></translation>
+        <translation>Deskriptor vorbereiten</translation>
     </message>
     <message>
         <source>Pursuit</source>
@@ -5146,7 +5138,7 @@
     </message>
     <message>
         <source>Random filters</source>
-        <translation type="unfinished"></translation>
+        <translation>Zufällige Filter</translation>
     </message>
     <message>
         <source>Random mosaics: three of each</source>
@@ -5154,11 +5146,11 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite</translation>
     </message>
     <message>
         <source>Relative Gram</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Gram</translation>
     </message>
     <message>
         <source>Right</source>
@@ -5210,19 +5202,19 @@
     </message>
     <message>
         <source>Square to x</source>
-        <translation type="unfinished">Senkrecht zu x</translation>
+        <translation>Senkrecht zu x</translation>
     </message>
     <message>
         <source>Square to y</source>
-        <translation type="unfinished">Senkrecht zu y</translation>
+        <translation>Senkrecht zu y</translation>
     </message>
     <message>
         <source>Square to z</source>
-        <translation type="unfinished">Senkrecht zu z</translation>
+        <translation>Senkrecht zu z</translation>
     </message>
     <message>
         <source>Statistic</source>
-        <translation type="unfinished"></translation>
+        <translation>Statistik</translation>
     </message>
     <message>
         <source>Steps of training: a few hundred show what becomes of it, some thousands make it sharper. It can be stopped at any time and keeps what it has learned.</source>
@@ -5234,11 +5226,11 @@
     </message>
     <message>
         <source>Texloom&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Der von Texloom</translation>
     </message>
     <message>
         <source>The checkpoint does not suit this run: begin anew without --resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zwischenstand passt nicht zu diesem Lauf: beginnen Sie ohne --resume von vorn.</translation>
     </message>
     <message>
         <source>The checkpoint holds no solid; begin anew without it.</source>
@@ -5250,19 +5242,19 @@
     </message>
     <message>
         <source>The descriptor cannot be used: {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Deskriptor ist nicht brauchbar: {}.</translation>
     </message>
     <message>
         <source>The descriptor gives values that are no numbers at its tap {}: its weights are too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Deskriptor ergibt an seinem Abgriff {} Werte, die keine Zahlen sind: seine Gewichte sind zu groß.</translation>
     </message>
     <message>
         <source>The descriptor sees {} channels, and the exemplar has {} with its maps: choose one that sees them all, such as exemplar, random or wavelet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Deskriptor sieht {} Kanäle, die Vorlage hat mit ihren Karten {}: wählen Sie einen, der alle sieht, etwa exemplar, random oder wavelet.</translation>
     </message>
     <message>
         <source>The descriptor {} sees {} channels, and the exemplar has {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Deskriptor {} sieht {} Kanäle, die Vorlage hat {}.</translation>
     </message>
     <message>
         <source>The exemplar has {} × {} px here; its sides must have at least {} px.</source>
@@ -5270,19 +5262,19 @@
     </message>
     <message>
         <source>The exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Vorlage von {}×{} px ist zu klein für das Netz, das je Seite {} px braucht.</translation>
     </message>
     <message>
         <source>The first layer of the network that is compared; a larger number leaves fine detail free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Schicht des Netzes, die verglichen wird; eine größere Zahl lässt feine Einzelheiten frei.</translation>
     </message>
     <message>
         <source>The first tap is {}, and the descriptor has {}: {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste Abgriff ist {}, der Deskriptor hat {}: {}.</translation>
     </message>
     <message>
         <source>The first tap is {}, which comes after the last, {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste Abgriff ist {} und liegt hinter dem letzten, {}.</translation>
     </message>
     <message>
         <source>The generator makes {} channels, and the exemplars have {}.</source>
@@ -5302,7 +5294,7 @@
     </message>
     <message>
         <source>The last layer that is compared, or all that there are; a smaller number leaves large structures free and is faster.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Schicht, die verglichen wird, oder alle, die es gibt; eine kleinere Zahl lässt große Strukturen frei und ist schneller.</translation>
     </message>
     <message>
         <source>The maps of the material have {} × {} and {} × {} px, so that they do not lie on one another; choose maps of one size.</source>
@@ -5314,11 +5306,11 @@
     </message>
     <message>
         <source>The network has no layer for the tap {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Netz hat keine Schicht für den Abgriff {}.</translation>
     </message>
     <message>
         <source>The network whose feature maps are compared: the file that is given, else Texloom&apos;s own; maps beside colours need one that sees them: learned from the exemplar, random or wavelets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Netz, dessen Merkmalskarten verglichen werden: die angegebene Datei, sonst das von Texloom; Karten neben den Farben brauchen eines, das sie sieht: aus der Vorlage gelernt, zufällig oder Wavelets.</translation>
     </message>
     <message>
         <source>The solid in space, without end; the picture is its slice at z = 0.</source>
@@ -5330,15 +5322,15 @@
     </message>
     <message>
         <source>The weights of {} do not fit {} channels and a square of odd side, or have no bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gewichte von {} passen nicht zu {} Kanälen und einem Quadrat ungerader Seite, oder haben keinen Bias.</translation>
     </message>
     <message>
         <source>The weights of {} hold values that are no numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gewichte von {} enthalten Werte, die keine Zahlen sind.</translation>
     </message>
     <message>
         <source>The weights of {} lie beyond the end of the file, which holds {} numbers: it is cut short or of another network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gewichte von {} liegen hinter dem Ende der Datei, die {} Zahlen hält: sie ist abgeschnitten oder von einem anderen Netz.</translation>
     </message>
     <message>
         <source>There is no light in this panorama; choose another picture.</source>
@@ -5350,7 +5342,7 @@
     </message>
     <message>
         <source>Total variation</source>
-        <translation type="unfinished"></translation>
+        <translation>Totalvariation</translation>
     </message>
     <message>
         <source>Training</source>
@@ -5374,7 +5366,7 @@
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished">Volumen</translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Voxels along each axis, after which the solid repeats: twice as many take eight times as long.</source>
@@ -5382,7 +5374,7 @@
     </message>
     <message>
         <source>Wavelets</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavelets</translation>
     </message>
     <message>
         <source>Weight of patches</source>
@@ -5406,7 +5398,7 @@
     </message>
     <message>
         <source>What is compared of the feature maps: their moments once each has the exemplar&apos;s mean and deviation, their Gram matrices as published, or these relative to the exemplar&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was von den Merkmalskarten verglichen wird: ihre Momente, nachdem jede auf Mittel und Abweichung der Vorlage bezogen ist, ihre Gram-Matrizen wie veröffentlicht, oder diese im Verhältnis zu denen der Vorlage.</translation>
     </message>
     <message>
         <source>What slices look like: one image for all directions, or one each for those square to z, y and x.</source>
@@ -5434,7 +5426,7 @@
     </message>
     <message>
         <source>a chain of its network does not end in a tap</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kette seines Netzes endet nicht mit einem Abgriff</translation>
     </message>
     <message>
         <source>a channel of the file, counted from 0</source>
@@ -5442,23 +5434,23 @@
     </message>
     <message>
         <source>a length from 1 to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Länge von 1 bis {}</translation>
     </message>
     <message>
         <source>its head lacks “{}”</source>
-        <translation type="unfinished"></translation>
+        <translation>seinem Kopf fehlt „{}“</translation>
     </message>
     <message>
         <source>its network has more than {} steps</source>
-        <translation type="unfinished"></translation>
+        <translation>sein Netz hat mehr als {} Schritte</translation>
     </message>
     <message>
         <source>the weights of its layer {} do not fit {} channels and a square of odd side</source>
-        <translation type="unfinished"></translation>
+        <translation>die Gewichte seiner Schicht {} passen nicht zu {} Kanälen und einem Quadrat ungerader Seite</translation>
     </message>
     <message>
         <source>there are no weights for its layer {}</source>
-        <translation type="unfinished"></translation>
+        <translation>für seine Schicht {} gibt es keine Gewichte</translation>
     </message>
     <message>
         <source>{} cannot be read.</source>
@@ -5502,7 +5494,7 @@
     </message>
     <message>
         <source>{} is no .json: name the one that lies beside the .bin with the weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ist keine .json: nennen Sie die, die neben der .bin mit den Gewichten liegt.</translation>
     </message>
     <message>
         <source>{} is there already; choose a folder without pictures of an earlier turn.</source>
@@ -5510,7 +5502,7 @@
     </message>
     <message>
         <source>{} names no convolution conv1_1: it is no network of VGG&apos;s kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} nennt keine Faltung conv1_1: es ist kein Netz von der Art des VGG.</translation>
     </message>
     <message>
         <source>{}: meshes with colours are written as .ply, .obj or .glb.</source>
@@ -5522,15 +5514,43 @@
     </message>
     <message>
         <source>“pooling” of its head is neither average nor maximum</source>
-        <translation type="unfinished"></translation>
+        <translation>„pooling“ in seinem Kopf ist weder average noch maximum</translation>
     </message>
     <message>
         <source>“{}” in its network means nothing there</source>
-        <translation type="unfinished"></translation>
+        <translation>„{}“ bedeutet in seinem Netz dort nichts</translation>
     </message>
     <message>
         <source>“{}” of its head is no number from {} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>„{}“ in seinem Kopf ist keine Zahl von {} bis {}</translation>
+    </message>
+    <message>
+        <source>Distributes the patches of all slices as the exemplar&apos;s are, which is sharpest; or matches histograms of pyramids, quick, for grain without shapes; or copies neighbourhoods (Kopf), soft where directions disagree; or makes one voxel after another (Wei).</source>
+        <translation>Verteilt die Ausschnitte aller Schnitte wie die der Vorlage, was am schärfsten ist; oder gleicht Histogramme von Pyramiden an, schnell, für Körnung ohne Formen; oder kopiert Nachbarschaften (Kopf), weich, wo Richtungen nicht übereinstimmen; oder macht ein Voxel nach dem anderen (Wei).</translation>
+    </message>
+    <message>
+        <source>Gatys, Ecker and Bethge: plain Gram matrices on one scale and one level from noise, 2,000 iterations at most; give it their VGG-19 as its descriptor.</source>
+        <translation>Gatys, Ecker und Bethge: einfache Gram-Matrizen auf einer Skala und einer Stufe aus Rauschen, höchstens 2.000 Iterationen; geben Sie als Deskriptor deren VGG-19.</translation>
+    </message>
+    <message>
+        <source>Gram matrices of several networks</source>
+        <translation>Gram-Matrizen mehrerer Netze</translation>
+    </message>
+    <message>
+        <source>Gram matrices, as published</source>
+        <translation>Gram-Matrizen, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>How many sizes of the picture, each half the one before, the network sees at once: more hold larger structures together; 0 leaves it to the descriptor.</source>
+        <translation>Wie viele Größen des Bildes, jede halb so groß wie die vorige, das Netz zugleich sieht: mehr halten größere Strukturen zusammen; 0 überlässt es dem Deskriptor.</translation>
+    </message>
+    <message>
+        <source>Largest of four instead of the mean</source>
+        <translation>Der größte von vieren statt des Mittels</translation>
+    </message>
+    <message>
+        <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
+        <translation>Dieselbe Textur durch vier Deskriptoren und durch einen mit der anderen Art von Pooling, wie Abbildung 4.8 von Gutierrez&apos; Dissertation sie vergleicht.</translation>
     </message>
 </context>
 <context>
@@ -6126,7 +6146,7 @@
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1: %2 {1,?}</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>channel %1</source>
@@ -7145,7 +7165,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">Art</translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Arrays</source>
@@ -7153,7 +7173,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished">Werte</translation>
+        <translation>Werte</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7860,7 +7880,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">Hinzufügen</translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>There is a preset %1 already.</source>
@@ -8056,7 +8076,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Farbe</translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -8064,11 +8084,11 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Roughness</source>
-        <translation type="unfinished">Rauheit</translation>
+        <translation>Rauheit</translation>
     </message>
     <message>
         <source>Metallic</source>
-        <translation type="unfinished">Metallisch</translation>
+        <translation>Metallisch</translation>
     </message>
     <message>
         <source>Occlusion</source>
@@ -8076,11 +8096,11 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Höhe</translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">Deckkraft</translation>
+        <translation>Deckkraft</translation>
     </message>
     <message>
         <source>Grey</source>
@@ -8088,11 +8108,11 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished">Licht</translation>
+        <translation>Licht</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished">Keine</translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>From the lowest height to the highest, as a share of the maps&apos; side; needs a height map</source>
@@ -8108,7 +8128,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Repeat</source>
-        <translation type="unfinished">Wiederholen</translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Relief</source>
@@ -8116,7 +8136,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished">Zeigen</translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>Lit by</source>
@@ -8191,7 +8211,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>No result yet. Press Run.</source>
-        <translation type="unfinished">Noch kein Ergebnis. Drücken Sie „Ausführen“.</translation>
+        <translation>Noch kein Ergebnis. Drücken Sie „Ausführen“.</translation>
     </message>
 </context>
 <context>
@@ -9122,7 +9142,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>“%1” is pinned. Delete it all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist angeheftet. Trotzdem löschen?</translation>
     </message>
     <message>
         <source>%1 of the %2 chosen results are pinned. Delete all of them?</source>
@@ -9350,7 +9370,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished">Ordner öffnen</translation>
+        <translation>Ordner öffnen</translation>
     </message>
 </context>
 <context>
@@ -9960,7 +9980,7 @@ Ziehen Sie ein Bild hierher.</translation>
     <name>texloom::ui::ZoomBox</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished">%1 %</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -9972,7 +9992,7 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished">Anpassen</translation>
+        <translation>Anpassen</translation>
     </message>
 </context>
 <context>

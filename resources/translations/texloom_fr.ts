@@ -4798,15 +4798,15 @@
     </message>
     <message>
         <source>A descriptor&apos;s file is given and another descriptor chosen: choose automatic, or leave the file out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier de descripteur est donné et un autre descripteur choisi : choisissez « automatique » ou retirez le fichier.</translation>
     </message>
     <message>
         <source>A layer of the network takes {} channels of at least {}×{} px, and has {} of {}×{} px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une couche du réseau prend {} canaux d&apos;au moins {}×{} px et en a {} de {}×{} px.</translation>
     </message>
     <message>
         <source>A network of your own, such as one that import-descriptor or learn-descriptor made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un réseau à vous, par exemple issu de import-descriptor ou de learn-descriptor.</translation>
     </message>
     <message>
         <source>A normal map needs 3 channels, and this one has {}; choose another map, or say what it holds.</source>
@@ -4826,7 +4826,7 @@
     </message>
     <message>
         <source>A step gave values that are no numbers: the optimisation ended with the last that are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un pas a donné des valeurs qui ne sont pas des nombres : l&apos;optimisation s&apos;est arrêtée aux dernières qui en sont.</translation>
     </message>
     <message>
         <source>A trained generator to go on from.</source>
@@ -4834,7 +4834,7 @@
     </message>
     <message>
         <source>Adam</source>
-        <translation type="unfinished"></translation>
+        <translation>Adam</translation>
     </message>
     <message>
         <source>All three axes are free, so that nothing is wanted of the solid; give one of them an exemplar and a weight.</source>
@@ -4846,11 +4846,11 @@
     </message>
     <message>
         <source>Also compares the distribution of colours, which networks alone let drift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Compare aussi la répartition des couleurs, que les réseaux seuls laissent dériver.</translation>
     </message>
     <message>
         <source>An exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un exemplaire de {}×{} px est trop petit pour le réseau, qui demande {} px par côté.</translation>
     </message>
     <message>
         <source>Anamorphosis: bending what repeats</source>
@@ -4862,43 +4862,39 @@
     </message>
     <message>
         <source>As the descriptor says</source>
-        <translation type="unfinished"></translation>
+        <translation>Comme le dit le descripteur</translation>
     </message>
     <message>
         <source>At each scale: more come closer to the exemplar and take longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>À chaque échelle : davantage s&apos;approche mieux de l&apos;exemplaire et dure plus longtemps.</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Changement</translation>
     </message>
     <message>
         <source>Changes noise, or an initial image, until the feature maps of a network vary together as the exemplar&apos;s do. New pixels rather than copies; long straight structures may bend or break.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifie un bruit, ou une image de départ, jusqu&apos;à ce que les cartes de caractéristiques d&apos;un réseau varient ensemble comme celles de l&apos;exemplaire. De nouveaux pixels plutôt que des copies ; les longues structures droites peuvent plier ou se rompre.</translation>
     </message>
     <message>
         <source>Compare colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparer les couleurs</translation>
     </message>
     <message>
         <source>Cutting a slice</source>
-        <translation type="unfinished"></translation>
+        <translation>Découpe d’une tranche</translation>
     </message>
     <message>
         <source>Descriptor</source>
-        <translation type="unfinished"></translation>
+        <translation>Descripteur</translation>
     </message>
     <message>
         <source>Descriptor: {} (licence {}; {}; SHA-1 {}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Descripteur : {} (licence {} ; {} ; SHA-1 {}).</translation>
     </message>
     <message>
         <source>Distance of neighbourhoods</source>
         <translation>Distance des voisinages</translation>
-    </message>
-    <message>
-        <source>Distributes the patches of all slices as the exemplar&apos;s are; or matches histograms of pyramids, for grain without shapes; or copies neighbourhoods that agree in all directions (Kopf); or makes one voxel after another (Wei).</source>
-        <translation>Distribue les morceaux de toutes les coupes comme ceux de l’exemple ; ou égalise des histogrammes de pyramides, pour du grain sans formes ; ou copie des voisinages qui s’accordent dans toutes les directions (Kopf) ; ou fait un voxel après l’autre (Wei).</translation>
     </message>
     <message>
         <source>Even tone</source>
@@ -4934,7 +4930,7 @@
     </message>
     <message>
         <source>First tap</source>
-        <translation type="unfinished"></translation>
+        <translation>Première prise</translation>
     </message>
     <message>
         <source>Free</source>
@@ -4950,15 +4946,15 @@
     </message>
     <message>
         <source>Gives the result the exemplar&apos;s distribution of colours at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donne à la fin au résultat la répartition des couleurs de l&apos;exemplaire.</translation>
     </message>
     <message>
         <source>Gram</source>
-        <translation type="unfinished"></translation>
+        <translation>Gram</translation>
     </message>
     <message>
         <source>Gram matrices of a network</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrices de Gram d&apos;un réseau</translation>
     </message>
     <message>
         <source>Half</source>
@@ -4966,19 +4962,15 @@
     </message>
     <message>
         <source>How far Adam moves in one step, in deviations of the exemplar&apos;s colours: larger is faster and less exact.</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien Adam avance en un pas, en écarts des couleurs de l&apos;exemplaire : plus grand est plus rapide et moins exact.</translation>
     </message>
     <message>
         <source>How far each step goes at the beginning; it falls to a twentieth. Too large, and the loss jumps; too small, and it falls slowly.</source>
         <translation>Longueur de chaque pas au début ; elle tombe à un vingtième. Trop grande, la perte saute ; trop petite, elle baisse lentement.</translation>
     </message>
     <message>
-        <source>How many sizes of the picture, each half the one before, the network sees at once: more hold larger structures together.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>How much rough pixels are avoided: more smooths noise and fine detail alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>À quel point les pixels rugueux sont évités : davantage lisse le bruit comme les détails fins.</translation>
     </message>
     <message>
         <source>How much the distribution of small patches counts, which makes edges sharper; 0 leaves it to the descriptor.</source>
@@ -4998,7 +4990,7 @@
     </message>
     <message>
         <source>How the network halves its feature maps: by their mean, or by the largest of four values.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment le réseau réduit de moitié ses cartes : par leur moyenne ou par la plus grande de quatre valeurs.</translation>
     </message>
     <message>
         <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights anew with every atom, which follows the patch more closely and takes a little longer.</source>
@@ -5006,19 +4998,19 @@
     </message>
     <message>
         <source>L-BFGS</source>
-        <translation type="unfinished"></translation>
+        <translation>L-BFGS</translation>
     </message>
     <message>
         <source>L-BFGS learns the curvature of the loss and comes further in as many iterations; Adam takes steps of one length.</source>
-        <translation type="unfinished"></translation>
+        <translation>L-BFGS apprend la courbure de la perte et va plus loin en autant d&apos;itérations ; Adam fait des pas d&apos;une même longueur.</translation>
     </message>
     <message>
         <source>Last tap</source>
-        <translation type="unfinished"></translation>
+        <translation>Dernière prise</translation>
     </message>
     <message>
         <source>Learned from the exemplar</source>
-        <translation type="unfinished"></translation>
+        <translation>Appris de l&apos;exemplaire</translation>
     </message>
     <message>
         <source>Learning rate</source>
@@ -5030,7 +5022,7 @@
     </message>
     <message>
         <source>Levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Niveaux</translation>
     </message>
     <message>
         <source>Loss</source>
@@ -5046,11 +5038,11 @@
     </message>
     <message>
         <source>Match histograms</source>
-        <translation type="unfinished"></translation>
+        <translation>Égaliser les histogrammes</translation>
     </message>
     <message>
         <source>Matching feature maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajustement des cartes de caractéristiques</translation>
     </message>
     <message>
         <source>Matching neighbourhoods</source>
@@ -5058,7 +5050,7 @@
     </message>
     <message>
         <source>Maximum</source>
-        <translation type="unfinished"></translation>
+        <translation>Maximum</translation>
     </message>
     <message>
         <source>Mirrored</source>
@@ -5090,7 +5082,7 @@
     </message>
     <message>
         <source>Normalised</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalisée</translation>
     </message>
     <message>
         <source>Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; leave the mask out, or mark what is to be kept.</source>
@@ -5114,7 +5106,7 @@
     </message>
     <message>
         <source>Optimiser</source>
-        <translation type="unfinished"></translation>
+        <translation>Optimiseur</translation>
     </message>
     <message>
         <source>Orthogonal</source>
@@ -5130,11 +5122,11 @@
     </message>
     <message>
         <source>Pooling</source>
-        <translation type="unfinished"></translation>
+        <translation>Mise en commun</translation>
     </message>
     <message>
         <source>Preparing the descriptor</source>
-        <translation type="unfinished"></translation>
+        <translation>Préparation du descripteur</translation>
     </message>
     <message>
         <source>Pursuit</source>
@@ -5146,7 +5138,7 @@
     </message>
     <message>
         <source>Random filters</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtres aléatoires</translation>
     </message>
     <message>
         <source>Random mosaics: three of each</source>
@@ -5154,11 +5146,11 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas</translation>
     </message>
     <message>
         <source>Relative Gram</source>
-        <translation type="unfinished"></translation>
+        <translation>Gram relative</translation>
     </message>
     <message>
         <source>Right</source>
@@ -5210,19 +5202,19 @@
     </message>
     <message>
         <source>Square to x</source>
-        <translation type="unfinished">Perpendiculaire à x</translation>
+        <translation>Perpendiculaire à x</translation>
     </message>
     <message>
         <source>Square to y</source>
-        <translation type="unfinished">Perpendiculaire à y</translation>
+        <translation>Perpendiculaire à y</translation>
     </message>
     <message>
         <source>Square to z</source>
-        <translation type="unfinished">Perpendiculaire à z</translation>
+        <translation>Perpendiculaire à z</translation>
     </message>
     <message>
         <source>Statistic</source>
-        <translation type="unfinished"></translation>
+        <translation>Statistique</translation>
     </message>
     <message>
         <source>Steps of training: a few hundred show what becomes of it, some thousands make it sharper. It can be stopped at any time and keeps what it has learned.</source>
@@ -5234,11 +5226,11 @@
     </message>
     <message>
         <source>Texloom&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Celui de Texloom</translation>
     </message>
     <message>
         <source>The checkpoint does not suit this run: begin anew without --resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le point de reprise ne convient pas à ce calcul : recommencez sans --resume.</translation>
     </message>
     <message>
         <source>The checkpoint holds no solid; begin anew without it.</source>
@@ -5250,19 +5242,19 @@
     </message>
     <message>
         <source>The descriptor cannot be used: {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le descripteur est inutilisable : {}.</translation>
     </message>
     <message>
         <source>The descriptor gives values that are no numbers at its tap {}: its weights are too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le descripteur donne à sa prise {} des valeurs qui ne sont pas des nombres : ses poids sont trop grands.</translation>
     </message>
     <message>
         <source>The descriptor sees {} channels, and the exemplar has {} with its maps: choose one that sees them all, such as exemplar, random or wavelet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le descripteur voit {} canaux et l&apos;exemplaire en a {} avec ses cartes : choisissez-en un qui les voit tous, tel que exemplar, random ou wavelet.</translation>
     </message>
     <message>
         <source>The descriptor {} sees {} channels, and the exemplar has {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le descripteur {} voit {} canaux, et l&apos;exemplaire en a {}.</translation>
     </message>
     <message>
         <source>The exemplar has {} × {} px here; its sides must have at least {} px.</source>
@@ -5270,19 +5262,19 @@
     </message>
     <message>
         <source>The exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;exemplaire de {}×{} px est trop petit pour le réseau, qui demande {} px par côté.</translation>
     </message>
     <message>
         <source>The first layer of the network that is compared; a larger number leaves fine detail free.</source>
-        <translation type="unfinished"></translation>
+        <translation>La première couche du réseau qui est comparée ; un nombre plus grand laisse libres les détails fins.</translation>
     </message>
     <message>
         <source>The first tap is {}, and the descriptor has {}: {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La première prise est {}, et le descripteur en a {} : {}.</translation>
     </message>
     <message>
         <source>The first tap is {}, which comes after the last, {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La première prise est {}, après la dernière, {}.</translation>
     </message>
     <message>
         <source>The generator makes {} channels, and the exemplars have {}.</source>
@@ -5302,7 +5294,7 @@
     </message>
     <message>
         <source>The last layer that is compared, or all that there are; a smaller number leaves large structures free and is faster.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dernière couche comparée, ou toutes celles qu&apos;il y a ; un nombre plus petit laisse libres les grandes structures et va plus vite.</translation>
     </message>
     <message>
         <source>The maps of the material have {} × {} and {} × {} px, so that they do not lie on one another; choose maps of one size.</source>
@@ -5314,11 +5306,11 @@
     </message>
     <message>
         <source>The network has no layer for the tap {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le réseau n&apos;a pas de couche pour la prise {}.</translation>
     </message>
     <message>
         <source>The network whose feature maps are compared: the file that is given, else Texloom&apos;s own; maps beside colours need one that sees them: learned from the exemplar, random or wavelets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le réseau dont les cartes de caractéristiques sont comparées : le fichier donné, sinon celui de Texloom ; des cartes à côté des couleurs en demandent un qui les voit : appris de l&apos;exemplaire, aléatoire ou ondelettes.</translation>
     </message>
     <message>
         <source>The solid in space, without end; the picture is its slice at z = 0.</source>
@@ -5330,15 +5322,15 @@
     </message>
     <message>
         <source>The weights of {} do not fit {} channels and a square of odd side, or have no bias.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poids de {} ne conviennent pas à {} canaux et à un carré de côté impair, ou n&apos;ont pas de biais.</translation>
     </message>
     <message>
         <source>The weights of {} hold values that are no numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poids de {} contiennent des valeurs qui ne sont pas des nombres.</translation>
     </message>
     <message>
         <source>The weights of {} lie beyond the end of the file, which holds {} numbers: it is cut short or of another network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poids de {} sont au-delà de la fin du fichier, qui contient {} nombres : il est tronqué ou d&apos;un autre réseau.</translation>
     </message>
     <message>
         <source>There is no light in this panorama; choose another picture.</source>
@@ -5350,7 +5342,7 @@
     </message>
     <message>
         <source>Total variation</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation totale</translation>
     </message>
     <message>
         <source>Training</source>
@@ -5374,7 +5366,7 @@
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished">Volume</translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Voxels along each axis, after which the solid repeats: twice as many take eight times as long.</source>
@@ -5382,7 +5374,7 @@
     </message>
     <message>
         <source>Wavelets</source>
-        <translation type="unfinished"></translation>
+        <translation>Ondelettes</translation>
     </message>
     <message>
         <source>Weight of patches</source>
@@ -5406,7 +5398,7 @@
     </message>
     <message>
         <source>What is compared of the feature maps: their moments once each has the exemplar&apos;s mean and deviation, their Gram matrices as published, or these relative to the exemplar&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est comparé des cartes de caractéristiques : leurs moments une fois chacune rapportée à la moyenne et à l&apos;écart de l&apos;exemplaire, leurs matrices de Gram comme publié, ou celles-ci relativement à celles de l&apos;exemplaire.</translation>
     </message>
     <message>
         <source>What slices look like: one image for all directions, or one each for those square to z, y and x.</source>
@@ -5434,7 +5426,7 @@
     </message>
     <message>
         <source>a chain of its network does not end in a tap</source>
-        <translation type="unfinished"></translation>
+        <translation>une chaîne de son réseau ne finit pas par une prise</translation>
     </message>
     <message>
         <source>a channel of the file, counted from 0</source>
@@ -5442,23 +5434,23 @@
     </message>
     <message>
         <source>a length from 1 to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>une longueur de 1 à {}</translation>
     </message>
     <message>
         <source>its head lacks “{}”</source>
-        <translation type="unfinished"></translation>
+        <translation>son en-tête n&apos;a pas « {} »</translation>
     </message>
     <message>
         <source>its network has more than {} steps</source>
-        <translation type="unfinished"></translation>
+        <translation>son réseau a plus de {} étapes</translation>
     </message>
     <message>
         <source>the weights of its layer {} do not fit {} channels and a square of odd side</source>
-        <translation type="unfinished"></translation>
+        <translation>les poids de sa couche {} ne conviennent pas à {} canaux et à un carré de côté impair</translation>
     </message>
     <message>
         <source>there are no weights for its layer {}</source>
-        <translation type="unfinished"></translation>
+        <translation>il n&apos;y a pas de poids pour sa couche {}</translation>
     </message>
     <message>
         <source>{} cannot be read.</source>
@@ -5502,7 +5494,7 @@
     </message>
     <message>
         <source>{} is no .json: name the one that lies beside the .bin with the weights.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} n&apos;est pas un .json : nommez celui qui se trouve à côté du .bin des poids.</translation>
     </message>
     <message>
         <source>{} is there already; choose a folder without pictures of an earlier turn.</source>
@@ -5510,7 +5502,7 @@
     </message>
     <message>
         <source>{} names no convolution conv1_1: it is no network of VGG&apos;s kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ne nomme aucune convolution conv1_1 : ce n&apos;est pas un réseau du genre VGG.</translation>
     </message>
     <message>
         <source>{}: meshes with colours are written as .ply, .obj or .glb.</source>
@@ -5522,15 +5514,43 @@
     </message>
     <message>
         <source>“pooling” of its head is neither average nor maximum</source>
-        <translation type="unfinished"></translation>
+        <translation>« pooling » de son en-tête n&apos;est ni average ni maximum</translation>
     </message>
     <message>
         <source>“{}” in its network means nothing there</source>
-        <translation type="unfinished"></translation>
+        <translation>« {} » ne signifie rien à cet endroit de son réseau</translation>
     </message>
     <message>
         <source>“{}” of its head is no number from {} to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>« {} » de son en-tête n&apos;est pas un nombre de {} à {}</translation>
+    </message>
+    <message>
+        <source>Distributes the patches of all slices as the exemplar&apos;s are, which is sharpest; or matches histograms of pyramids, quick, for grain without shapes; or copies neighbourhoods (Kopf), soft where directions disagree; or makes one voxel after another (Wei).</source>
+        <translation>Distribue les morceaux de toutes les coupes comme ceux de l’exemple, ce qui est le plus net ; ou égalise des histogrammes de pyramides, rapide, pour du grain sans formes ; ou copie des voisinages (Kopf), doux là où les directions ne s’accordent pas ; ou fait un voxel après l’autre (Wei).</translation>
+    </message>
+    <message>
+        <source>Gatys, Ecker and Bethge: plain Gram matrices on one scale and one level from noise, 2,000 iterations at most; give it their VGG-19 as its descriptor.</source>
+        <translation>Gatys, Ecker et Bethge : matrices de Gram simples à une échelle et un niveau depuis un bruit, 2 000 itérations au plus ; donnez-lui leur VGG-19 pour descripteur.</translation>
+    </message>
+    <message>
+        <source>Gram matrices of several networks</source>
+        <translation>Matrices de Gram de plusieurs réseaux</translation>
+    </message>
+    <message>
+        <source>Gram matrices, as published</source>
+        <translation>Matrices de Gram, comme publié</translation>
+    </message>
+    <message>
+        <source>How many sizes of the picture, each half the one before, the network sees at once: more hold larger structures together; 0 leaves it to the descriptor.</source>
+        <translation>Combien de tailles de l&apos;image, chacune moitié de la précédente, le réseau voit à la fois : davantage tient ensemble de plus grandes structures ; 0 s&apos;en remet au descripteur.</translation>
+    </message>
+    <message>
+        <source>Largest of four instead of the mean</source>
+        <translation>La plus grande de quatre au lieu de la moyenne</translation>
+    </message>
+    <message>
+        <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
+        <translation>La même texture par quatre descripteurs, et par l&apos;un d&apos;eux avec l&apos;autre mise en commun, comme les compare la figure 4.8 de la thèse de Gutierrez.</translation>
     </message>
 </context>
 <context>
@@ -6126,7 +6146,7 @@
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished">%1 : %2 {1,?}</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>channel %1</source>
@@ -7145,7 +7165,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished">Genre</translation>
+        <translation>Genre</translation>
     </message>
     <message>
         <source>Arrays</source>
@@ -7153,7 +7173,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Values</source>
-        <translation type="unfinished">Valeurs</translation>
+        <translation>Valeurs</translation>
     </message>
     <message>
         <source>Vertices</source>
@@ -7860,7 +7880,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished">Ajouter</translation>
+        <translation>Ajouter</translation>
     </message>
     <message>
         <source>There is a preset %1 already.</source>
@@ -8056,7 +8076,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Couleur</translation>
+        <translation>Couleur</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -8064,11 +8084,11 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Roughness</source>
-        <translation type="unfinished">Rugosité</translation>
+        <translation>Rugosité</translation>
     </message>
     <message>
         <source>Metallic</source>
-        <translation type="unfinished">Métallique</translation>
+        <translation>Métallique</translation>
     </message>
     <message>
         <source>Occlusion</source>
@@ -8076,11 +8096,11 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Hauteur</translation>
+        <translation>Hauteur</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">Opacité</translation>
+        <translation>Opacité</translation>
     </message>
     <message>
         <source>Grey</source>
@@ -8088,11 +8108,11 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished">Lumière</translation>
+        <translation>Lumière</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished">Aucun</translation>
+        <translation>Aucun</translation>
     </message>
     <message>
         <source>From the lowest height to the highest, as a share of the maps&apos; side; needs a height map</source>
@@ -8108,7 +8128,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Repeat</source>
-        <translation type="unfinished">Répéter</translation>
+        <translation>Répéter</translation>
     </message>
     <message>
         <source>Relief</source>
@@ -8116,7 +8136,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished">Montrer</translation>
+        <translation>Montrer</translation>
     </message>
     <message>
         <source>Lit by</source>
@@ -8191,7 +8211,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>No result yet. Press Run.</source>
-        <translation type="unfinished">Pas encore de résultat. Cliquez sur Lancer.</translation>
+        <translation>Pas encore de résultat. Cliquez sur Lancer.</translation>
     </message>
 </context>
 <context>
@@ -9122,7 +9142,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>“%1” is pinned. Delete it all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est épinglé. Le supprimer quand même ?</translation>
     </message>
     <message>
         <source>%1 of the %2 chosen results are pinned. Delete all of them?</source>
@@ -9350,7 +9370,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished">Ouvrir le dossier</translation>
+        <translation>Ouvrir le dossier</translation>
     </message>
 </context>
 <context>
@@ -9960,7 +9980,7 @@ Déposez une image ici.</translation>
     <name>texloom::ui::ZoomBox</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished">%1 %</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -9972,7 +9992,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished">Ajuster</translation>
+        <translation>Ajuster</translation>
     </message>
 </context>
 <context>

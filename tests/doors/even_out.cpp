@@ -12,7 +12,7 @@ namespace texloom::even_out {
 namespace {
 
 struct Settings {
-    double strength = 1; ///< share of the difference that is taken away
+    double strength = 0.5; ///< share of the contrast that is taken away
 };
 
 void check(const Request&, const Settings&) {}
@@ -40,11 +40,12 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     Synthesis made;
     made.image = Image(request.size, request.channels());
     for (int c = 0; c < made.image.channels(); ++c) {
-        const float away =
-            static_cast<float>(settings.strength) * (meanOf(exemplar.plane(c), context) - 0.5F);
+        const float mean = meanOf(exemplar.plane(c), context);
+        const auto kept = static_cast<float>(1 - settings.strength);
         for (int y = 0; y < request.size.height; ++y, context.check())
             for (int x = 0; x < request.size.width; ++x)
-                made.image(x, y, c) = exemplar(x % exemplar.width(), y % exemplar.height(), c) - away;
+                made.image(x, y, c) =
+                    mean + kept * (exemplar(x % exemplar.width(), y % exemplar.height(), c) - mean);
         context.preview(made.image);
         context.progress((c + 1.0) / made.image.channels());
     }
@@ -55,7 +56,7 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 
 const Method self = method<Settings>(
     {.title = TR("Even out"),
-     .summary = TR("Repeats the exemplar, its mean brought to mid-grey."),
+     .summary = TR("Repeats the exemplar with less contrast around its mean."),
      .citation = "None: an example that repeats but for rounding",
      .category = Category::Tools,
      .takes = {ports::exemplar()},
@@ -64,7 +65,7 @@ const Method self = method<Settings>(
      .usesSeed = false},
     {field(&Settings::strength, "strength", TR("Strength"))
          .range(0, 1)
-         .help(TR("How much of the difference is taken away: 0 leaves the exemplar's mean."))},
+         .help(TR("How much of the contrast is taken away: 0 leaves all of it, 1 nothing but the mean."))},
     run, check, estimate);
 
 namespace {

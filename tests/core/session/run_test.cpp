@@ -92,8 +92,10 @@ TEST(PlanRun, RefusesAnOutputWithoutPixels) {
 
 TEST(PlanRun, RefusesExemplarsWithUnequalChannels) {
     SampleRun sample;
-    sample.input.exemplars.push_back({loadExemplar(sample.write("grey", {50, 50}, 1)), {}, {}});
-    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("bark", "3", "grey", "1"));
+    ExemplarFile deep = loadExemplar(sample.write("deep", {50, 50}, 1));
+    deep.image = std::make_shared<const Image>(blobs({50, 50}, 5)); // grey beside colour would be made alike
+    sample.input.exemplars.push_back({deep, {}, {}});
+    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("bark", "3", "deep", "5"));
 }
 
 TEST(PlanRun, RefusesAMaskOfAnotherSize) {

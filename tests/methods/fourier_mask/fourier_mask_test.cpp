@@ -142,7 +142,7 @@ TEST(FourierMask, patchesFollowTheWaves) {
     EXPECT_TRUE(guided.notes.empty());
     // What there is to see follows the picture of the regular part.
     double together = 0;
-    const Image& regular = guided.pictures.front().image;
+    const Image& regular = *guided.outputs.image("regular-part");
     const double meanA = channelMeans(regular).front(), meanB = channelMeans(guided.image).front();
     for (int y = 0; y < 260; ++y)
         for (int x = 0; x < 300; ++x)
