@@ -9834,10 +9834,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Alle Verfahren aus&amp;probieren</translation>
     </message>
     <message>
-        <source>Make a preview with every method, the quickest first, and compare them</source>
-        <translation>Mit jedem Verfahren eine Vorschau erzeugen, die schnellsten zuerst, und sie vergleichen</translation>
-    </message>
-    <message>
         <source>Try &amp;some methods…</source>
         <translation>&amp;Einige Verfahren ausprobieren …</translation>
     </message>
@@ -9856,6 +9852,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1 · seed %2 · %3</source>
         <translation>%1 · Startwert %2 · %3</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method but those of solids, the quickest first, and compare them</source>
+        <translation>Mit jedem Verfahren außer denen für Volumen eine Vorschau machen, die schnellsten zuerst, und sie vergleichen</translation>
     </message>
 </context>
 <context>

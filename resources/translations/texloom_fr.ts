@@ -9834,10 +9834,6 @@ Déposez une image ici.</translation>
         <translation>Essayer &amp;toutes les méthodes</translation>
     </message>
     <message>
-        <source>Make a preview with every method, the quickest first, and compare them</source>
-        <translation>Faire un aperçu avec chaque méthode, les plus rapides d’abord, et les comparer</translation>
-    </message>
-    <message>
         <source>Try &amp;some methods…</source>
         <translation>Essayer &amp;quelques méthodes…</translation>
     </message>
@@ -9856,6 +9852,10 @@ Déposez une image ici.</translation>
     <message>
         <source>%1 · seed %2 · %3</source>
         <translation>%1 · graine %2 · %3</translation>
+    </message>
+    <message>
+        <source>Make a preview with every method but those of solids, the quickest first, and compare them</source>
+        <translation>Faire un aperçu avec chaque méthode sauf celles de volumes, les plus rapides d’abord, et les comparer</translation>
     </message>
 </context>
 <context>

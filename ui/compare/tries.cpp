@@ -68,7 +68,8 @@ Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons
     m_all->setText(tr("Try &all methods"));
     m_all->setObjectName(QStringLiteral("tryAll"));
     m_all->setIcon(icon(QStringLiteral("grid")));
-    setHelp(m_all, tr("Make a preview with every method, the quickest first, and compare them"));
+    setHelp(m_all,
+            tr("Make a preview with every method but those of solids, the quickest first, and compare them"));
     m_some->setText(tr("Try &some methods…"));
     m_some->setObjectName(QStringLiteral("trySome"));
     setHelp(m_some, tr("Choose methods, make a run with each and compare them"));
@@ -100,7 +101,8 @@ std::optional<int> Tries::stop() {
 void Tries::tryAll() {
     std::vector<std::string> ids;
     for (const Method& method : methods())
-        ids.push_back(method.id());
+        if (method.info().category != Category::Solids) // which take minutes, and whose result is no picture
+            ids.push_back(method.id());
     tryMethods(ids, true);
 }
 
