@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const VolumeSize kSize{6, 5, 4};
+const VolumeSize kVolume{6, 5, 4};
 
 std::string get(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -26,13 +26,13 @@ std::string get(const fs::path& path) {
 }
 
 DenseSource sample(int channels, DenseSource::Edge edge = DenseSource::Edge::Ends) {
-    return {sampleVolume(kSize, channels), edge};
+    return {sampleVolume(kVolume, channels), edge};
 }
 
 /// Writes the sample, whole.
 void write(const fs::path& path, int channels, const VolumeWriteOptions& options = {}) {
     TestContext context;
-    writeVolume(path, sample(channels), {0, 0, 0, kSize}, options, context);
+    writeVolume(path, sample(channels), {0, 0, 0, kVolume}, options, context);
 }
 
 LoadedVolume read(const fs::path& path, std::int64_t most = kLargestFileVoxels) {
@@ -89,7 +89,7 @@ TEST(VolumeFile, RawIsWhatItSays) {
         std::memcpy(&value, bytes.data() + (((z * 5 + y) * 6 + x) * 3 + c) * sizeof(float), sizeof(float));
         return value;
     };
-    const Volume volume = sampleVolume(kSize, 3);
+    const Volume volume = sampleVolume(kVolume, 3);
     const float encoded = volume(4, 3, 2, 1);
     EXPECT_NEAR(valueAt(4, 3, 2, 1), std::pow((encoded + 0.055F) / 1.055F, 2.4F), 1e-4); // sRGB's curve
 }
@@ -106,13 +106,13 @@ TEST(VolumeFile, SlicesComeBackInEveryFormat) {
         options.recipe = "{\"texloom\": 1}";
         const fs::path path = folder / (std::string("wood.") + extension);
         write(path, 3, options);
-        EXPECT_EQ(folder.entries(), kSize.depth);
-        for (const fs::path& file : volumeFiles(path, kSize.depth)) {
+        EXPECT_EQ(folder.entries(), kVolume.depth);
+        for (const fs::path& file : volumeFiles(path, kVolume.depth)) {
             EXPECT_EQ(readImageInfo(file).recipe, options.recipe);
             const LoadedVolume loaded = read(file);
-            ASSERT_EQ(loaded.source->volume().size(), kSize);
-            const Volume expected = sampleVolume(kSize, 3);
-            for (int z = 0; z < kSize.depth; ++z)
+            ASSERT_EQ(loaded.source->volume().size(), kVolume);
+            const Volume expected = sampleVolume(kVolume, 3);
+            for (int z = 0; z < kVolume.depth; ++z)
                 for (int c = 0; c < 3; ++c)
                     ASSERT_NEAR(loaded.source->volume()(2, 3, z, c), expected(2, 3, z, c), step / 2 + 1e-6);
             EXPECT_EQ(loaded.recipe, options.recipe);
@@ -125,7 +125,7 @@ TEST(VolumeFile, SlicesOfAPeriodSaySo) {
     VolumeWriteOptions options;
     options.repeats = true;
     write(folder / "v.png", 1, options);
-    EXPECT_EQ(read(folder / "v-0002.png").source->period(), kSize);
+    EXPECT_EQ(read(folder / "v-0002.png").source->period(), kVolume);
     EXPECT_FALSE(read(folder / "v-0002.png").source->bounds());
 }
 
@@ -139,10 +139,10 @@ TEST(VolumeFile, NamesOfManySlicesStayInOrder) {
 
 TEST(VolumeFile, SlicesOfOtherProgramsAreTakenByTheirNumbers) {
     const TemporaryFolder folder;
-    const Volume volume = sampleVolume(kSize, 1);
+    const Volume volume = sampleVolume(kVolume, 1);
     WriteOptions options;
     options.depth = Depth::Float;
-    for (int z = 0; z < kSize.depth; ++z)
+    for (int z = 0; z < kVolume.depth; ++z)
         writeImage(folder / ("scan" + std::to_string(z + 8) + ".tif"), volume.slice(z), options);
     writeImage(folder / "scan_other7.tif", volume.slice(0), options);
     TestContext context;
@@ -233,9 +233,9 @@ TEST(VolumeFile, WhatCannotBeWrittenLeavesWhatWasThere) {
     int left = 3;
     JobContext context(
         {1, 1, false}, [&left] { return --left < 0; }, monitor);
-    EXPECT_THROW(writeVolume(folder / "v.json", sample(3), {0, 0, 0, kSize}, {}, context), Cancelled);
+    EXPECT_THROW(writeVolume(folder / "v.json", sample(3), {0, 0, 0, kVolume}, {}, context), Cancelled);
     left = 8;
-    EXPECT_THROW(writeVolume(folder / "v.png", sample(1), {0, 0, 0, kSize}, {}, context), Cancelled);
+    EXPECT_THROW(writeVolume(folder / "v.png", sample(1), {0, 0, 0, kVolume}, {}, context), Cancelled);
     EXPECT_EQ(get(folder / "v.json"), json);
     EXPECT_EQ(get(folder / "v-0000.png"), first);
     EXPECT_EQ(folder.entries(), entries);
@@ -251,7 +251,7 @@ TEST(VolumeFile, AShorterVolumeDoesNotMixWithALongerOne) {
             writeVolume(folder / "v.png", sample(3), {0, 0, 0, {6, 5, 2}}, {}, context);
         },
         refusal("v-000", "2 slices"));
-    EXPECT_EQ(folder.entries(), kSize.depth);
+    EXPECT_EQ(folder.entries(), kVolume.depth);
 }
 
 TEST(VolumeFile, WhatAFormatCannotHoldIsRefusedBeforeTheWork) {
