@@ -2,18 +2,28 @@
 
 #include "core/job/address_space.h"
 
+#include <Eigen/Core>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <thread>
 #include <utility>
 
 namespace texloom {
 
 namespace {
+
+/// Eigen divides products of matrices as the processor's caches are large, so that sums have another order,
+/// and results other bits, on another machine. With sizes that are given the bits are the same on all.
+const bool kBlocksAreFixed = [] {
+    constexpr std::ptrdiff_t kFirst = 48 << 10, kSecond = 2 << 20, kThird = 32 << 20;
+    Eigen::setCpuCacheSizes(kFirst, kSecond, kThird);
+    return true;
+}();
 
 /// Longest side of a preview: what a viewer fills at 100 %, copied in a few milliseconds.
 constexpr int kPreviewSide = 640;

@@ -195,7 +195,7 @@ private Q_SLOTS:
         QVERIFY(window.messages()->text().contains(QStringLiteral("was deleted")));
         child<QPushButton>(window, "messageAction")->click();
         QCOMPARE(history->rowCount(), 1);
-        QVERIFY(history->find(key)->pinned);
+        QVERIFY(!history->find(key)->pinned);
         std::shared_ptr<const Result> back;
         history->want(
             key, [&](const auto& result) { back = result; },

@@ -277,10 +277,10 @@ private Q_SLOTS:
         QVERIFY(started.wait(kPatience));
         QVERIFY(window.desk()->controller()->quick());
         QSignalSpy finished(window.desk()->controller(), &RunController::finished);
-        window.inspector()->output()->setOutputSize({64, 64});
+        window.inspector()->output()->setOutputSize({128, 128});
         window.startRun(false);
         QVERIFY(finished.wait(kPatience));
-        QTRY_VERIFY((window.desk()->result()->plan.request.size == Size{64, 64}));
+        QTRY_VERIFY((window.desk()->result()->plan.request.size == Size{128, 128}));
         QVERIFY(!window.messages()->isVisible());
     }
 

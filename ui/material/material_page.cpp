@@ -134,6 +134,11 @@ void MaterialPage::makeFields() {
 }
 
 QGridLayout* MaterialPage::layOutFields() {
+    constexpr int kShownLetters = 8; // small windows have no room for the longest entry
+    for (QComboBox* box : {m_shape, m_light, m_shown, m_backdrop}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kShownLetters);
+    }
     auto* grid = new QGridLayout;
     int count = 0;
     const auto add = [&](const QString& text, QWidget* field) {
