@@ -61,7 +61,7 @@ ChannelStatistics statisticsOf(const Field& field, JobContext& context) {
 
 ChannelStatistics normalise(const Field& in, bool leaky, Normalisation& norm, int first, Field& out,
                             JobContext& context) {
-    const ChannelStatistics statistics = statisticsOf(in, context);
+    ChannelStatistics statistics = statisticsOf(in, context);
     context.parallel(0, in.channels(), [&](int c) {
         const double factor = static_cast<double>(norm.scale[at(c)]) * statistics.inverse(c);
         const auto scale = static_cast<float>(factor);
