@@ -40,6 +40,8 @@ GUIDED = {"analogy": {"guide": "crazy_paving_a.png", "output-guide": "crazy_pavi
 GUIDED_SIDE = 256
 # Methods that need a target follow a texture of this exemplar.
 TARGETS = {"texture-transfer": "crazy_paving.png"}
+# Methods that optimise or train for long are shown smaller, and after fewer steps.
+BRIEFER = {"gram-cnn": (256, []), "solid-optimise": (192, ["--set", "side=96"]), "solid-texture": (256, ["--set", "iterations=200"])}
 SIDE = 384
 BATCHES = HERE.parent.parent / "resources/batches"
 EXAMPLE = HERE.parent.parent / "tests/methods/examples/mirror_tile.cpp"
@@ -92,7 +94,8 @@ def make_picture(cli, method):
             target = pathlib.Path(folder) / "target.png"
             synthesise(cli, "quilting", TARGETS[method], target)
             options = ["--input", f"target={target}"]
-        synthesise(cli, method, SHOWN_ON.get(method, "soil_clods.png"), output, *options)
+        side, briefer = BRIEFER.get(method, (SIDE, []))
+        synthesise(cli, method, SHOWN_ON.get(method, "soil_clods.png"), output, *options, *briefer, side=side)
 
 
 def absent_pages(cli):
