@@ -9,7 +9,7 @@
 namespace texloom::TEXLOOM_KERNELS {
 
 constexpr int kLanes = TEXLOOM_KERNEL_LANES;
-typedef float Vector __attribute__((vector_size(kLanes * 4), aligned(4), may_alias));
+using Vector __attribute__((vector_size(kLanes * 4), aligned(4), may_alias)) = float;
 
 /// Vectors of positions that are done with so many channels at once, so that all sums stay in registers.
 constexpr int vectorsFor(int block) {
