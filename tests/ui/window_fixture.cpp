@@ -15,6 +15,7 @@
 #include <QStandardPaths>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace texloom::ui {
@@ -58,6 +59,12 @@ bool openAndFinish(MainWindow& window, const QString& path) {
     QSignalSpy finished(window.desk()->controller(), &RunController::finished);
     window.openFiles({path});
     return finished.wait(60'000);
+}
+
+std::size_t triedMethods() {
+    return static_cast<std::size_t>(
+        std::count_if(methods().begin(), methods().end(),
+                      [](const Method& method) { return method.info().category != Category::Solids; }));
 }
 
 void settle() {

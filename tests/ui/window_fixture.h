@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -24,6 +25,9 @@ QString writeTexture(const QTemporaryDir& folder, const QString& name, Size size
 
 /// Brings the window to the state in which a first exemplar has been opened and its quick run has ended.
 bool openAndFinish(MainWindow& window, const QString& path);
+
+/// How many methods "Try all methods" runs: all but those of solids.
+std::size_t triedMethods();
 
 /// Lets layouts come to rest, which ask for one another by events.
 void settle();
