@@ -222,7 +222,8 @@ TEST(Fuzz, SessionsAreReadOrRefused) {
     session.settings.exemplars = {{{"/a/bark.png", "srgb", "00FF"}, {}, {}}};
     session.settings.size = {512, 256};
     session.used = {true};
-    fuzz("session", {session.toJson("/a"), R"({"session":1,"settings":{"texloom":1},"used":[],"current":-1})"},
+    fuzz("session",
+         {session.toJson("/a"), R"({"session":1,"settings":{"texloom":1},"used":[],"current":-1})"},
          10 * iterations(), [](const std::string& text) { Session::fromJson(text, "/a"); });
 }
 

@@ -4,8 +4,8 @@
 
 namespace texloom::ui {
 
-/// A label of one line, or two, that shortens a long text, in its middle unless told otherwise, where file names
-/// differ least; the tooltip has the whole. It never makes its window wider.
+/// A label of one line, or two, that shortens a long text, in its middle unless told otherwise, where file
+/// names differ least; the tooltip has the whole. It never makes its window wider.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 

@@ -43,8 +43,8 @@ public:
     /// The smallest version that still has a pixel for each device pixel at this scale.
     /// @param scale device pixels for one pixel of the whole picture.
     const QImage& levelFor(double scale) const;
-    /// "0.502 0.413 0.250 · 128 105 64 · #806940": the values at a pixel of the whole picture, as they are, in
-    /// 8 bits, and those of colours as people write them.
+    /// "0.502 0.413 0.250 · 128 105 64 · #806940": the values at a pixel of the whole picture, as they are,
+    /// in 8 bits, and those of colours as people write them.
     QString valueText(int x, int y) const;
 
 private:
