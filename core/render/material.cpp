@@ -1,5 +1,6 @@
 #include "core/render/material.h"
 
+#include "core/base/at.h"
 #include "core/base/error.h"
 
 #include <algorithm>
@@ -94,15 +95,14 @@ MaterialTexture::MaterialTexture(const Material& material) {
             Sample& pixel = finest.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                           static_cast<std::size_t>(x)];
             for (int c = 0; c < 3; ++c)
-                pixel[static_cast<std::size_t>(kRed + c)] =
-                    colour ? std::max((*colour)(x, y, std::min(c, last)), 0.0F) : 0.5F;
+                pixel[at(Red + c)] = colour ? std::max((*colour)(x, y, std::min(c, last)), 0.0F) : 0.5F;
             const std::array<float, 3> normal = normalAt(normals, greenDown, x, y);
-            std::copy(normal.begin(), normal.end(), pixel.begin() + kNormalU);
-            pixel[kRoughness] = roughness.at(x, y);
-            pixel[kMetallic] = metallic.at(x, y);
-            pixel[kOcclusion] = occlusion.at(x, y);
-            pixel[kHeight] = height.at(x, y);
-            pixel[kOpacity] = opacity.at(x, y);
+            std::copy(normal.begin(), normal.end(), pixel.begin() + NormalU);
+            pixel[Roughness] = roughness.at(x, y);
+            pixel[Metallic] = metallic.at(x, y);
+            pixel[Occlusion] = occlusion.at(x, y);
+            pixel[Height] = height.at(x, y);
+            pixel[Opacity] = opacity.at(x, y);
         }
     while (m_levels.back().size.longerSide() > 1) {
         const Level& from = m_levels.back();
@@ -115,7 +115,7 @@ MaterialTexture::MaterialTexture(const Material& material) {
                         const Sample& pixel = from.pixels[static_cast<std::size_t>(row % from.size.height) *
                                                               static_cast<std::size_t>(from.size.width) +
                                                           static_cast<std::size_t>(column % from.size.width)];
-                        for (std::size_t i = 0; i < kPlaces; ++i)
+                        for (std::size_t i = 0; i < Places; ++i)
                             mean[i] += pixel[i] / 4;
                     }
                 to.pixels.push_back(mean);
@@ -150,7 +150,7 @@ MaterialTexture::Sample MaterialTexture::sample(float u, float v, float extent) 
         for (std::size_t k = 0; k < 4; ++k) {
             const Sample& pixel = from.pixels[corners.at[k]];
             const float weight = share * corners.share[k];
-            for (std::size_t i = 0; i < kPlaces; ++i)
+            for (std::size_t i = 0; i < Places; ++i)
                 sum[i] += weight * pixel[i];
         }
     };
@@ -165,7 +165,7 @@ float MaterialTexture::height(float u, float v, float extent) const {
     const Corners corners = around(level, u, v);
     float sum = 0;
     for (std::size_t k = 0; k < 4; ++k)
-        sum += corners.share[k] * level.pixels[corners.at[k]][kHeight];
+        sum += corners.share[k] * level.pixels[corners.at[k]][Height];
     return sum;
 }
 

@@ -24,20 +24,20 @@ class MaterialTexture {
 public:
     /// Where each value lies in a sample. Normals are along u, v and outwards, not normalised.
     enum Place {
-        kRed,
-        kGreen,
-        kBlue,
-        kNormalU,
-        kNormalV,
-        kNormalOut,
-        kRoughness,
-        kMetallic,
-        kOcclusion,
-        kHeight,
-        kOpacity,
-        kPlaces = 12
+        Red,
+        Green,
+        Blue,
+        NormalU,
+        NormalV,
+        NormalOut,
+        Roughness,
+        Metallic,
+        Occlusion,
+        Height,
+        Opacity,
+        Places = 12
     };
-    using Sample = std::array<float, kPlaces>;
+    using Sample = std::array<float, Places>;
 
     /// @throws UsageError if maps have different sizes, naming both, or a colour or normal map too few
     /// channels.

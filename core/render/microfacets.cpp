@@ -1,5 +1,7 @@
 #include "core/render/microfacets.h"
 
+#include "core/base/at.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -81,9 +83,7 @@ Reflected SplitSum::at(float cosine, float roughness) const {
     const float y = std::clamp(roughness * kSide - 0.5F, 0.0F, static_cast<float>(kSide - 1));
     const int left = std::min(static_cast<int>(x), kSide - 2), top = std::min(static_cast<int>(y), kSide - 2);
     const float right = x - static_cast<float>(left), bottom = y - static_cast<float>(top);
-    const auto value = [&](int column, int row) {
-        return m_values[static_cast<std::size_t>(row * kSide + column)];
-    };
+    const auto value = [&](int column, int row) { return m_values[texloom::at(row * kSide + column)]; };
     const auto mix = [&](float Reflected::*part) {
         return (1 - bottom) * ((1 - right) * value(left, top).*part + right * value(left + 1, top).*part) +
                bottom * ((1 - right) * value(left, top + 1).*part + right * value(left + 1, top + 1).*part);

@@ -49,7 +49,7 @@ public:
     /// Colour and opacity of a pixel.
     Eigen::Vector4f at(int x, int y) const {
         const Hit& hit = m_visibility.at(x, y);
-        const Eigen::Vector4f behind = beside(x, y);
+        Eigen::Vector4f behind = beside(x, y);
         if (!hit.any())
             return behind;
         Point point = pointOf(hit, x, y);
@@ -57,7 +57,7 @@ public:
             meetRelief(point);
         const MaterialTexture::Sample sample = m_material.sample(point.uv.x(), point.uv.y(), point.extent);
         const Vector3f colour = m_look.shown == Shown::Lit ? lit(point, sample) : alone(sample);
-        const float opacity = m_look.shown == Shown::Opacity ? 1 : sample[MaterialTexture::kOpacity];
+        const float opacity = m_look.shown == Shown::Opacity ? 1 : sample[MaterialTexture::Opacity];
         Eigen::Vector4f mixed;
         const float alpha = opacity + (1 - opacity) * behind.w();
         mixed.head<3>() =
@@ -160,33 +160,33 @@ private:
         case Shown::Lit:
             break;
         case Shown::Normal:
-            return {asShown(sample[Texture::kNormalU] / 2 + 0.5F),
-                    asShown(0.5F - sample[Texture::kNormalV] / 2),
-                    asShown(sample[Texture::kNormalOut] / 2 + 0.5F)};
+            return {asShown(sample[Texture::NormalU] / 2 + 0.5F),
+                    asShown(0.5F - sample[Texture::NormalV] / 2),
+                    asShown(sample[Texture::NormalOut] / 2 + 0.5F)};
         case Shown::Roughness:
-            return grey(sample[Texture::kRoughness]);
+            return grey(sample[Texture::Roughness]);
         case Shown::Metallic:
-            return grey(sample[Texture::kMetallic]);
+            return grey(sample[Texture::Metallic]);
         case Shown::Occlusion:
-            return grey(sample[Texture::kOcclusion]);
+            return grey(sample[Texture::Occlusion]);
         case Shown::Height:
-            return grey(sample[Texture::kHeight]);
+            return grey(sample[Texture::Height]);
         case Shown::Opacity:
-            return grey(sample[Texture::kOpacity]);
+            return grey(sample[Texture::Opacity]);
         }
-        return {sample[Texture::kRed], sample[Texture::kGreen], sample[Texture::kBlue]};
+        return {sample[Texture::Red], sample[Texture::Green], sample[Texture::Blue]};
     }
 
     Vector3f lit(const Point& point, const MaterialTexture::Sample& sample) const {
         using Texture = MaterialTexture;
-        const Vector3f bent = sample[Texture::kNormalU] * point.alongU +
-                              sample[Texture::kNormalV] * point.alongV +
-                              sample[Texture::kNormalOut] * point.normal;
+        const Vector3f bent = sample[Texture::NormalU] * point.alongU +
+                              sample[Texture::NormalV] * point.alongV +
+                              sample[Texture::NormalOut] * point.normal;
         const float length = bent.norm();
         const Vector3f normal = length > 1e-6F ? Vector3f(bent / length) : point.normal;
-        const Vector3f albedo(sample[Texture::kRed], sample[Texture::kGreen], sample[Texture::kBlue]);
-        const float roughness = widened(sample[Texture::kRoughness], length);
-        const float metallic = sample[Texture::kMetallic], occlusion = sample[Texture::kOcclusion];
+        const Vector3f albedo(sample[Texture::Red], sample[Texture::Green], sample[Texture::Blue]);
+        const float roughness = widened(sample[Texture::Roughness], length);
+        const float metallic = sample[Texture::Metallic], occlusion = sample[Texture::Occlusion];
         const float cosine = std::clamp(normal.dot(point.toViewer), 1e-3F, 1.0F);
         const Vector3f straightOn = Vector3f::Constant(kGlass * (1 - metallic)) + metallic * albedo;
 

@@ -25,7 +25,7 @@ QString unmarked(QString text) {
 
 /// The text with the first of its letters marked that is free.
 QString markedAnew(const QString& text, const QSet<QChar>& taken) {
-    const QString plain = unmarked(text);
+    QString plain = unmarked(text);
     for (qsizetype i = 0; i < plain.size(); ++i)
         if (plain[i].isLetter() && !taken.contains(plain[i].toUpper()))
             return QString(plain).insert(i, QLatin1Char('&'));

@@ -175,7 +175,7 @@ void ExportDialog::makeFolder() {
 
 /// What a file holds, and how many of its values the depth cuts off.
 QString ExportDialog::holds(const ExportEntry& entry) const {
-    const QString content = translated(entry.content);
+    QString content = translated(entry.content);
     const bool whole = entry.depth == Depth::Bits8 || entry.depth == Depth::Bits16;
     if (entry.path != options().image || m_clipped == 0 || !whole)
         return content;

@@ -91,7 +91,7 @@ struct RunPlan {
 /// a moment. @throws Error or UsageError, also where the memory that the run
 /// would need is more than `memoryLimit` bytes (0: what this machine has free).
 /// @param strips whether an output that does not fit may be made in strips instead, as exportStrips() does.
-RunPlan planRun(const RunInput& input, std::uint64_t memoryLimit = 0, bool strips = false);
+RunPlan planRun(const RunInput& asked, std::uint64_t memoryLimit = 0, bool strips = false);
 
 /// Checks that a plan made some time ago still fits in the memory that is free. @throws Error with the
 /// figures
