@@ -28,13 +28,14 @@ const QList<Qt::Key> kKeys = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,    Qt::Ke
 
 } // namespace
 
-QImage shownOnScreen(Image rendered) {
+QImage shownOnScreen(const Image& rendered) {
     Image colour(rendered.view().channelRange(0, 3));
     color::toWorking(colour, "linear");
     color::toDisplay(colour);
     QImage shown(rendered.width(), rendered.height(), QImage::Format_ARGB32_Premultiplied);
     const auto byteOf = [](float value) {
-        return static_cast<int>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+        const float rounded = std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F;
+        return static_cast<int>(rounded);
     };
     for (int y = 0; y < rendered.height(); ++y) {
         auto* row = reinterpret_cast<QRgb*>(shown.scanLine(y));

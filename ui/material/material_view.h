@@ -81,6 +81,6 @@ private:
 };
 
 /// A picture as rendered() gives it, as a screen shows it. @return of Format_ARGB32_Premultiplied.
-QImage shownOnScreen(Image rendered);
+QImage shownOnScreen(const Image& rendered);
 
 } // namespace texloom::ui
