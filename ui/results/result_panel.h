@@ -65,7 +65,7 @@ private:
     void removeNow(const std::vector<std::string>& keys);
     void pinSelected();
     void keepAndGoOn();
-    bool starKey(int key);
+    bool starKey(int stars);
     void showSoon();
     void showDifference();
     void updateActions();
