@@ -47,8 +47,9 @@ void ZoomBox::follow(ImageViewer* viewer) {
 
 void ZoomBox::refresh() {
     const ImageViewer* const viewer = m_viewer();
-    setEnabled(viewer != nullptr && viewer->picture());
-    const double scale = isEnabled() ? viewer->view().scale() * viewer->devicePixelRatioF() : 1;
+    const bool shows = viewer != nullptr && viewer->picture() != nullptr;
+    setEnabled(shows);
+    const double scale = shows ? viewer->view().scale() * viewer->devicePixelRatioF() : 1;
     setEditText(percent(100 * scale));
 }
 
