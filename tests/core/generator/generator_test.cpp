@@ -207,9 +207,23 @@ double lossOf(const GeneratorWeights& weights, const Box& box, const Volume& by)
     return sum;
 }
 
+/// Every second channel so high above 0, and the others so far below, that no small change crosses a kink of
+/// the rectifiers.
+GeneratorWeights farFromKinks(GeneratorWeights weights) {
+    weights.everyLearned([](const std::string& name, std::vector<float>& values) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (name.ends_with("norm.shift"))
+                values[i] += i % 2 == 0 ? 3.0F : -3.0F;
+            if (name.ends_with("norm.scale"))
+                values[i] *= 0.4F;
+        }
+    });
+    return weights;
+}
+
 void expectDerivatives(const GeneratorShape& shape, const Box& box) {
     Work work;
-    const GeneratorWeights weights = stirred(shape);
+    const GeneratorWeights weights = farFromKinks(stirred(shape));
     const Volume by = lossGradient(box, shape.channels);
     GeneratorTrainer trainer(weights);
     trainer.forward(box, GeneratorNoise(9), work.context);
@@ -218,12 +232,10 @@ void expectDerivatives(const GeneratorShape& shape, const Box& box) {
     GeneratorWeights gradients = trainer.gradients();
     gradients.everyLearned(
         [&](const std::string&, const std::vector<float>& values) { found.push_back(values); });
-    // A step this small crosses few kinks of the rectifiers, and single precision still tells its ends apart;
-    // what is left of both is a few hundredths, where a term that were missing would be whole ones.
-    constexpr float kStep = 1e-4F;
+    // Single precision still tells the ends of such a step apart.
+    constexpr float kStep = 2e-3F;
     std::size_t list = 0;
     double squares = 0, errors = 0;
-    int kinked = 0; // where a step crosses kinks all the same
     GeneratorWeights names = weights;
     names.everyLearned([&](const std::string& name, const std::vector<float>& values) {
         const std::size_t i = values.size() / 2;
@@ -240,10 +252,9 @@ void expectDerivatives(const GeneratorShape& shape, const Box& box) {
         const auto derivative = static_cast<double>(found[list++][i]);
         squares += difference * difference;
         errors += (difference - derivative) * (difference - derivative);
-        kinked += std::abs(derivative - difference) > 0.1 * std::abs(difference) + 1;
+        EXPECT_NEAR(derivative, difference, 0.05 * std::abs(difference) + 0.2) << name;
     });
-    EXPECT_LE(kinked, 2);
-    EXPECT_LT(std::sqrt(errors / squares), 0.08);
+    EXPECT_LT(std::sqrt(errors / squares), 0.02);
 }
 
 TEST(GeneratorTrainer, derivativesAreThoseOfDifferences) {
@@ -273,7 +284,7 @@ TEST(GeneratorTrainer, goesOnFromItsStateBitForBit) {
 }
 
 TEST(GeneratorTrainer, evaluationIsTrainingWithItsOwnStatistics) {
-    constexpr int kSide = 40;
+    constexpr int kSide = 64;
     Work work;
     const Box box{0, 0, 0, {kSide, kSide, 1}};
     GeneratorTrainer trainer(stirred(smallShape()));
@@ -283,7 +294,7 @@ TEST(GeneratorTrainer, evaluationIsTrainingWithItsOwnStatistics) {
     const Volume evaluated = Generator(trainer.weights()).evaluate(box, GeneratorNoise(4), work.context);
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x)
-            EXPECT_NEAR(evaluated(x, y, 0, 0), trained(x, y, 0, 0), 0.05)
+            EXPECT_NEAR(evaluated(x, y, 0, 0), trained(x, y, 0, 0), 0.03)
                 << "the running variance is that of a larger population";
 }
 
