@@ -33,8 +33,4 @@ private:
     ConvolutionBuffers m_buffers;
 };
 
-/// The pixels as a tensor, and the inverse.
-Tensor tensorOf(const ImageView& image);
-Image imageOf(const Tensor& tensor);
-
 } // namespace texloom::gram_cnn

@@ -7,6 +7,7 @@
 #include "core/math/histogram.h"
 #include "core/methods/gram_cnn/minimiser.h"
 #include "core/methods/patch_request.h"
+#include "core/network/picture_tensor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "core/methods/solid_texture/slice_loss.h"
 
 #include "core/base/at.h"
+#include "core/network/picture_tensor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +11,6 @@ namespace texloom::solid_texture {
 namespace {
 
 constexpr int kPatch = 7, kLevels = 3, kDirections = 16;
-
-Tensor tensorOf(const ImageView& image) {
-    Tensor tensor(image.channels, image.height, image.width);
-    for (int c = 0; c < image.channels; ++c)
-        for (int y = 0; y < image.height; ++y)
-            std::copy_n(image.plane(c).row(y), image.width, tensor.row(c, y));
-    return tensor;
-}
 
 /// Adds a derivative as though it had a length of 1: the two losses differ by orders of magnitude, and by as
 /// much from the first iterations to the last ones, which Adam would remember (Ulyanov et al. 2016).
