@@ -20,7 +20,9 @@ namespace texloom {
 /// Thrown by JobContext::check() when the job is to end; never caught by a method.
 struct Cancelled {};
 
-/// Thrown where a job that is to stop and keep what it has hands that over; never caught by a method.
+/// Thrown where a job that is to stop and keep what it has hands that over. A method that has made more than
+/// a picture, as one that trains, may catch it and end with all that: the result is marked as stopped all the
+/// same.
 struct StoppedEarly {};
 
 /// What a job had made when it was told to stop and keep it.
@@ -136,6 +138,10 @@ public:
     std::vector<Curve> curves() const { return m_monitor.curves(); }
     /// What was kept when StoppedEarly was thrown; from then on the job goes on to its end.
     PartialWork takePartial();
+    /// How far the whole job was, 0 to 1, when StoppedEarly was thrown; none if it never was.
+    std::optional<double> stoppedAt() const {
+        return m_partial ? std::optional(m_partial->progress) : std::nullopt;
+    }
     /// Calls body(i) for each i in [begin, end) on the job's threads, in any order, and returns when all are
     /// done. The body checks for cancellation itself where one call is long; between calls it is done here.
     void parallel(int begin, int end, const std::function<void(int)>& body);

@@ -260,6 +260,9 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     Assets kept;
     try {
         runSteps(plan, context, result, kept);
+        // A method may have ended by itself, with more than a picture.
+        if (const std::optional<double> early = context.stoppedAt())
+            result.stoppedAt = std::min(*early, kMostStopped);
     } catch (const StoppedEarly&) {
         PartialWork work = context.takePartial();
         result.stoppedAt = std::min(work.progress, kMostStopped);
