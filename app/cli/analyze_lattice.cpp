@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/image_file.h"
-#include "core/job/memory.h"
 #include "core/session/run/exemplar_file.h"
 
 #include <fmt/format.h>
@@ -65,16 +64,6 @@ void printText(const ExemplarFile& exemplar, const LatticeAnalysis& analysis, in
         fmt::print("or {}\n", toLine(analysis.candidates[i]));
 }
 
-void checkMemory(const ExemplarFile& exemplar) {
-    const std::uint64_t needed = latticeBytesFor(exemplar.image->size(), exemplar.image->channels());
-    if (needed > availableMemory())
-        fail(
-            "To look for a lattice in {} ({} × {} px) would need {} of memory, more than {}; scale the image "
-            "down or cut a part out.",
-            exemplar.name(), exemplar.image->width(), exemplar.image->height(), byteText(needed),
-            availableMemoryText());
-}
-
 } // namespace
 
 void printLattice(const LatticeOptions& options) {
@@ -83,7 +72,8 @@ void printLattice(const LatticeOptions& options) {
         checkWritable(options.picture, 1, depthsFor(options.picture).front());
         checkOnlyOutput({options.exemplar}, options.picture, options.overwrite);
     }
-    checkMemory(exemplar);
+    checkEnoughMemory(exemplar.name(), exemplar.image->size(),
+                      latticeBytesFor(exemplar.image->size(), exemplar.image->channels()));
     const auto start = std::chrono::steady_clock::now();
     const LatticeAnalysis analysis = analyzeLattice(*exemplar.image, checkInterrupt);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,16 +1,11 @@
 #include "app/cli/commands.h"
 
 #include "app/cli/console.h"
-#include "app/cli/param_text.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/color/color_pipeline.h"
-#include "core/image/normal_map.h"
-#include "core/image/stmap.h"
 #include "core/io/json_field.h"
-#include "core/io/map_file.h"
-#include "core/methods/registry.h"
 #include "core/session/export/export.h"
 #include "core/session/export/output_files.h"
 #include "core/session/preset.h"
@@ -28,64 +23,8 @@
 namespace texloom::cli {
 
 namespace fs = std::filesystem;
-using Json = JsonField::Json;
 
 namespace {
-
-Json toJson(const Port& port) {
-    static const std::array<const char*, 3> extents = {"exemplar", "output", "any"};
-    return {{"id", port.id},
-            {"title", port.title},
-            {"kind", kindId(port.kind)},
-            {"least", port.least},
-            {"most", port.most},
-            {"extent", extents.at(static_cast<std::size_t>(port.extent))},
-            {"weighed", port.weighed},
-            {"wraps", port.wraps},
-            {"help", port.help}};
-}
-
-Json toJson(const Method& method) {
-    const MethodInfo& info = method.info();
-    Json json = {{"id", method.id()},
-                 {"title", info.title},
-                 {"summary", info.summary},
-                 {"citation", info.citation},
-                 {"category", categoryId(info.category)},
-                 {"takes", Json::array()},
-                 {"gives", Json::array()},
-                 {"repeats", info.repeats == Repeats::Bits ? "bits" : "nearly"},
-                 {"usesSeed", info.usesSeed},
-                 {"cancelsWithinMilliseconds", info.cancelsWithin.count()},
-                 {"parameters", Json::array()}};
-    for (const Port& port : info.takes)
-        json["takes"].push_back(toJson(port));
-    for (const Port& port : info.gives)
-        json["gives"].push_back(toJson(port));
-    for (const Param& param : method.params())
-        json["parameters"].push_back(cli::toJson(param));
-    return json;
-}
-
-void printMethod(const Method& method) {
-    const MethodInfo& info = method.info();
-    fmt::print("{}: {}\n  {}\n  {}\n", method.id(), info.title, info.summary, info.citation);
-    if (!info.takesExemplars())
-        fmt::print("  Takes no exemplar.\n");
-    for (const Port& port : info.takes)
-        if (port.id != kExemplarPort && port.id != kCompanionPort)
-            fmt::print("  --input {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
-    for (const Port& port : info.gives)
-        if (port.id != kImagePort && port.id != kMapPort)
-            fmt::print("  --save {}=FILE  {}\n      {}\n", port.id, kindText(port.kind), port.help);
-    for (const Param& param : method.params())
-        printParam("--set " + param.name() + "=…", param);
-}
-
-void printPreset(const Preset& preset) {
-    fmt::print("{}: {}\n  {}\n  Runs {}.\n", preset.id, preset.title, preset.summary,
-               methodIds(preset.steps, ", then "));
-}
 
 /// The step that a setting is for: the one that it names as METHOD.name, or the first.
 RecipeStep& stepFor(std::string& name, std::vector<RecipeStep>& steps) {
@@ -385,40 +324,6 @@ void checkOnlyOutput(const std::vector<fs::path>& sources, const fs::path& outpu
     guard.check(overwrite);
 }
 
-void listMethods(const std::string& id, bool json) {
-    Json all = Json::array();
-    if (!id.empty() && !findPreset(id))
-        findMethod(id);
-    const Category* last = nullptr;
-    for (const Method* method : methodsByCategory()) {
-        if (!id.empty() && method->id() != id)
-            continue;
-        const Category& category = method->info().category;
-        if (json)
-            all.push_back(toJson(*method));
-        else if (id.empty() && (last == nullptr || *last != category))
-            fmt::print("{}\n\n", categoryTitle(category));
-        if (!json)
-            printMethod(*method);
-        last = &category;
-    }
-    for (const AbsentMethod& absent : absentMethods()) {
-        if (!id.empty())
-            break;
-        if (json)
-            all.push_back({{"id", absent.id}, {"absent", absent.reason}});
-        else
-            fmt::print("{}: not part of this build\n  {}\n", absent.id, absent.reason);
-    }
-    if (json) {
-        fmt::print("{}\n", all.dump(2));
-        return;
-    }
-    for (const Preset& preset : presets())
-        if (id.empty() || preset.id == id)
-            printPreset(preset);
-}
-
 RunInput loadAndWarn(const Recipe& recipe) {
     static std::string told; // once for a batch of them
     if (!recipe.version.empty() && recipe.version != kVersion && recipe.version != told) {
@@ -459,49 +364,6 @@ void runRecipe(const RunOptions& options) {
             fail("{} is there already; name the output with -o.", out.output.string());
     }
     runInput(std::move(input), out);
-}
-
-namespace {
-
-/// Files of exemplars under a map whose places lie between pixels; normal maps' vectors are turned.
-Image laidOut(const Image& stmap, const std::vector<ExemplarFile>& files,
-              const std::vector<ImageView>& images) {
-    Image image = appliedStMap(stmap, images, checkInterrupt);
-    const ExemplarFile& first = files.front();
-    if (isNormal(first.role))
-        turnNormals(
-            image, *first.image, first.role,
-            [&](int x, int y) { return stMapJacobian(stmap, first.image->size(), x, y); }, checkInterrupt);
-    return image;
-}
-
-} // namespace
-
-void applyMap(const ApplyOptions& options) {
-    std::vector<ExemplarFile> files;
-    std::vector<ImageView> images;
-    std::vector<Size> sizes;
-    for (const fs::path& path : options.exemplars) {
-        files.push_back(loadUnconverted(path));
-        images.push_back(*files.back().image);
-        sizes.push_back(files.back().image->size());
-    }
-    checkWritable(options.output, images.front().channels, depthLike(files.front().info, options.output));
-    std::vector<fs::path> sources = options.exemplars;
-    sources.push_back(options.map);
-    checkOnlyOutput(sources, options.output, options.overwrite);
-    const std::optional<Image> between = readFractionalMap(options.map, sizes);
-    const Image image =
-        between ? laidOut(*between, files, images) : readPositionMap(options.map, sizes).apply(images);
-    checkInterrupt();
-    WriteOptions write;
-    write.depth = depthLike(files.front().info, options.output);
-    write.space = files.front().space;
-    write.channelNames = files.front().info.channelNames;
-    write.check = checkInterrupt;
-    writeImage(options.output, image, write);
-    if (!options.quiet)
-        fmt::print("{}: {} × {} px\n", options.output.string(), image.width(), image.height());
 }
 
 } // namespace texloom::cli

@@ -94,6 +94,14 @@ void checkInterrupt() {
         throw Cancelled{};
 }
 
+void checkEnoughMemory(const std::string& image, Size size, std::uint64_t needed) {
+    if (needed > availableMemory())
+        fail("To look at {} ({} × {} px) would need {} of memory, more than {}; scale the image down or cut "
+             "a part "
+             "out.",
+             image, size.width, size.height, byteText(needed), availableMemoryText());
+}
+
 void follow(JobRunner& job, bool quiet) {
     const bool bar = !quiet && ::isatty(::fileno(messages())) != 0;
     while (!job.finished()) {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/image/size.h"
 #include "core/job/job.h"
 
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -38,6 +41,9 @@ void watchInterrupts();
 
 /// @throws Cancelled after Ctrl+C.
 void checkInterrupt();
+
+/// Refuses to look at an image where that would take more memory than there is. @throws Error
+void checkEnoughMemory(const std::string& image, Size size, std::uint64_t needed);
 
 /// Waits for a job, cancels it on Ctrl+C, and draws a progress bar on stderr if that is a terminal and
 /// `quiet` is false.

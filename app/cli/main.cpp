@@ -1,3 +1,4 @@
+#include "app/cli/analyze_character.h"
 #include "app/cli/analyze_quality.h"
 #include "app/cli/analyze_statistics.h"
 #include "app/cli/batch_command.h"
@@ -214,6 +215,7 @@ void addAnalyze(CLI::App& app) {
     lattice->callback([] { cli::printLattice(options); });
     cli::addAnalyzeStatistics(*command);
     cli::addAnalyzeQuality(*command);
+    cli::addAnalyzeCharacter(*command);
 }
 
 int complain(const std::string& sentence, Exit code) {

@@ -293,6 +293,11 @@ LatticeCandidate fittedLattice(const Correlation& correlation, const Lattice& ro
     return candidate;
 }
 
+LatticeCandidate ratedLattice(const Correlation& correlation, const Lattice& lattice,
+                              const std::function<void()>& check) {
+    return rated(CorrelationPeaks(correlation, check), lattice);
+}
+
 LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check) {
     LatticeAnalysis analysis;
     if (exemplar.size().shorterSide() < 8)

@@ -43,6 +43,11 @@ LatticeAnalysis analyzeLattice(
 LatticeCandidate fittedLattice(
     const Correlation& correlation, const Lattice& rough, const std::function<void()>& check = [] {});
 
+/// A lattice as it is, rated as the candidates are: how well the exemplar agrees with one set by hand.
+/// @param correlation of the analysis. @param check called every few milliseconds; may throw.
+LatticeCandidate ratedLattice(
+    const Correlation& correlation, const Lattice& lattice, const std::function<void()>& check = [] {});
+
 /// Upper bound of the memory that analyzeLattice() takes, and a rough time on one thread.
 std::uint64_t latticeBytesFor(Size exemplar, int channels);
 double latticeSecondsFor(Size exemplar);

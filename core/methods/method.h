@@ -37,12 +37,24 @@ enum class Repeats {
     Nearly, ///< but for rounding
 };
 
+/// How well a method suits textures of each kind at its defaults, judged by eye: from 0, it spoils them, to
+/// 5, they could be the exemplar. All 0 for methods that are no way of making more of one exemplar.
+struct Suits {
+    int regular = 0; ///< bricks, tiles, weaves: what repeats by a lattice or in rows
+    int grain = 0;   ///< sand, plaster, cloth: fine, and without objects
+    int objects = 0; ///< gravel, leaves, scales: things that are small against the exemplar
+    int large = 0;   ///< rock, wood, cracks: shapes that reach over much of the exemplar
+
+    bool any() const { return regular + grain + objects + large > 0; }
+};
+
 /// What a method says of itself, apart from its parameters.
 struct MethodInfo {
     std::string title;    ///< as the window shows it
     std::string summary;  ///< one or two sentences: what it does and what it suits
     std::string citation; ///< the papers it follows
     Category category = Category::Patches;
+    Suits suits = {};
     std::vector<Port> takes; ///< Method adds companion maps where there are exemplars
     std::vector<Port> gives; ///< at least an image
     Repeats repeats = Repeats::Bits;
@@ -173,6 +185,15 @@ Method method(MethodInfo info, std::vector<Param> params,
               Estimate (*estimate)(const Request&, const Settings&, int threads)) {
     int (*const channels)(const Request&, const Settings&) = nullptr;
     return method<Settings>(std::move(info), std::move(params), run, check, estimate, channels);
+}
+
+/// The same for a method that runs whatever its ports and parameters let through.
+template <class Settings>
+Method method(MethodInfo info, std::vector<Param> params,
+              Synthesis (*run)(const Request&, const Settings&, JobContext&),
+              Estimate (*estimate)(const Request&, const Settings&, int threads)) {
+    void (*const check)(const Request&, const Settings&) = [](const Request&, const Settings&) {};
+    return method<Settings>(std::move(info), std::move(params), run, check, estimate);
 }
 
 /// The method under an id; for the generated registry.

@@ -15,8 +15,6 @@ struct Settings {
     double strength = 0.5; ///< share of the contrast that is taken away
 };
 
-void check(const Request&, const Settings&) {}
-
 Estimate estimate(const Request& request, const Settings&, int) {
     return {2 * Image::bytesFor(request.size, request.channels()) + (1U << 20U),
             2e-8 * static_cast<double>(request.size.area())};
@@ -66,7 +64,7 @@ const Method self = method<Settings>(
     {field(&Settings::strength, "strength", TR("Strength"))
          .range(0, 1)
          .help(TR("How much of the contrast is taken away: 0 leaves all of it, 1 nothing but the mean."))},
-    run, check, estimate);
+    run, estimate);
 
 namespace {
 const Registration registered("even-out", self);

@@ -13,8 +13,6 @@ namespace texloom::anamorphosis {
 
 namespace {
 
-void check(const Request&, const Settings&) {}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size part = request.part().size;
     Estimate need;
@@ -90,6 +88,6 @@ const Method self = method<Settings>(
          .help(
              TR("Between pixels: cubic is sharpest, linear never overshoots, the nearest pixel is copied as "
                 "it is."))},
-    run, check, estimate);
+    run, estimate);
 
 } // namespace texloom::anamorphosis

@@ -54,6 +54,7 @@ const Method self = method<Settings>(
                    "such as grass, leaves and pebbles."),
      .citation = "Ashikhmin, I3D 2001",
      .category = Category::Pixels,
+     .suits = {.regular = 1, .grain = 3, .objects = 3, .large = 2},
      .takes = {ports::weighedExemplars(), ports::mask(), target()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {neighbourhoodField(&Settings::neighbourhood, 21).symbol("n"),

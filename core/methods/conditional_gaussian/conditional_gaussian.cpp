@@ -115,6 +115,7 @@ const Method self = method<Settings>(
             "pixels it shares. No seams and no stitching, but soft."),
      .citation = "Raad, Desolneux & Morel, 2014; Raad, thesis 2016, algorithms 3 and 4",
      .category = Category::Patches,
+     .suits = {.regular = 1, .grain = 2, .objects = 1, .large = 1},
      .takes = {ports::exemplars(), ports::mask()},
      .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.16)

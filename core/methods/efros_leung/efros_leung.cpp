@@ -66,6 +66,7 @@ const Method self = method<Settings>(
                    "window of the wrong size grows garbage or copies verbatim."),
      .citation = "Efros & Leung, ICCV 1999; Aguerrebere, Gousseau & Tartavel, IPOL 2013",
      .category = Category::Pixels,
+     .suits = {.regular = 2, .grain = 3, .objects = 3, .large = 2},
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial(), ports::known()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::window, "window", TR("Window"))

@@ -113,6 +113,7 @@ const Method self = method<Settings>(
             "that are seen straight on."),
      .citation = "Nicoll, Meseth, Müller & Klein, Eurographics 2005; Efros & Freeman, SIGGRAPH 2001",
      .category = Category::NearRegular,
+     .suits = {.regular = 4, .grain = 1, .objects = 1, .large = 1},
      .takes = {ports::exemplar(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage(), ports::map(),
                Port{.id = kRegularPort,

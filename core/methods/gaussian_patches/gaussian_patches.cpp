@@ -102,6 +102,7 @@ const Method self = method<Settings>(
                    "random blend of the exemplar patches most like it. The layout stays."),
      .citation = "Raad, thesis 2016, algorithm 1",
      .category = Category::Patches,
+     .suits = {.regular = 2, .grain = 2, .objects = 2, .large = 2},
      .takes = {ports::exemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.12)

@@ -190,8 +190,6 @@ void Synthesizer::show() {
     });
 }
 
-void check(const Request&, const Settings&) {}
-
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size canvas = canvasFor(request, settings);
     const Size exemplar = request.exemplars.front().image->size();
@@ -227,6 +225,7 @@ const Method self = method<Settings>(
             "copies; suits grainy and stochastic textures, and loses structure."),
      .citation = "Heeger & Bergen, SIGGRAPH 1995; Briand, Vacher, Galerne & Rabin, IPOL 2014",
      .category = Category::Statistics,
+     .suits = {.grain = 3},
      .takes = {ports::exemplar(), ports::initial()},
      .gives = {ports::wrappingImage()}},
     {octavesField(&Settings::scales).symbol("P"), orientationsField(&Settings::orientations).symbol("Q"),
@@ -234,6 +233,6 @@ const Method self = method<Settings>(
          .range(1, 200)
          .help(TR("Rounds between pyramid and pixels: more bring both closer to the exemplar.")),
      periodicField(&Settings::periodic)},
-    run, check, estimate);
+    run, estimate);
 
 } // namespace texloom::heeger_bergen

@@ -41,6 +41,7 @@ const Method self = method<Settings>(
          "them. The fastest of the methods that work pixel by pixel; joins are rougher than Ashikhmin's."),
      .citation = "Zelinka & Garland, Eurographics Workshop on Rendering 2002",
      .category = Category::Pixels,
+     .suits = {.regular = 1, .grain = 3, .objects = 2, .large = 2},
      .takes = {ports::exemplars(), ports::mask()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::neighbourhood, "neighbourhood", TR("Neighbourhood"))

@@ -52,6 +52,7 @@ const Method self = method<Settings>(
                    "best. Innovates where quilting copies; a little softer."),
      .citation = "Raad, Desolneux & Morel, SSVM 2015; Raad, thesis 2016, algorithm 2",
      .category = Category::Patches,
+     .suits = {.regular = 2, .grain = 3, .objects = 3, .large = 3},
      .takes = {ports::exemplars(), ports::mask()},
      .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.12)

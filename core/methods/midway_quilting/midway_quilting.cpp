@@ -84,6 +84,7 @@ const Method self = method<Settings>(
             "drawn together along the overlap."),
      .citation = "Raad, thesis 2016, algorithm 11",
      .category = Category::Patches,
+     .suits = {.regular = 2, .grain = 3, .objects = 3, .large = 3},
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.16)

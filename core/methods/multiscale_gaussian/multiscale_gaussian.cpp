@@ -110,6 +110,7 @@ const Method self = method<Settings>(
             "layout of macro-textures with small patches; softer than quilting."),
      .citation = "Raad, Desolneux & Morel, JMIV 2016; Raad, thesis 2016, algorithm 5",
      .category = Category::Patches,
+     .suits = {.regular = 1, .grain = 3, .objects = 2, .large = 2},
      .takes = {ports::exemplars(), ports::mask()},
      .gives = {ports::wrappingImage()}},
     {patchField(&Settings::patch, 0.08)

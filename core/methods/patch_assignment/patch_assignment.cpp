@@ -73,6 +73,7 @@ const Method self = method<Settings>(
             "takes over. Keeps the exemplar's mix of colours and details; slow for large outputs."),
      .citation = "Gutierrez, thesis 2020, chapter 3; Gutierrez, Rabin, Galerne & Hurtut, SSVM 2017",
      .category = Category::Optimisation,
+     .suits = {.regular = 2, .grain = 4, .objects = 3, .large = 2},
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::patch, "patch", TR("Patch size"))

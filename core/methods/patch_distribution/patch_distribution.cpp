@@ -214,6 +214,7 @@ const Method self = method<Settings>(
             "and mixes several exemplars by their weights."),
      .citation = "Elnekave & Weiss, ECCV 2022; Rabin, Peyré, Delon & Bernot, SSVM 2011",
      .category = Category::Optimisation,
+     .suits = {.regular = 2, .grain = 4, .objects = 3, .large = 2},
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage()}},
     {field(&Settings::patch, "patch", TR("Patch size"))

@@ -220,6 +220,7 @@ const Method self = method<Settings>(
      .citation = "Raad, thesis 2016, section 5.6; Pérez, Gangnet & Blake, SIGGRAPH 2003; Xu, Guo & Shum, "
                  "MSR-TR-2000-32",
      .category = Category::Patches,
+     .suits = {.grain = 2, .objects = 2, .large = 4},
      .takes = {ports::exemplars(), ports::mask()},
      .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
     {field(&Settings::pieces, "pieces", TR("Pieces"))

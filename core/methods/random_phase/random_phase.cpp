@@ -119,8 +119,6 @@ void Field::show(int channel, double share) {
     m_context.preview(m_image.view().crop(0, 0, m_request.size));
 }
 
-void check(const Request&, const Settings&) {}
-
 Estimate estimate(const Request& request, const Settings&, int) {
     const Size torus = torusFor(request);
     const RealFft2d fft(torus);
@@ -147,6 +145,7 @@ const Method self = method<Settings>(
                    "or cloth, and loses edges and objects."),
      .citation = "Galerne, Gousseau & Morel, IEEE TIP 2011; Moisan, J. Math. Imaging Vis. 2011",
      .category = Category::Statistics,
+     .suits = {.grain = 5},
      .takes = {ports::exemplar()},
      .gives = {ports::wrappingImage()}},
     {field(&Settings::model, "model", TR("Model"))
@@ -158,6 +157,6 @@ const Method self = method<Settings>(
          .help(TR("Learns from the exemplar's periodic component, without which its borders draw horizontal "
                   "and vertical streaks.")),
      transitionField(&Settings::transition)},
-    run, check, estimate);
+    run, estimate);
 
 } // namespace texloom::random_phase

@@ -135,6 +135,7 @@ const Method self = method<Settings>(
      .citation = "Tartavel, Gousseau & Peyré, SSVM 2013; Tartavel, Gousseau & Peyré, JMIV 2015; "
                  "Peyré, JMIV 2009",
      .category = Category::Sparse,
+     .suits = {.regular = 2, .grain = 2, .objects = 2, .large = 1},
      .takes = {ports::exemplar(), ports::mask(), ports::initial(), dictionaryInput()},
      .gives = {ports::wrappingImage()}},
     params(), run, check, estimate);

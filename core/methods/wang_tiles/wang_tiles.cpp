@@ -290,6 +290,7 @@ const Method self = method<Settings>(
             "itself. Suits what has no large objects."),
      .citation = "Cohen, Shade, Hiller & Deussen, SIGGRAPH 2003; Wei, Graphics Hardware 2004",
      .category = Category::Patches,
+     .suits = {.regular = 1, .grain = 3, .objects = 3, .large = 2},
      .takes = {ports::weighedExemplars(), ports::mask()},
      .gives = given()},
     {field(&Settings::tile, "tile", TR("Tile size"))

@@ -31,6 +31,7 @@ const Method self = method<Settings>(
          "details may become blurred."),
      .citation = "Wei & Levoy, SIGGRAPH 2000",
      .category = Category::Pixels,
+     .suits = {.regular = 1, .grain = 3, .objects = 2, .large = 1},
      .takes = {ports::exemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {neighbourhoodField(&Settings::neighbourhood, 21)

@@ -1,24 +1,24 @@
-#include "core/base/text.h"
-#include "core/match/patch_canvas.h"
+#include "core/image/mirror.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
 
 namespace texloom::mirror_tile {
-
 namespace {
 
 struct Settings {
     int shift = 0; ///< the first column of the exemplar that is shown
 };
 
-void check(const Request&, const Settings&) {}
-
 Estimate estimate(const Request& request, const Settings&, int) {
-    return {Image::bytesFor(request.size, request.channels()) + PositionMap::bytesFor(request.size) +
-                (1U << 20U),
+    const std::uint64_t little = 1U << 20U;
+    return {Image::bytesFor(request.size, request.channels()) + PositionMap::bytesFor(request.size) + little,
             1e-8 * static_cast<double>(request.size.area())};
+}
+
+std::uint16_t place(int at, int side) {
+    return static_cast<std::uint16_t>(mirrored(at, side));
 }
 
 /// The exemplar, mirrored at its borders; on an axis that wraps in the middle, too, so that the ends are
@@ -29,16 +29,13 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     Synthesis result;
     result.map = PositionMap(size, {side});
     result.mapKind = MapKind::Exact;
-    for (int y = 0; y < size.height; ++y) {
-        context.check();
-        const int fromY = mirrored(request.wrap.y ? std::min(y, size.height - 1 - y) : y, side.height);
+    context.parallel(0, size.height, [&](int y) {
+        const int row = request.wrap.y ? std::min(y, size.height - 1 - y) : y;
         for (int x = 0; x < size.width; ++x) {
-            const int at = request.wrap.x ? std::min(x, size.width - 1 - x) : x;
-            result.map.at(x, y) = {static_cast<std::uint16_t>(mirrored(at + settings.shift, side.width)),
-                                   static_cast<std::uint16_t>(fromY), 0};
+            const int column = request.wrap.x ? std::min(x, size.width - 1 - x) : x;
+            result.map.at(x, y) = {place(column + settings.shift, side.width), place(row, side.height), 0};
         }
-        context.progress((y + 1.0) / size.height);
-    }
+    });
     result.image = copied(result.map, request, context);
     return result;
 }
@@ -58,6 +55,6 @@ const Method self = method<Settings>(
          .range(0, 4096)
          .unit("px")
          .help(TR("The first column of the exemplar that is shown: another one begins elsewhere."))},
-    run, check, estimate);
+    run, estimate);
 
 } // namespace texloom::mirror_tile
