@@ -57,9 +57,10 @@ TEST_P(Conformance, sameRecipeGivesTheSameForAnyNumberOfThreads) {
         if (method().info().canWrap())
             request.wrap = wrap;
         const Synthesis one = runWith(method(), request, 1);
-        expectRepeated(method().info(), one, runWith(method(), request, 2));
         expectRepeated(method().info(), one, runWith(method(), request, 7));
-        expectRepeated(method().info(), one, runWith(method(), request, 1));
+        expectRepeated(method().info(), one, runWith(method(), request, 2));
+        if (wrap == Wrap{})
+            expectRepeated(method().info(), one, runWith(method(), request, 1));
     }
 }
 
@@ -96,7 +97,7 @@ TEST_P(Conformance, anotherSeedMattersAsTheMethodSays) {
 }
 
 TEST_P(Conformance, boxesOfVolumesEqualThatPartOfLargerOnes) {
-    const Synthesis result = runWith(method(), requestFor({50, 61}, 3, {97, 80}), 2);
+    const Synthesis& result = usualResult(method());
     for (const auto& [port, assets] : result.outputs.byPort()) {
         const auto source = result.outputs.first<VolumeSource>(port);
         if (!source)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace texloom::test {
 
@@ -72,9 +73,12 @@ Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed)
 Values briefSettings(const Method& method, const Request& request) {
     const Size exemplar = request.exemplars.empty() ? Size{} : request.exemplars.front().image->size();
     Values settings = method.resolved({}, exemplar);
+    constexpr int kIterations = 3, kVoxels = 32;
     for (auto& [name, value] : settings)
         if (name.ends_with("iterations"))
-            value = std::min(std::get<int>(value), 3);
+            value = std::min(std::get<int>(value), kIterations);
+        else if (method.param(name).unit() == "voxels")
+            value = std::min(std::get<int>(value), kVoxels);
     return settings;
 }
 
@@ -105,6 +109,14 @@ Synthesis runWith(const Method& method, Request request, const Values& settings,
     if (const auto* failure = std::get_if<Failure>(&outcome))
         throw Error(failure->message);
     return std::get<Result>(std::move(outcome)).synthesis;
+}
+
+const Synthesis& usualResult(const Method& method) {
+    static std::map<std::string, Synthesis> made;
+    const auto found = made.find(method.id());
+    if (found != made.end())
+        return found->second;
+    return made.emplace(method.id(), runWith(method, requestFor({50, 61}, 3, {97, 80}), 2)).first->second;
 }
 
 RunPlan longPlan(const Method& method) {

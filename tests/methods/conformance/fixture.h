@@ -19,7 +19,8 @@ std::shared_ptr<const Image> shared(Image image);
 /// A request with a made-up exemplar.
 Request requestFor(Size exemplar, int channels, Size output, std::uint64_t seed = 7);
 
-/// The defaults, but with no more than three iterations: they are alike in all that is asked here.
+/// The defaults, but with no more than three iterations, which are alike in all that is asked here, and no
+/// solids or slices of them of more than 32 voxels a side.
 Values briefSettings(const Method& method, const Request& request);
 
 /// Whether a method's result follows from an exemplar, if only by way of a model that another one learned.
@@ -33,6 +34,10 @@ RunPlan planFor(const Method& method, const Request& request, const Values& sett
 Synthesis runWith(const Method& method, Request request, int threads);
 /// The same with other settings than the brief ones.
 Synthesis runWith(const Method& method, Request request, const Values& settings, int threads);
+
+/// What a method makes of an exemplar of 50 × 61 px, 97 × 80 px of it: made once for all the promises that
+/// only look at it.
+const Synthesis& usualResult(const Method& method);
 
 /// A run that keeps nearly every method busy for seconds, so that it can be watched and stopped.
 RunPlan longPlan(const Method& method);

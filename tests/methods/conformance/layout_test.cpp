@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace texloom::test {
 namespace {
@@ -45,18 +46,21 @@ Image transposed(const ImageView& image) {
 TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
     if (!method().info().canWrap())
         GTEST_SKIP() << "skipped: " << GetParam() << " does not say that it wraps";
-    for (const Wrap wrap : {Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
-        for (const Size size : {Size{151, 148}, Size{64, 200}}) {
-            Request request = requestFor({64, 64}, 3, size);
-            request.wrap = wrap;
-            const Image image = runWith(method(), request, 2).image;
-            if (wrap.x) {
-                EXPECT_LE(seamX(image), worstInsideX(image));
-            }
-            if (wrap.y) {
-                EXPECT_LE(seamX(transposed(image)), worstInsideX(transposed(image)));
-            }
+    const std::pair<Wrap, Size> cases[] = {{{true, false}, {151, 148}},
+                                           {{false, true}, {64, 200}},
+                                           {{true, true}, {148, 151}},
+                                           {{true, true}, {64, 200}}};
+    for (const auto& [wrap, size] : cases) {
+        Request request = requestFor({64, 64}, 3, size);
+        request.wrap = wrap;
+        const Image image = runWith(method(), request, 2).image;
+        if (wrap.x) {
+            EXPECT_LE(seamX(image), worstInsideX(image));
         }
+        if (wrap.y) {
+            EXPECT_LE(seamX(transposed(image)), worstInsideX(transposed(image)));
+        }
+    }
 }
 
 TEST_P(Conformance, emptyMaskIsRefused) {
