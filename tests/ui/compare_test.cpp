@@ -9,6 +9,7 @@
 #include "ui/compare/sweep_dialog.h"
 #include "ui/compare/wipe_viewer.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/method_hint.h"
 #include "ui/inspector/output_group.h"
 #include "ui/maps/result_view.h"
 
@@ -317,9 +318,16 @@ private Q_SLOTS:
         window.show();
         QVERIFY(openAndFinish(window, m_exemplar));
         window.inspector()->output()->setOutputSize({48, 48});
+        auto* const hint = window.findChild<MethodHint*>();
+        QTRY_VERIFY(!hint->order().empty());
         child<QAction>(window, "tryAll")->trigger();
         CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->items().size(), triedMethods() + 1);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string title = findMethod(hint->order()[i]).info().title;
+            QVERIFY2(compare->items()[i + 1].label.startsWith(QString::fromStdString(title)),
+                     qPrintable(compare->items()[i + 1].label));
+        }
         const JobQueue* const queue = window.desk()->queue();
         QTRY_VERIFY_WITH_TIMEOUT(queue->current() == nullptr && queue->waiting() == 0, kPatience);
         std::string random;
@@ -327,6 +335,7 @@ private Q_SLOTS:
             const CompareItem& item = compare->items()[i];
             QVERIFY2(item.key.empty() ? item.message.size() > 20 : item.picture != nullptr,
                      qPrintable(item.label + item.message));
+            QCOMPARE(item.figures.contains(QStringLiteral("<tr>")), !item.key.empty());
             if (item.label.startsWith(QStringLiteral("Random phase")))
                 random = item.key;
         }
@@ -334,6 +343,20 @@ private Q_SLOTS:
         Q_EMIT compare->useWanted(random);
         QCOMPARE(window.inspector()->method()->id(), std::string("random-phase"));
         QVERIFY((window.inspector()->output()->outputSize() == Size{48, 48}));
+    }
+
+    void hintNamesMethodsThatSuitAndAClickChoosesOne() {
+        MainWindow window;
+        window.resize(1200, 900);
+        window.show();
+        auto* const hint = window.findChild<MethodHint*>();
+        QVERIFY(!hint->isVisible());
+        QVERIFY(openAndFinish(window, m_exemplar));
+        QTRY_VERIFY(hint->isVisible());
+        const std::string first = hint->order().front();
+        QVERIFY(hint->text().contains(QString::fromStdString(findMethod(first).info().title)));
+        Q_EMIT hint->linkActivated(QString::fromStdString(first));
+        QCOMPARE(window.inspector()->method()->id(), first);
     }
 
     void sweepMakesEveryCombination() {

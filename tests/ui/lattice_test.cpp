@@ -91,6 +91,7 @@ private Q_SLOTS:
         QVERIFY(openLattice(window, m_bricks));
         LatticeTool& tool = *window.lattice();
         LatticeCanvas* const canvas = tool.canvas();
+        const Lattice found = *tool.lattice();
         const auto field = [&](const char* name) { return child<QDoubleSpinBox>(tool, name); };
         field("latticeV1x")->setValue(40);
         field("latticeV1y")->setValue(0);
@@ -118,8 +119,22 @@ private Q_SLOTS:
         QVERIFY(*tool.correlationCanvas()->lattice() == *tool.lattice());
 
         field("latticeV1y")->setValue(1);
+        QTRY_VERIFY(tool.verdict().startsWith(QStringLiteral("Set by hand")));
+        const QString ofWrong = tool.verdict();
         child<QPushButton>(tool, "fitLattice")->click();
         QTRY_VERIFY(tool.lattice()->like(kBricks, 0.5));
+        QTRY_VERIFY(tool.verdict() != ofWrong && tool.verdict().startsWith(QStringLiteral("Set by hand")));
+
+        const Lattice fitted = *tool.lattice();
+        auto* const undo = child<QAction>(window, "undo");
+        while (undo->isEnabled() && !(*tool.lattice() == found))
+            undo->trigger(); // what follows closely is one step
+        QVERIFY(*tool.lattice() == found);
+        QVERIFY(tool.verdict().contains(QStringLiteral("confidence")));
+        auto* const redo = child<QAction>(window, "redo");
+        while (redo->isEnabled())
+            redo->trigger();
+        QVERIFY(*tool.lattice() == fitted);
     }
 
     void aMovedOriginIsWhereTheResultBegins() {

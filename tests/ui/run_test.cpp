@@ -7,6 +7,7 @@
 #include "ui/jobs/run_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/window/readout.h"
+#include "ui/window/run_notice.h"
 
 #include <QAction>
 #include <QDialog>
@@ -59,6 +60,31 @@ private Q_SLOTS:
     void initTestCase() {
         m_exemplar = writeTexture(m_folder, QStringLiteral("weave.png"), {96, 80});
         m_large = writeTexture(m_folder, QStringLiteral("large weave.png"), {512, 512});
+    }
+
+    void longRunsThatNobodyWatchedAreTold() {
+        QWidget window; // never active, since it is not shown
+        RunDesk desk(m_folder.filePath(QStringLiteral("told")));
+        RunNotice notice(&desk, &window);
+        QStringList told;
+        notice.setPost([&](const QString& title, const QString& text) { told += title + u' ' + text; });
+        QueuedJob job;
+        job.label = QStringLiteral("Image quilting");
+        const auto end = [&](double seconds) {
+            auto result = std::make_shared<Result>();
+            result->seconds = seconds;
+            RunPictures pictures;
+            pictures.run = result;
+            Q_EMIT desk.kept(job, "key", pictures);
+        };
+        end(RunNotice::kLong - 1);
+        QVERIFY(told.isEmpty());
+        end(RunNotice::kLong + 1);
+        QCOMPARE(told, QStringList{QStringLiteral("Finished Image quilting")});
+        job.problem = QStringLiteral("No memory.");
+        job.progress.seconds = RunNotice::kLong + 1;
+        Q_EMIT desk.queue()->failed(job);
+        QCOMPARE(told.back(), QStringLiteral("Failed Image quilting: No memory."));
     }
 
     void firstExemplarStartsAQuickRunByItself() {

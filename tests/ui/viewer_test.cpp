@@ -1,10 +1,14 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/icons.h"
 #include "ui/viewers/image_viewer.h"
+#include "ui/viewers/navigator.h"
+#include "ui/viewers/scope.h"
 #include "ui/viewers/viewer_keys.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>
+
+#include <numeric>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -51,6 +55,62 @@ private Q_SLOTS:
         QVERIFY(near(viewer.view().toImage(at), before, 1e-9));
         wheel(viewer, at, -5);
         QVERIFY(near(viewer.view().toImage(at), before, 1e-9));
+    }
+
+    void navigatorIsThereWhereThePictureReachesBeyondTheView() {
+        ImageViewer viewer;
+        viewer.resize(600, 600);
+        viewer.setPicture(pictureOf(testTexture({200, 100})));
+        viewer.show();
+        auto* const navigator = viewer.findChild<Navigator*>();
+        QVERIFY(!navigator->isVisible());
+        viewer.lookAt({50, 50}, 40);
+        QVERIFY(navigator->isVisible());
+        QCOMPARE(navigator->width(), 2 * navigator->height());
+        QTest::mouseClick(navigator, Qt::LeftButton, Qt::NoModifier,
+                          {navigator->width() * 3 / 4, navigator->height() / 2});
+        QVERIFY(near(viewer.view().toImage({300, 300}), {150, 50}, 2));
+        QTest::keyClick(&viewer, Qt::Key_N);
+        QVERIFY(!navigator->isVisible());
+        QTest::keyClick(&viewer, Qt::Key_N);
+        QVERIFY(navigator->isVisible());
+        viewer.fit();
+        QVERIFY(!navigator->isVisible());
+    }
+
+    void histogramAndWaveformCountWhatIsShown() {
+        QImage shown(4, 2, QImage::Format_ARGB32);
+        shown.fill(QColor(10, 20, 30));
+        shown.setPixelColor(3, 0, QColor(200, 20, 30));
+        shown.setPixelColor(3, 1, QColor(0, 0, 0, 0));
+        const Histogram counts = histogramOf(shown);
+        QCOMPARE(counts[0][10], 6);
+        QCOMPARE(counts[0][200], 1);
+        QCOMPARE(counts[1][20], 7);
+        QCOMPARE(counts[2][30], 7);
+        QCOMPARE(std::accumulate(counts[2].begin(), counts[2].end(), 0), 7);
+        const QImage waveform = waveformOf(shown, 2);
+        QCOMPARE(waveform.size(), QSize(6, 256));
+        QCOMPARE(waveform.pixelColor(0, 255 - 10).alpha(), 255); // four of the left half's four pixels
+        QCOMPARE(waveform.pixelColor(1, 255 - 200).alphaF(), std::sqrt(1 / 4.0F));
+        QCOMPARE(waveform.pixelColor(0, 255 - 200).alpha(), 0);
+        QVERIFY(waveform.pixelColor(4, 255 - 30).alpha() == 255);
+    }
+
+    void oneKeyShowsHistogramWaveformAndNeither() {
+        ImageViewer viewer;
+        viewer.resize(400, 300);
+        viewer.setPicture(pictureOf(testTexture({200, 100})));
+        viewer.show();
+        auto* const scope = viewer.findChild<Scope*>();
+        QVERIFY(!scope->isVisible());
+        for (const ScopeKind kind : {ScopeKind::Histogram, ScopeKind::Waveform, ScopeKind::None}) {
+            const QImage before = viewer.grab().toImage();
+            QTest::keyClick(&viewer, Qt::Key_I);
+            QCOMPARE(scope->kind(), kind);
+            QCOMPARE(scope->isVisible(), kind != ScopeKind::None);
+            QVERIFY(viewer.grab().toImage() != before);
+        }
     }
 
     void fitShowsAllInTheMiddle() {

@@ -44,6 +44,7 @@ void CompareCell::setItem(const CompareItem& item) {
     m_viewer->setAccessibleName(item.label);
     m_viewer->setPlaceholder(item.message);
     m_viewer->setPicture(item.picture);
+    m_viewer->setToolTip(item.figures);
 }
 
 void CompareCell::setPicture(std::shared_ptr<const DisplayPicture> picture) {

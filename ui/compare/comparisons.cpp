@@ -32,7 +32,9 @@ const QString kSheetFolder = QStringLiteral("folders/sheet");
 CompareItem itemOf(const ResultEntry& entry, const std::shared_ptr<const Result>& result) {
     const std::shared_ptr<const Image> image(result, &result->synthesis.image);
     const QString label = entry.title.empty() ? labelText(entry) : titleText(entry);
-    return {label, std::make_shared<const DisplayPicture>(image), {}, entry.key};
+    CompareItem item{label, std::make_shared<const DisplayPicture>(image), {}, entry.key};
+    item.figures = figuresText(result->figures);
+    return item;
 }
 
 /// An image that a result was made from, other than its exemplars.

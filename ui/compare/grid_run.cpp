@@ -3,6 +3,7 @@
 #include "ui/common/background.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
+#include "ui/runs/result_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -55,14 +56,10 @@ GridRun::Planned GridRun::planned(const GridEntry& entry, const std::vector<Resu
 void GridRun::start(std::vector<GridEntry> entries, std::vector<CompareItem> first,
                     const GridLayout& layout) {
     m_open.clear();
-    const auto plan = [entries = std::move(entries), earlier = m_history->entries(),
-                       cheapestFirst = layout.cheapestFirst] {
+    const auto plan = [entries = std::move(entries), earlier = m_history->entries()] {
         std::vector<Planned> all;
         for (const GridEntry& entry : entries)
             all.push_back(planned(entry, earlier));
-        if (cheapestFirst)
-            std::stable_sort(all.begin(), all.end(),
-                             [](const Planned& a, const Planned& b) { return a.seconds < b.seconds; });
         return all;
     };
     inBackground(
@@ -77,21 +74,29 @@ void GridRun::start(std::vector<GridEntry> entries, std::vector<CompareItem> fir
 void GridRun::showAndQueue(std::vector<Planned> planned, std::vector<CompareItem> first,
                            const GridLayout& layout) {
     std::vector<CompareItem> items = std::move(first);
-    int id = m_queue->nextId();
-    for (const Planned& run : planned) {
+    const std::size_t before = items.size();
+    for (const Planned& run : planned)
         items.push_back({run.label, nullptr, run.plan ? tr("Waiting…") : run.refusal, {}});
-        if (run.plan)
-            items.back().run = id++;
-    }
+    std::vector<std::size_t> queued;
+    for (std::size_t i = 0; i < planned.size(); ++i)
+        if (planned[i].plan)
+            queued.push_back(i);
+    if (layout.cheapestFirst)
+        std::stable_sort(queued.begin(), queued.end(), [&](std::size_t a, std::size_t b) {
+            return planned[a].seconds < planned[b].seconds;
+        });
+    int id = m_queue->nextId();
+    for (const std::size_t i : queued)
+        items[before + i].run = id++;
     m_view->setItems(std::move(items), layout.columns, layout.heading);
-    for (Planned& run : planned)
-        if (run.plan) {
-            // It must be known before the queue tells that the run began.
-            m_open.insert(m_queue->nextId());
-            if (!run.varied.empty())
-                m_varied[m_queue->nextId()] = run.varied;
-            m_queue->add(std::move(*run.plan), layout.quick, false, JobQueue::Place::Last, run.seconds);
-        }
+    for (const std::size_t i : queued) {
+        Planned& run = planned[i];
+        // It must be known before the queue tells that the run began.
+        m_open.insert(m_queue->nextId());
+        if (!run.varied.empty())
+            m_varied[m_queue->nextId()] = run.varied;
+        m_queue->add(std::move(*run.plan), layout.quick, false, JobQueue::Place::Last, run.seconds);
+    }
 }
 
 std::optional<int> GridRun::stop() {
@@ -144,6 +149,7 @@ void GridRun::keep(int id, const std::string& key, const RunPictures& pictures) 
     CompareItem item = m_view->items()[static_cast<std::size_t>(cell)];
     item.picture = pictures.result;
     item.key = key;
+    item.figures = figuresText(pictures.run->figures);
     if (pictures.run->stoppedAt)
         item.label = tr("%1 · %2").arg(item.label, stoppedText(*pictures.run->stoppedAt));
     m_view->setItem(cell, item);

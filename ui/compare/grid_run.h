@@ -28,7 +28,7 @@ struct GridLayout {
     QString heading;            ///< of the grid's contact sheet: what all of them share
     int columns = 0;            ///< 0 for a grid about as wide as high
     bool quick = true;          ///< whether these are previews at a small size
-    bool cheapestFirst = false; ///< whether the quickest run comes first, rather than the first entry
+    bool cheapestFirst = false; ///< whether the quickest run is made first, rather than the first entry's
 };
 
 /// Makes many runs by way of the queue and shows them as a grid that fills as they end; those that cannot be

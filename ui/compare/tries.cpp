@@ -15,6 +15,7 @@
 
 #include <QAction>
 
+#include <algorithm>
 #include <utility>
 
 namespace texloom::ui {
@@ -58,11 +59,11 @@ QString headingOf(const RunInput& input) {
 
 } // namespace
 
-Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons, Input input,
+Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons, Input input, Order order,
              QWidget* window)
     : QObject(window), m_desk(desk), m_store(store), m_comparisons(comparisons), m_input(std::move(input)),
-      m_window(window), m_grid(new GridRun(desk, comparisons->view(), this)), m_all(new QAction(window)),
-      m_some(new QAction(window)), m_sweep(new QAction(window)) {
+      m_order(std::move(order)), m_window(window), m_grid(new GridRun(desk, comparisons->view(), this)),
+      m_all(new QAction(window)), m_some(new QAction(window)), m_sweep(new QAction(window)) {
     auto* const examples = new ExampleSweeps(window);
     m_examples = examples;
     m_all->setText(tr("Try &all methods"));
@@ -99,10 +100,13 @@ std::optional<int> Tries::stop() {
 }
 
 void Tries::tryAll() {
-    std::vector<std::string> ids;
+    std::vector<std::string> ids = m_order();
     for (const Method& method : methods())
-        if (method.info().category != Category::Solids) // which take minutes, and whose result is no picture
+        if (std::find(ids.begin(), ids.end(), method.id()) == ids.end())
             ids.push_back(method.id());
+    std::erase_if(ids, [](const std::string& id) { // which take minutes, and whose result is no picture
+        return findMethod(id).info().category == Category::Solids;
+    });
     tryMethods(ids, true);
 }
 

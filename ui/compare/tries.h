@@ -27,8 +27,13 @@ class Tries : public QObject {
 public:
     using Input = std::function<RunInput()>;
 
-    /// @param input what a run would be given now. @param window that actions and dialogs belong to.
-    Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons, Input input, QWidget* window);
+    /// Ids of methods by how well they suit the exemplar.
+    using Order = std::function<std::vector<std::string>()>;
+
+    /// @param input what a run would be given now. @param order those that suit the exemplar best, if that is
+    /// known. @param window that actions and dialogs belong to.
+    Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons, Input input, Order order,
+          QWidget* window);
 
     QAction* allAction() const { return m_all; }
     QAction* someAction() const { return m_some; }
@@ -36,7 +41,8 @@ public:
     QMenu* exampleMenu() const { return m_examples; }
     /// Enables the actions as there is an exemplar to run methods on, and a run that can start.
     void updateActions();
-    /// Makes a preview with every method and its default settings, the quickest first.
+    /// Makes a preview with every method and its default settings, the quickest first; those that suit the
+    /// exemplar best are shown first.
     void tryAll();
     /// Stops a grid whose run is under way; see GridRun::stop().
     std::optional<int> stop();
@@ -54,6 +60,7 @@ private:
     const ExemplarStore* m_store;
     Comparisons* m_comparisons;
     Input m_input;
+    Order m_order;
     QWidget* m_window;
     GridRun* m_grid;
     QAction* m_all;

@@ -66,8 +66,10 @@ LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* pa
     column->addWidget(split, 1);
     connectCanvases();
     connect(m_table, &CandidateTable::chosen, this, [this](const LatticeCandidate& candidate) {
+        const Drawn before = drawn();
         m_edited = false;
         setLattice(candidate.lattice);
+        tellOf(before);
     });
     connect(m_fields, &LatticeFields::edited, this, &LatticeTool::fieldsEdited);
     connect(m_inspector, &Inspector::edited, this, &LatticeTool::refreshUse);
@@ -242,10 +244,51 @@ void LatticeTool::setOrigin(Vec2 origin) {
         m_gamma->setLattice(lattice(),
                             {m_analysis->correlation.left() + 0.5, m_analysis->correlation.top() + 0.5});
     m_fields->setLattice(lattice(), origin);
+    m_shown = lattice();
+    m_shownOrigin = origin;
     refreshUse();
 }
 
+LatticeTool::Drawn LatticeTool::drawn() const {
+    return {m_exemplar, m_shown, m_shownOrigin, m_originMoved, m_edited};
+}
+
+void LatticeTool::tellOf(const Drawn& before) {
+    rate();
+    Q_EMIT drawnAnew(before, drawn());
+}
+
+void LatticeTool::restore(const Drawn& drawn) {
+    if (drawn.exemplar != m_exemplar)
+        return;
+    m_originMoved = drawn.originMoved;
+    m_edited = drawn.edited;
+    m_canvas->setLattice(drawn.lattice, drawn.origin);
+    setOrigin(drawn.origin);
+    m_table->list(m_analysis, lattice());
+    rate();
+}
+
+/// How well the exemplar agrees with vectors set by hand, found out beside everything else.
+void LatticeTool::rate() {
+    m_rating.reset();
+    m_ratingTask.cancel();
+    if (m_edited && m_analysis && lattice() && problem().isEmpty())
+        m_ratingTask.start(
+            {},
+            [analysis = m_analysis, lattice = *lattice()](JobContext& context) {
+                return ratedLattice(analysis->correlation, lattice, [&] { context.check(); });
+            },
+            [this](const LatticeCandidate& rating) {
+                m_rating = rating;
+                sayVerdict();
+            },
+            [](const QString&) {});
+    sayVerdict();
+}
+
 void LatticeTool::canvasEdited(LatticeCanvas* canvas, LatticeCanvas::Handle handle) {
+    const Drawn before = drawn();
     if (handle == LatticeCanvas::Handle::Origin) {
         m_originMoved = true;
     } else {
@@ -254,9 +297,11 @@ void LatticeTool::canvasEdited(LatticeCanvas* canvas, LatticeCanvas::Handle hand
         m_table->chooseNone();
     }
     setOrigin(m_canvas->origin());
+    tellOf(before);
 }
 
 void LatticeTool::fieldsEdited() {
+    const Drawn before = drawn();
     const std::optional<Lattice> typed = m_fields->lattice();
     const Vec2 origin = m_fields->origin();
     m_originMoved = m_originMoved || (origin - m_canvas->origin()).length() > kSameVectors;
@@ -266,6 +311,7 @@ void LatticeTool::fieldsEdited() {
     }
     m_canvas->setLattice(typed, origin);
     setOrigin(origin);
+    tellOf(before);
 }
 
 void LatticeTool::refit() {
@@ -277,8 +323,10 @@ void LatticeTool::refit() {
             return fittedLattice(analysis->correlation, rough, [&] { context.check(); });
         },
         [this](const LatticeCandidate& candidate) {
+            const Drawn before = drawn();
             m_edited = true;
             setLattice(candidate.lattice);
+            tellOf(before);
         },
         [this](const QString& why) {
             m_failure = why;
@@ -363,6 +411,13 @@ void LatticeTool::sayVerdict() {
         text = tr("Open an exemplar first.");
     else if (!m_analysis)
         text = tr("Press Detect to look for the lattice, or give its vectors.");
+    else if (m_edited && m_rating)
+        text = tr("Set by hand: %1 agrees with itself by %2 at the multiples of these vectors; by %3 at "
+                  "those of "
+                  "the best that was found.")
+                   .arg(m_name, percentText(m_rating->correlation),
+                        percentText(
+                            m_analysis->candidates.empty() ? 0 : m_analysis->candidates.front().correlation));
     else if (m_analysis->found() && m_analysis->candidates.front().lattice.keepsOrder(m_exemplar->size()))
         text =
             tr("Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep "

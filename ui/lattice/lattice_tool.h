@@ -37,6 +37,17 @@ public:
     const std::optional<Lattice>& lattice() const { return m_canvas->lattice(); }
     /// What was found in the exemplar; null before, and while it is looked for.
     const std::shared_ptr<const LatticeAnalysis>& analysis() const { return m_analysis; }
+    /// What is drawn over an exemplar, and how it came to be.
+    struct Drawn {
+        std::shared_ptr<const Image> exemplar;
+        std::optional<Lattice> lattice;
+        Vec2 origin;
+        bool originMoved = false;
+        bool edited = false; ///< by hand, since it was found or chosen
+    };
+    /// Shows what was drawn before; nothing if another exemplar is looked at by now.
+    void restore(const Drawn& drawn);
+
     /// What is said of it, and whether the method uses the lattice shown.
     QString verdict() const;
     QString useText() const;
@@ -44,6 +55,9 @@ public:
 Q_SIGNALS:
     /// The method in the inspector follows no lattice; this one does and is asked for.
     void methodWanted(const QString& id);
+    /// Vectors or origin were moved, typed, fitted or chosen.
+    void drawnAnew(const texloom::ui::LatticeTool::Drawn& before,
+                   const texloom::ui::LatticeTool::Drawn& after);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -59,6 +73,9 @@ private:
     void connectCanvases();
     void take(Detected detected);
     void lookAtVectors();
+    Drawn drawn() const;
+    void tellOf(const Drawn& before);
+    void rate();
     void setLattice(const std::optional<Lattice>& lattice);
     void setOrigin(Vec2 origin);
     void canvasEdited(LatticeCanvas* canvas, LatticeCanvas::Handle handle);
@@ -88,9 +105,13 @@ private:
     std::shared_ptr<const LatticeAnalysis> m_analysis;
     QString m_failure;
     bool m_originMoved = false;
-    bool m_edited = false; ///< by hand, since it was found or chosen
+    bool m_edited = false;          ///< see Drawn
+    std::optional<Lattice> m_shown; ///< before canvas or fields were edited
+    Vec2 m_shownOrigin;
+    std::optional<LatticeCandidate> m_rating; ///< of vectors set by hand
     Task<Detected> m_detection;
     Task<LatticeCandidate> m_fitting;
+    Task<LatticeCandidate> m_ratingTask;
 };
 
 } // namespace texloom::ui

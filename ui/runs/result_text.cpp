@@ -47,6 +47,13 @@ QString finishedText(const ResultEntry& entry) {
     return QLocale().toString(QDateTime::fromMSecsSinceEpoch(entry.finished), QLocale::ShortFormat);
 }
 
+QString rowsOf(const std::vector<Figure>& figures) {
+    QString html;
+    for (const Figure& figure : figures)
+        html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
+    return html;
+}
+
 } // namespace
 
 QString methodsText(const ResultEntry& entry) {
@@ -101,12 +108,15 @@ QString detailsText(const ResultEntry& entry) {
         html += row(tr("Stopped"), tr("at %1 of the work").arg(percentText(*entry.stoppedAt)));
     for (const KeptOutput& output : entry.outputs)
         html += row(outputTitle(entry, output.port), translated(output.size));
-    for (const Figure& figure : entry.figures)
-        html += row(translated(figure.name), QString::number(figure.value, 'g', 4));
+    html += rowsOf(entry.figures);
     html += QStringLiteral("</table>");
     for (const Message& note : entry.notes)
         html += QStringLiteral("<p>%1</p>").arg(translated(note).toHtmlEscaped());
     return html;
+}
+
+QString figuresText(const std::vector<Figure>& figures) {
+    return figures.empty() ? QString() : QStringLiteral("<table>%1</table>").arg(rowsOf(figures));
 }
 
 QString searchText(const ResultEntry& entry) {

@@ -5,6 +5,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <vector>
+
 namespace texloom::ui {
 
 /// "Image quilting", or "Locally Gaussian + Image quilting".
@@ -21,6 +23,9 @@ QStringList chipsOf(const ResultEntry& entry);
 
 /// All there is to know of a result, as rich text: exemplars, settings, time, figures, notes.
 QString detailsText(const ResultEntry& entry);
+
+/// Figures in rich text, a row each; empty for none.
+QString figuresText(const std::vector<Figure>& figures);
 
 /// What a search looks in.
 QString searchText(const ResultEntry& entry);

@@ -17,7 +17,7 @@ namespace {
 /// Changes of one setting closer together than this are one step.
 constexpr qint64 kOneGesture = 1000;
 constexpr int kMostSteps = 200;
-enum CommandId { SettingsId = 1, ExemplarId, TickId };
+enum CommandId { SettingsId = 1, ExemplarId, TickId, ToolId };
 
 /// From one state to another, by a function that shows either. Does nothing when it is pushed, since what it
 /// stands for has been done.
@@ -150,6 +150,12 @@ void UndoHistory::settingsEdited() {
 
 void UndoHistory::removed(ResultHistory* history, const std::vector<std::string>& keys) {
     m_stack->push(new RemoveResults(history, keys));
+}
+
+void UndoHistory::done(const QString& what, const QString& key, const std::function<void()>& back,
+                       const std::function<void()>& again) {
+    using Act = std::function<void()>;
+    m_stack->push(new StateCommand<Act>(ToolId, what, key, back, again, [](const Act& act) { act(); }));
 }
 
 void UndoHistory::asOne(const std::function<void()>& change) {

@@ -49,6 +49,10 @@ public:
     void removed(ResultHistory* history, const std::vector<std::string>& keys);
     /// Does something that changes several settings as one step.
     void asOne(const std::function<void()>& change);
+    /// Records what was done already in a tool of its own: undo calls `back`, redo `again`. What has one
+    /// `key` and follows closely is one step; nothing is if it is empty.
+    void done(const QString& what, const QString& key, const std::function<void()>& back,
+              const std::function<void()>& again);
     /// Forgets everything, as another session opens.
     void clear();
 

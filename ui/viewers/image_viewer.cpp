@@ -1,8 +1,11 @@
 #include "ui/viewers/image_viewer.h"
 
 #include "ui/common/text.h"
+#include "ui/viewers/navigator.h"
+#include "ui/viewers/scope.h"
 #include "ui/viewers/viewer_keys.h"
 
+#include <QApplication>
 #include <QCursor>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -26,7 +29,8 @@ int modulo(int value, int divisor) {
 
 } // namespace
 
-ImageViewer::ImageViewer(QWidget* parent) : QWidget(parent) {
+ImageViewer::ImageViewer(QWidget* parent)
+    : QWidget(parent), m_navigator(new Navigator(this)), m_scope(new Scope(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -50,9 +54,29 @@ void ImageViewer::setPicture(std::shared_ptr<const DisplayPicture> picture) {
     }
     if (m_fitted)
         fitQuietly();
+    m_scope->setPicture(m_picture);
     describe();
     update();
+    placeOverlays();
     Q_EMIT viewSettled();
+}
+
+void ImageViewer::placeOverlays() {
+    m_navigator->follow();
+    const int line = fontMetrics().height();
+    m_scope->resize(std::min(line * 16, width() - line), std::min(line * 8, height() - line));
+    m_scope->move(width() - m_scope->width() - line / 2, line / 2);
+}
+
+void ImageViewer::showNextScope() {
+    m_scope->cycle();
+}
+
+void ImageViewer::toggleNavigator() {
+    Navigator::setWanted(!Navigator::wanted());
+    for (QWidget* widget : QApplication::allWidgets())
+        if (auto* navigator = qobject_cast<Navigator*>(widget))
+            navigator->follow();
 }
 
 void ImageViewer::setPlaceholder(const QString& text) {
@@ -92,6 +116,11 @@ void ImageViewer::setView(const ViewTransform& view, bool fitted) {
     if (fitted)
         fitQuietly();
     update();
+    placeOverlays();
+}
+
+void ImageViewer::centreOn(QPointF place) {
+    panBy(QRectF(rect()).center() - m_view.toWidget(place));
 }
 
 void ImageViewer::lookAt(QPointF middle, double side) {
@@ -191,6 +220,7 @@ void ImageViewer::changedByHand() {
         m_view.keepInReach(imageSize(), size());
     describe();
     update();
+    placeOverlays();
     Q_EMIT viewChanged();
 }
 
@@ -210,6 +240,7 @@ void ImageViewer::resizeEvent(QResizeEvent*) {
         fitQuietly();
     else if (!m_repeat && m_picture)
         m_view.keepInReach(imageSize(), size());
+    placeOverlays();
     Q_EMIT viewSettled();
 }
 
@@ -290,7 +321,11 @@ void ImageViewer::keyPressEvent(QKeyEvent* event) {
     const std::optional<ViewerCommand> command = viewerCommandAt(*event);
     if (!command)
         return QWidget::keyPressEvent(event);
-    switch (*command) {
+    act(*command);
+}
+
+void ImageViewer::act(ViewerCommand command) {
+    switch (command) {
     case ViewerCommand::Fit:
         return fit();
     case ViewerCommand::ActualSize:
@@ -303,6 +338,10 @@ void ImageViewer::keyPressEvent(QKeyEvent* event) {
         return setRepeats(!m_repeat);
     case ViewerCommand::Seams:
         return showSeams();
+    case ViewerCommand::Navigator:
+        return toggleNavigator();
+    case ViewerCommand::Scope:
+        return showNextScope();
     }
 }
 

@@ -13,10 +13,14 @@
 
 namespace texloom::ui {
 
+class Navigator;
+class Scope;
+enum class ViewerCommand;
+
 /// Shows any picture of the program. Wheel, + and − zoom at the cursor, dragging and the arrow keys pan, F
-/// fits, 1 is 100 %, W repeats the picture endlessly, H with half a tile's offset (or the keys that the user
-/// chose: see ViewerCommand); Shift with the arrow keys moves a cursor of its own from pixel to pixel, for
-/// those who have no mouse.
+/// fits, 1 is 100 %, W repeats the picture endlessly, H with half a tile's offset, N shows and hides the
+/// navigator, I histogram and waveform (or the keys that the user chose: see ViewerCommand); Shift with the
+/// arrow keys moves a cursor of its own from pixel to pixel, for those who have no mouse.
 class ImageViewer : public QWidget {
     Q_OBJECT
 
@@ -49,6 +53,8 @@ public:
     void setView(const ViewTransform& view, bool fitted);
     /// Shows a piece of the picture as large as can be, given by its middle and its width and height.
     void lookAt(QPointF middle, double side);
+    /// Moves a place of the picture to the viewer's middle.
+    void centreOn(QPointF place);
     /// Screen pixels for each of the picture's, about the viewer's middle.
     void setZoom(double zoom);
     bool fitted() const { return m_fitted; }
@@ -67,6 +73,10 @@ public Q_SLOTS:
     void setRepeats(bool repeat);
     /// Shows it so with half a tile's offset: where four tiles meet is in the middle.
     void showSeams();
+    /// The histogram of what is shown, its waveform, and neither, in turn.
+    void showNextScope();
+    /// Shows the navigators of all viewers, or hides them.
+    void toggleNavigator();
 
 Q_SIGNALS:
     /// The mouse or the keyboard's cursor came to an image pixel.
@@ -112,6 +122,8 @@ private:
     void moveCursor(QPoint step);
     void hoverAt(QPointF point);
     void describe();
+    void placeOverlays();
+    void act(ViewerCommand command);
 
     void paintRepeated(QPainter& painter, const DisplayPicture& picture, const QImage& level) const;
     void paintOnce(QPainter& painter, const DisplayPicture& picture, const QImage& level) const;
@@ -135,6 +147,8 @@ private:
     std::optional<QPoint> m_marker;
     std::optional<QPoint> m_cursor;
     std::vector<QPoint> m_rings;
+    Navigator* m_navigator;
+    Scope* m_scope;
 };
 
 } // namespace texloom::ui

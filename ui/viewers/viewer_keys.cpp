@@ -12,8 +12,14 @@ namespace texloom::ui {
 namespace {
 
 std::array<QList<QKeySequence>, kViewerCommands>& keysOfAll() {
-    static std::array<QList<QKeySequence>, kViewerCommands> keys = {
-        {{Qt::Key_F}, {Qt::Key_1}, {Qt::Key_Plus, Qt::Key_Equal}, {Qt::Key_Minus}, {Qt::Key_W}, {Qt::Key_H}}};
+    static std::array<QList<QKeySequence>, kViewerCommands> keys = {{{Qt::Key_F},
+                                                                     {Qt::Key_1},
+                                                                     {Qt::Key_Plus, Qt::Key_Equal},
+                                                                     {Qt::Key_Minus},
+                                                                     {Qt::Key_W},
+                                                                     {Qt::Key_H},
+                                                                     {Qt::Key_N},
+                                                                     {Qt::Key_I}}};
     return keys;
 }
 

@@ -93,6 +93,10 @@ Actions::Actions(QMainWindow* window) {
     repeat->setCheckable(true);
     seams = make("seams", tr("&Half offset"), {Qt::Key_H},
                  tr("Show the picture repeated, with the corner where its tiles meet in the middle"));
+    navigator = make("navigator", tr("&Navigator"), {Qt::Key_N},
+                     tr("Show the whole picture small where a part of it is shown, or hide it"));
+    scope = make("scope", tr("H&istogram, waveform"), {Qt::Key_I},
+                 tr("Show the histogram of the picture, then its waveform, then neither"));
     resultTab = make("showResult", tr("R&esult"), {Qt::CTRL | Qt::Key_1});
     synthesisTab = make("showSynthesisMap", tr("&Synthesis map"), {Qt::CTRL | Qt::Key_2});
     positionTab = make("showPositionMap", tr("&Position map"), {Qt::CTRL | Qt::Key_3});
@@ -116,6 +120,8 @@ Actions::Actions(QMainWindow* window) {
     shareKeys(zoomOut, ViewerCommand::ZoomOut);
     shareKeys(repeat, ViewerCommand::Repeat);
     shareKeys(seams, ViewerCommand::Seams);
+    shareKeys(navigator, ViewerCommand::Navigator);
+    shareKeys(scope, ViewerCommand::Scope);
     about->setMenuRole(QAction::AboutRole);
     quit->setMenuRole(QAction::QuitRole);
 }

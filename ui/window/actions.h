@@ -35,6 +35,8 @@ struct Actions {
     QAction* zoomOut;
     QAction* repeat;
     QAction* seams;
+    QAction* navigator;
+    QAction* scope;
     QAction* resultTab;
     QAction* synthesisTab;
     QAction* positionTab;

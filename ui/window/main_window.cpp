@@ -12,6 +12,7 @@
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/method_chooser.h"
+#include "ui/inspector/method_hint.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/job_panel.h"
 #include "ui/jobs/run_panel.h"
@@ -32,6 +33,7 @@
 #include "ui/window/result_export.h"
 #include "ui/window/result_offers.h"
 #include "ui/window/run_display.h"
+#include "ui/window/run_notice.h"
 #include "ui/window/start_page.h"
 #include "ui/window/zoom_box.h"
 
@@ -68,7 +70,8 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent), m_actions(this), m_resultActions(this), m_store(new ExemplarStore(this)),
       m_desk(new RunDesk(resultFolder(), this)), m_comparisons(new Comparisons(m_desk, m_store, this)),
       m_tries(new Tries(
-          m_desk, m_store, m_comparisons, [this] { return input(false); }, this)),
+          m_desk, m_store, m_comparisons, [this] { return input(false); }, [this] { return m_hint->order(); },
+          this)),
       m_brokenRuns(new RunRecovery(m_desk, this)), m_method(new QComboBox(this)) {
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Texloom"));
@@ -94,6 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
     connect(m_results, &ResultView::tabShown, zoom, &ZoomBox::refresh);
     statusBar()->addPermanentWidget(zoom);
     new RunDisplay(m_desk, {m_results, m_figures, m_runPanel, m_messages}, this);
+    new RunNotice(m_desk, this);
     auto* offers = new ResultOffers(m_desk, m_store, m_results, m_actions.repeat, this);
     connect(offers, &ResultOffers::runWanted, this, &MainWindow::runLike);
     new Hovers(m_desk, m_store, {m_results, m_exemplars, m_comparisons->view(), readout}, this);
@@ -174,6 +178,10 @@ void MainWindow::makeDocks() {
         {m_actions.run, m_actions.addToQueue, m_actions.quick, m_actions.stop, m_actions.cancelRun},
         parameters);
     auto* column = new QVBoxLayout(parameters);
+    m_hint = new MethodHint(parameters);
+    connect(m_hint, &MethodHint::methodWanted, this,
+            [this](const QString& id) { m_method->setCurrentIndex(m_method->findData(id)); });
+    column->addWidget(m_hint);
     column->addWidget(m_inspector, 1);
     column->addWidget(m_runPanel);
     m_lattice = new LatticeTool(m_store, m_inspector, m_results);

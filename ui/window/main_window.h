@@ -38,6 +38,7 @@ class JobPanel;
 class LatticeTool;
 class LogPanel;
 class MessageBar;
+class MethodHint;
 class ResultExport;
 class ResultInputs;
 class ResultView;
@@ -189,6 +190,7 @@ private:
     ResultInputs* m_resultInputs = nullptr;
     ExemplarPanel* m_exemplars = nullptr;
     Inspector* m_inspector = nullptr;
+    MethodHint* m_hint = nullptr;
     RunPanel* m_runPanel = nullptr;
     ResultPanel* m_resultPanel = nullptr;
     JobPanel* m_jobs = nullptr;

@@ -80,6 +80,8 @@ void MainWindow::connectViewActions() {
     connect(m_actions.actualSize, &QAction::triggered, this, [this] { frontViewer()->actualSize(); });
     connect(m_actions.zoomIn, &QAction::triggered, this, [this] { frontViewer()->zoomIn(); });
     connect(m_actions.zoomOut, &QAction::triggered, this, [this] { frontViewer()->zoomOut(); });
+    connect(m_actions.navigator, &QAction::triggered, this, [this] { frontViewer()->toggleNavigator(); });
+    connect(m_actions.scope, &QAction::triggered, this, [this] { frontViewer()->showNextScope(); });
     connect(m_actions.seams, &QAction::triggered, this, [this] { frontViewer()->showSeams(); });
     connect(m_actions.repeat, &QAction::toggled, m_results, &ResultView::setRepeats);
     connect(m_actions.repeat, &QAction::triggered, this, [this](bool repeat) {

@@ -111,7 +111,7 @@ QMenu* MainWindow::makePresetMenu() {
 QMenu* MainWindow::makeViewMenu() {
     auto* view = new QMenu(tr("&View"), this);
     view->addActions({m_actions.fit, m_actions.actualSize, m_actions.zoomIn, m_actions.zoomOut,
-                      m_actions.repeat, m_actions.seams});
+                      m_actions.repeat, m_actions.seams, m_actions.navigator, m_actions.scope});
     view->addSeparator();
     view->addActions(
         {m_actions.resultTab, m_actions.synthesisTab, m_actions.positionTab, m_actions.copiesTab});

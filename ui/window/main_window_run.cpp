@@ -6,6 +6,7 @@
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/inspector/inspector.h"
+#include "ui/inspector/method_hint.h"
 #include "ui/inspector/output_group.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/lattice/lattice_tool.h"
@@ -91,6 +92,7 @@ void MainWindow::exemplarsChanged() {
                                  : current != nullptr ? current->file().image->size()
                                                       : Size{});
     m_lattice->followExemplar();
+    m_hint->setExemplar(current != nullptr ? current->file().image : nullptr);
 
     int index = 0;
     for (std::size_t i = 0; i < used.size(); ++i)

@@ -6,6 +6,7 @@
 #include "ui/plots/stress_dialog.h"
 #include "ui/plots/variance_dialog.h"
 #include "ui/runs/result_text.h"
+#include "ui/session/undo_history.h"
 #include "ui/window/hovers.h"
 #include "ui/window/main_window.h"
 
@@ -65,6 +66,12 @@ void MainWindow::connectLattice() {
         m_results->showPage(m_lattice);
         m_lattice->canvas()->setFocus();
     });
+    connect(m_lattice, &LatticeTool::drawnAnew, this,
+            [this](const LatticeTool::Drawn& before, const LatticeTool::Drawn& after) {
+                m_undo->done(
+                    tr("Lattice"), QStringLiteral("lattice"), [this, before] { m_lattice->restore(before); },
+                    [this, after] { m_lattice->restore(after); });
+            });
     connect(m_lattice, &LatticeTool::methodWanted, this,
             [this](const QString& id) { m_method->setCurrentIndex(m_method->findData(id)); });
 }
