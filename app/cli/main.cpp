@@ -1,3 +1,4 @@
+#include "app/cli/analyze_maps.h"
 #include "app/cli/analyze_quality.h"
 #include "app/cli/analyze_statistics.h"
 #include "app/cli/batch_command.h"
@@ -213,6 +214,7 @@ void addAnalyze(CLI::App& app) {
     lattice->add_flag("--json", options.json, "As JSON");
     lattice->callback([] { cli::printLattice(options); });
     cli::addAnalyzeStatistics(*command);
+    cli::addAnalyzeMaps(*command);
     cli::addAnalyzeQuality(*command);
 }
 
