@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
 
 namespace texloom::cli {
 
@@ -25,32 +26,34 @@ struct QualityOptions {
     bool json = false;
 };
 
-void checkChannels(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
-    for (const ExemplarFile& exemplar : exemplars)
-        if (exemplar.image->channels() != result.image->channels())
-            failUsage("{} has {} channels and {} has {}; compare images with the same number.", result.name(),
-                      result.image->channels(), exemplar.name(), exemplar.image->channels());
+void append(std::vector<Figure>& figures, const std::vector<Figure>& more) {
+    figures.insert(figures.end(), more.begin(), more.end());
 }
 
 /// Distances, and the innovation by an estimated map, which is made alike for every texture: those of methods
-/// that copy and of those that do not can be compared by it.
+/// that copy and of those that do not can be compared by it. @param map that was given, or null.
 std::vector<Figure> compared(const ImageView& result, const std::vector<ExemplarFile>& exemplars,
-                             JobContext& context) {
+                             const PositionMap* map, JobContext& context) {
     std::vector<ImageView> images;
     std::vector<PatchSource> sources;
     for (const ExemplarFile& exemplar : exemplars) {
         images.push_back(*exemplar.image);
         sources.push_back({*exemplar.image, {}});
     }
+    const auto check = [&context] { context.check(); };
     std::vector<Figure> figures = distanceFigures(textureDistance(result, images, context));
-    const PositionMap map = estimatedMap(result, sources, {}, context);
-    figures.push_back({"Innovation, estimated", innovation(map, [&context] { context.check(); })});
+    append(figures, layoutFigures(result, images, exemplars.front().image, check));
+    const PositionMap estimated = estimatedMap(result, sources, {}, context);
+    figures.push_back({"Innovation, estimated", innovation(estimated, check)});
+    append(figures, pieceFigures(result, images, map ? *map : estimated,
+                                 occurrencesOf(map ? *map : estimated, check), check));
     return figures;
 }
 
-std::vector<Figure> measured(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
+std::vector<Figure> measured(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars,
+                             const PositionMap* map) {
     Job<std::vector<Figure>> job(
-        {}, [&](JobContext& context) { return compared(*result.image, exemplars, context); });
+        {}, [&](JobContext& context) { return compared(*result.image, exemplars, map, context); });
     follow(job, true);
     Outcome<std::vector<Figure>> outcome = job.take();
     if (std::holds_alternative<Cancelled>(outcome))
@@ -64,25 +67,29 @@ std::vector<Figure> measured(const ExemplarFile& result, const std::vector<Exemp
     return figures;
 }
 
-std::vector<Figure> copied(const QualityOptions& options, const std::vector<ExemplarFile>& exemplars) {
+/// The map that was given, if one was. @throws UsageError if it is not the result's.
+std::optional<PositionMap> givenMap(const QualityOptions& options, const ExemplarFile& result,
+                                    const std::vector<ExemplarFile>& exemplars) {
+    if (options.map.empty())
+        return {};
     std::vector<Size> sizes;
     for (const ExemplarFile& exemplar : exemplars)
         sizes.push_back(exemplar.image->size());
-    const PositionMap map = readPositionMap(options.map, sizes);
-    return mapFigures(map, MapKind::Exact, occurrencesOf(map, checkInterrupt), checkInterrupt);
+    PositionMap map = readPositionMap(options.map, sizes);
+    checkMapOf(map, result);
+    return map;
 }
 
 void analyzeQuality(const QualityOptions& options) {
     const ExemplarFile result = loadExemplar(options.result);
     std::vector<ExemplarFile> exemplars;
     for (const std::filesystem::path& path : options.exemplars)
-        exemplars.push_back(loadExemplar(path));
-    checkChannels(result, exemplars);
-    std::vector<Figure> figures = measured(result, exemplars);
-    if (!options.map.empty()) {
-        const std::vector<Figure> more = copied(options, exemplars);
-        figures.insert(figures.end(), more.begin(), more.end());
-    }
+        checkSameChannels(result, exemplars.emplace_back(loadExemplar(path)));
+    const std::optional<PositionMap> map = givenMap(options, result, exemplars);
+    std::vector<Figure> figures = measured(result, exemplars, map ? &*map : nullptr);
+    if (map)
+        append(figures,
+               mapFigures(*map, MapKind::Exact, occurrencesOf(*map, checkInterrupt), checkInterrupt));
     if (options.json) {
         JsonField::Json json;
         for (const Figure& figure : figures)
@@ -95,6 +102,18 @@ void analyzeQuality(const QualityOptions& options) {
 }
 
 } // namespace
+
+void checkSameChannels(const ExemplarFile& result, const ExemplarFile& exemplar) {
+    if (exemplar.image->channels() != result.image->channels())
+        failUsage("{} has {} channels and {} has {}; compare images with the same number.", result.name(),
+                  result.image->channels(), exemplar.name(), exemplar.image->channels());
+}
+
+void checkMapOf(const PositionMap& map, const ExemplarFile& result) {
+    if (map.size() != result.image->size())
+        failUsage("The map is {} × {} px and {} {} × {} px; give the map that belongs to it.", map.width(),
+                  map.height(), result.name(), result.image->width(), result.image->height());
+}
 
 void addAnalyzeQuality(CLI::App& analyze) {
     static QualityOptions options;

@@ -1,10 +1,18 @@
 #pragma once
 
+#include "core/image/position_map.h"
+#include "core/session/run/exemplar_file.h"
+
 #include <CLI/App.hpp>
 
 namespace texloom::cli {
 
 /// Adds `analyze quality`: how closely a texture resembles its exemplars, and what its map says was copied.
 void addAnalyzeQuality(CLI::App& analyze);
+
+/// @throws UsageError if two images that are to be compared differ in channels.
+void checkSameChannels(const ExemplarFile& result, const ExemplarFile& exemplar);
+/// @throws UsageError if a map is not of a result's size.
+void checkMapOf(const PositionMap& map, const ExemplarFile& result);
 
 } // namespace texloom::cli

@@ -1,4 +1,5 @@
 #include "app/cli/analyze_character.h"
+#include "app/cli/analyze_maps.h"
 #include "app/cli/analyze_quality.h"
 #include "app/cli/analyze_statistics.h"
 #include "app/cli/batch_command.h"
@@ -214,6 +215,7 @@ void addAnalyze(CLI::App& app) {
     lattice->add_flag("--json", options.json, "As JSON");
     lattice->callback([] { cli::printLattice(options); });
     cli::addAnalyzeStatistics(*command);
+    cli::addAnalyzeMaps(*command);
     cli::addAnalyzeQuality(*command);
     cli::addAnalyzeCharacter(*command);
 }

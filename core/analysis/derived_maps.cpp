@@ -95,6 +95,28 @@ Image normalsFromHeight(const ImageView& height, double depth, Wrap wrap,
     return normals;
 }
 
+Relief reliefOf(const ImageView& height, const ImageView& normals, MapRole role, Wrap wrap,
+                const std::function<void()>& check) {
+    const Image slopes = slopesOf(normals, role, check);
+    double both = 0, heights = 0, vectors = 0;
+    for (int y = 0; y < height.height; ++y) {
+        check();
+        for (int x = 0; x < height.width; ++x) {
+            const double right =
+                slopeAt(x, height.width, wrap.x, [&](int at) -> double { return height(at, y, 0); });
+            const double down =
+                slopeAt(y, height.height, wrap.y, [&](int at) -> double { return height(x, at, 0); });
+            const double ownRight = slopes(x, y, 0), ownDown = slopes(x, y, 1);
+            both += right * ownRight + down * ownDown;
+            heights += right * right + down * down;
+            vectors += ownRight * ownRight + ownDown * ownDown;
+        }
+    }
+    if (heights <= 0 || vectors <= 0)
+        return {};
+    return {both / heights, both / std::sqrt(heights * vectors)};
+}
+
 Image heightFromNormals(const ImageView& normals, MapRole role, bool wraps,
                         const std::function<void()>& check) {
     const Image divergence = divergenceOf(slopesOf(normals, role, check), wraps);

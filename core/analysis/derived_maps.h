@@ -18,6 +18,16 @@ inline constexpr double kUsualRelief = 0.02;
 Image normalsFromHeight(
     const ImageView& height, double depth, Wrap wrap = {}, const std::function<void()>& check = [] {});
 
+/// How a height map and a normal map belong together: n_x / n_z and n_y / n_z against the differences of
+/// heights.
+struct Relief {
+    double depth = 0;     ///< that normalsFromHeight() comes nearest to the normals with, by least squares
+    double agreement = 0; ///< the cosine between both fields of slopes, −1 to 1; 0 where one of them is flat
+};
+Relief reliefOf(
+    const ImageView& height, const ImageView& normals, MapRole role, Wrap wrap = {},
+    const std::function<void()>& check = [] {});
+
 /// The height map, 0 to 1, that a normal map belongs to, up to its depth: the least-squares solution of
 /// ∇h = (−n_x / n_z, n_y / n_z), which is Poisson's equation (Frankot & Chellappa, PAMI 1988, here with
 /// differences in place of derivatives, and no flux over borders that do not wrap). Slopes are at most 10.

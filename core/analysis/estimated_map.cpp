@@ -22,8 +22,8 @@ Place placeOf(int at, int length, int patch, bool wraps) {
 /// The starting matches are good; further iterations change few pixels.
 constexpr int kIterations = 2;
 
-int patchFor(const ImageView& result, std::span<const PatchSource> exemplars) {
-    int patch = std::min(kEstimatedMapPatch, result.size().shorterSide());
+int patchFor(int wanted, const ImageView& result, std::span<const PatchSource> exemplars) {
+    int patch = std::min(wanted, result.size().shorterSide());
     for (const PatchSource& exemplar : exemplars)
         patch = std::min(patch, exemplar.image.size().shorterSide());
     return patch;
@@ -32,8 +32,8 @@ int patchFor(const ImageView& result, std::span<const PatchSource> exemplars) {
 } // namespace
 
 PositionMap estimatedMap(const ImageView& result, std::span<const PatchSource> exemplars, Wrap wrap,
-                         JobContext& context) {
-    const int patch = patchFor(result, exemplars);
+                         JobContext& context, int patch) {
+    patch = patchFor(patch, result, exemplars);
     const PatchField field = matchPatches(result, exemplars, {patch, kIterations, 2, wrap}, context);
     std::vector<Size> sizes;
     for (const PatchSource& exemplar : exemplars)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace texloom {
 
@@ -40,7 +41,8 @@ int PatchAxis::overlapBefore(int index) const {
 }
 
 PatchGrid::PatchGrid(const PatchAxis& horizontal, const PatchAxis& vertical)
-    : m_columns(horizontal.count()), m_lag(horizontal.wraps() ? 2 : 1) {
+    : m_columns(horizontal.count()), m_rows(vertical.count()), m_lag(horizontal.wraps() ? 2 : 1),
+      m_wrapsX(horizontal.wraps()), m_wrapsY(vertical.wraps()) {
     for (int row = 0; row < vertical.count(); ++row)
         for (int nth = 0; nth < m_columns; ++nth) {
             const int column = horizontal.wraps() ? (row + nth) % m_columns : nth;
@@ -66,6 +68,32 @@ std::vector<int> PatchGrid::before(int index) const {
     if (row > 0)
         needed.push_back((row - 1) * m_columns + std::min(nth + m_lag, m_columns - 1));
     return needed;
+}
+
+int PatchGrid::away(int index, int other) const {
+    const auto apart = [](int a, int b, int count, bool wraps) {
+        const int straight = std::abs(a - b);
+        return wraps ? std::min(straight, count - straight) : straight;
+    };
+    const PatchCell &one = cell(index), &two = cell(other);
+    return std::max(apart(one.column, two.column, m_columns, m_wrapsX),
+                    apart(one.row, two.row, m_rows, m_wrapsY));
+}
+
+std::vector<int> PatchGrid::nearby(int index, int reach) const {
+    const int row = index / m_columns, nth = index % m_columns;
+    std::vector<int> found;
+    for (int other = 0; other <= row; ++other) {
+        const int above = row - other;
+        if (std::min(above, m_wrapsY ? m_rows - above : above) > reach)
+            continue;
+        // Of its own row all before it, of the rows above those that before() waits for.
+        const int end = above > 0 ? std::min(m_columns, nth + m_lag * above + 1) : nth;
+        for (int n = 0; n < end; ++n)
+            if (away(index, other * m_columns + n) <= reach)
+                found.push_back(other * m_columns + n);
+    }
+    return found;
 }
 
 } // namespace texloom

@@ -55,10 +55,17 @@ public:
     /// The cells that must be done before cell `index`, of those that come earlier: its predecessor in the
     /// row, and the last one of the row above that it touches (Raad & Galerne, IPOL 2017, section 3.2).
     std::vector<int> before(int index) const;
+    /// Earlier cells at most `reach` columns and rows away, across the border where an axis wraps, of those
+    /// that before() makes sure of: the same whatever the order in which cells that do not depend on each
+    /// other are done.
+    std::vector<int> nearby(int index, int reach) const;
+    /// Columns or rows between two cells, whichever are more, the shorter way round where an axis wraps.
+    int away(int index, int other) const;
 
 private:
-    int m_columns;
+    int m_columns, m_rows;
     int m_lag; ///< how many patches the row above must be ahead
+    bool m_wrapsX, m_wrapsY;
     std::vector<PatchCell> m_cells;
 };
 

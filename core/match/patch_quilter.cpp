@@ -9,6 +9,9 @@ namespace texloom {
 
 namespace {
 
+/// Cells to either side and above in which the same piece is noticed again.
+constexpr int kNear = 4;
+
 std::vector<Size> sizesOf(const std::vector<PatchSource>& exemplars) {
     std::vector<Size> sizes;
     for (const PatchSource& exemplar : exemplars)
@@ -25,6 +28,7 @@ PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const Quil
           exemplars, options.patch, [&context] { context.check(); }, options.contrast),
       m_canvas(options.size, options.wrap, exemplars.front().image.channels, options.patch, options.overlap),
       m_map(m_canvas.image().size(), sizesOf(exemplars)),
+      m_sources(static_cast<std::size_t>(m_canvas.grid().count())),
       m_cutCosts(static_cast<std::size_t>(m_canvas.grid().count()), 0.0) {
     if (options.stitch != PatchStitch::Cut && options.stitch != PatchStitch::SmoothCut)
         m_stitcher.emplace(options.stitch, options.patch);
@@ -63,8 +67,7 @@ void PatchQuilter::follow(const PatchCell& cell, Workspace& work) const {
 
 /// The distances to choose by: of what is known, of the guide, or of both as means over their pixels, up to a
 /// factor.
-const PatchSearch::Scratch& PatchQuilter::distances(const PatchCell& cell, bool known,
-                                                    Workspace& work) const {
+PatchSearch::Scratch& PatchQuilter::distances(const PatchCell& cell, bool known, Workspace& work) const {
     if (m_guide)
         follow(cell, work);
     if (m_guide && (!known || std::isinf(m_guide->weight)))
@@ -78,12 +81,24 @@ const PatchSearch::Scratch& PatchQuilter::distances(const PatchCell& cell, bool 
     return work.scratch;
 }
 
-PatchPosition PatchQuilter::choose(const PatchCell& cell, Workspace& work) const {
+/// Makes patches farther whose pixels were copied near by, the more so the nearer.
+void PatchQuilter::vary(int index, PatchSearch::Scratch& distances) const {
+    const PatchGrid& grid = m_canvas.grid();
+    for (const int other : grid.nearby(index, kNear))
+        m_search.discourage(m_sources[static_cast<std::size_t>(other)],
+                            m_options.variety / grid.away(index, other), distances);
+}
+
+PatchPosition PatchQuilter::choose(int index, Workspace& work) const {
+    const PatchCell& cell = m_canvas.grid().cell(index);
     const bool known = !cell.overlap.none() || m_options.initial;
     if (!known && !m_guide)
         return m_search.drawn(m_context.random().uniform(cell.column, cell.row));
-    return m_search.drawn(m_search.within(m_options.tolerance, distances(cell, known, work)),
-                          m_context.random(), cell.column, cell.row);
+    PatchSearch::Scratch& compared = distances(cell, known, work);
+    if (m_options.variety > 0)
+        vary(index, compared);
+    return m_search.drawn(m_search.within(m_options.tolerance, compared), m_context.random(), cell.column,
+                          cell.row);
 }
 
 void PatchQuilter::trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight) {
@@ -119,7 +134,8 @@ void PatchQuilter::place(int index) {
     const PatchCell& cell = m_canvas.grid().cell(index);
     const auto work = m_pool.borrow([this] { return workspace(); });
     m_canvas.read(cell, work->known);
-    const PatchPosition source = choose(cell, *work);
+    const PatchPosition source = choose(index, *work);
+    m_sources[static_cast<std::size_t>(index)] = source;
     const ImageView fresh = m_search.pixels(source);
     const PlaneSpan weight = work->weight.plane(0);
     if (cuts()) {

@@ -31,6 +31,8 @@ struct QuiltOptions {
     int overlap = 10;     ///< w_o in pixels
     double tolerance = 0; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
     double contrast = 0;  ///< see ContrastBalance::share
+    /// λ: how much farther a patch is taken to be whose pixels were copied near by; 0: as it is.
+    double variety = 0;
     PatchStitch stitch = PatchStitch::Cut;
     int softness = 0; ///< half the width in pixels over which a cut blends; 0 for sharp cuts
     /// An image of the output's size that whole patches are compared with, or none.
@@ -85,8 +87,9 @@ private:
     void place(int index);
     Footprint compared(const PatchCell& cell) const;
     void follow(const PatchCell& cell, Workspace& work) const;
-    const PatchSearch::Scratch& distances(const PatchCell& cell, bool known, Workspace& work) const;
-    PatchPosition choose(const PatchCell& cell, Workspace& work) const;
+    PatchSearch::Scratch& distances(const PatchCell& cell, bool known, Workspace& work) const;
+    PatchPosition choose(int index, Workspace& work) const;
+    void vary(int index, PatchSearch::Scratch& distances) const;
     bool cuts() const { return !m_stitcher; }
     void trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight);
 
@@ -97,7 +100,8 @@ private:
     std::optional<Guide> m_guide;
     std::optional<PatchStitcher> m_stitcher; ///< where patches are not cut
     PositionMap m_map;
-    std::vector<double> m_cutCosts; ///< by cell, so that sums do not depend on the order
+    std::vector<PatchPosition> m_sources; ///< by cell
+    std::vector<double> m_cutCosts;       ///< by cell, so that sums do not depend on the order
     Pool<Workspace> m_pool;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace texloom {
 
@@ -131,6 +132,31 @@ void PatchSearch::add(const Scratch& other, double weight, Scratch& to) const {
                 row[x] = factor * row[x] + from[x];
             to[e].rowMinima[static_cast<std::size_t>(y)] = *std::min_element(row, row + width);
         }
+}
+
+void PatchSearch::discourage(const PatchPosition& used, double weight, Scratch& scratch) const {
+    const auto e = static_cast<std::size_t>(used.exemplar);
+    const Size positions = m_distances[e].positions();
+    const int left = std::max(0, used.x - m_patch + 1), right = std::min(positions.width, used.x + m_patch);
+    const int top = std::max(0, used.y - m_patch + 1), bottom = std::min(positions.height, used.y + m_patch);
+    std::vector<float> shared; // columns of the patch
+    for (int x = left; x < right; ++x)
+        shared.push_back(static_cast<float>(m_patch - std::abs(x - used.x)));
+    const auto count = static_cast<std::ptrdiff_t>(shared.size());
+    for (int y = top; y < bottom; ++y) {
+        float* const row = m_distances[e].distanceRow(scratch[e], y);
+        float* const from = row + left;
+        const auto share =
+            static_cast<float>(weight * (m_patch - std::abs(y - used.y)) / (1.0 * m_patch * m_patch));
+        float& least = scratch[e].rowMinima[static_cast<std::size_t>(y)];
+        int nearest = 0; // of those that move away, some were
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            nearest |= from[i] <= least ? 1 : 0;
+            from[i] *= 1 + share * shared[static_cast<std::size_t>(i)];
+        }
+        if (nearest != 0)
+            least = *std::min_element(row, row + positions.width);
+    }
 }
 
 std::vector<PatchPosition> PatchSearch::within(double tolerance, const Scratch& scratch) const {

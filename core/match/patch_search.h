@@ -61,6 +61,9 @@ public:
     /// found.
     void add(const Scratch& other, double weight, Scratch& to) const;
 
+    /// Makes patches that share pixels with one of them farther: by 1 + weight × the share of their pixels.
+    void discourage(const PatchPosition& used, double weight, Scratch& scratch) const;
+
     /// All patches at most (1 + tolerance) times as far as the nearest (Efros & Freeman 2001). Never empty.
     std::vector<PatchPosition> within(double tolerance, const Scratch& scratch) const;
     /// The `count` nearest patches, or all if there are fewer, by increasing distance.

@@ -4301,10 +4301,6 @@
         <translation>Die Farben der Kanten jeder Kachel, ihr Platz auf dem Bogen und die Kachel zu jeder Farbkombination; als .json für andere Programme.</translation>
     </message>
     <message>
-        <source>The contrast of {} is for whole outputs; set it to 0 to fill a hole.</source>
-        <translation>Der Kontrast von {} ist für ganze Ergebnisse; setzen Sie ihn auf 0, um ein Loch zu füllen.</translation>
-    </message>
-    <message>
         <source>The dictionary has patches of {} px, and the patch size is {} px; they need the same.</source>
         <translation>Das Wörterbuch hat Patches von {} px, und die Patchgröße ist {} px; beide müssen gleich sein.</translation>
     </message>
@@ -4747,10 +4743,6 @@
     <message>
         <source>The settings of López Recas 2011, section 4.2: blocks of 40 px with borders of 10 px, blended over 4 px, light left as it is.</source>
         <translation>Die Einstellungen von López Recas 2011, Abschnitt 4.2: Blöcke von 40 px mit Rändern von 10 px, über 4 px überblendet, Licht wie es ist.</translation>
-    </message>
-    <message>
-        <source>The settings of Raad &amp; Galerne, IPOL 2017: patches of 40 px, a quarter of overlap, a tolerance of 0.1.</source>
-        <translation>Die Einstellungen von Raad &amp; Galerne, IPOL 2017: Stücke von 40 px, ein Viertel Überlappung, eine Toleranz von 0,1.</translation>
     </message>
     <message>
         <source>The settings of Raad&apos;s thesis, figure 2.6: patches of 30 px from 10 neighbours joined along cuts, contrast not balanced.</source>
@@ -5551,6 +5543,62 @@
     <message>
         <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
         <translation>Dieselbe Textur durch vier Deskriptoren und durch einen mit der anderen Art von Pooling, wie Abbildung 4.8 von Gutierrez&apos; Dissertation sie vergleicht.</translation>
+    </message>
+    <message>
+        <source>Autocorrelations apart</source>
+        <translation>Abstand der Autokorrelationen</translation>
+    </message>
+    <message>
+        <source>Contrast kept</source>
+        <translation>Erhaltener Kontrast</translation>
+    </message>
+    <message>
+        <source>From the most used part of the exemplar, %</source>
+        <translation>Aus dem meistgenutzten Teil der Vorlage, %</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>Wie weit flache Patches in ganzen Ausgaben davon abgehalten werden, zu gewinnen, wo nichts gut passt: 1 hält den Kontrast der Vorlage; 0 vergleicht wie veröffentlicht, und Ausgaben können verblassen.</translation>
+    </message>
+    <message>
+        <source>How much pieces that were copied near by are avoided in whole outputs: larger repeats itself less, but joins worse; 0 takes whatever fits best, as published.</source>
+        <translation>Wie sehr in ganzen Ausgaben Stücke gemieden werden, die in der Nähe schon kopiert wurden: größer wiederholt sich weniger, fügt aber schlechter; 0 nimmt, was am besten passt, wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Jump where pieces meet</source>
+        <translation>Sprung, wo Stücke sich treffen</translation>
+    </message>
+    <message>
+        <source>Lattice kept</source>
+        <translation>Erhaltenes Gitter</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>Quilted</source>
+        <translation>Gequiltet</translation>
+    </message>
+    <message>
+        <source>The settings of Raad &amp; Galerne, IPOL 2017: patches of 40 px, a quarter of overlap, a tolerance of 0.1, contrast not balanced, and pieces used again wherever they fit.</source>
+        <translation>Die Einstellungen von Raad &amp; Galerne, IPOL 2017: Patches von 40 px, ein Viertel Überlappung, eine Toleranz von 0,1, Kontrast nicht ausgeglichen, und Stücke wiederverwendet, wo immer sie passen.</translation>
+    </message>
+    <message>
+        <source>The vectors of {} no longer agreed with {} (slopes alike by {:.2f}, in the exemplar by {:.2f}), so they were derived from the heights.</source>
+        <translation>Die Vektoren von {} stimmten nicht mehr mit {} überein (Steigungen gleichen sich zu {:.2f}, in der Vorlage zu {:.2f}), daher wurden sie aus den Höhen abgeleitet.</translation>
+    </message>
+    <message>
+        <source>Variety</source>
+        <translation>Abwechslung</translation>
+    </message>
+    <message>
+        <source>What an output that is larger than the exemplar, or wraps, is a variant of: a quilt of it, or its mirror images, which show as a kaleidoscope. An initial image takes their place.</source>
+        <translation>Wovon eine Ausgabe, die größer als die Vorlage ist oder sich schließt, eine Variante ist: von einem Quilt aus ihr oder von ihren Spiegelbildern, die als Kaleidoskop auffallen. Ein Startbild tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>{} does not cover the output, so its patches were first laid out by image quilting; give an initial image for a layout of your own.</source>
+        <translation>{} deckt die Ausgabe nicht ab, daher wurden seine Patches zuerst durch Bild-Quilting angeordnet; für eine eigene Anordnung ein Startbild angeben.</translation>
     </message>
 </context>
 <context>

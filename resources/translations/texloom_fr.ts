@@ -4301,10 +4301,6 @@
         <translation>Les couleurs des bords de chaque pavé, sa place sur la planche et le pavé de chaque combinaison de couleurs ; en .json pour d’autres programmes.</translation>
     </message>
     <message>
-        <source>The contrast of {} is for whole outputs; set it to 0 to fill a hole.</source>
-        <translation>Le contraste de {} est pour des sorties entières ; mettez-le à 0 pour remplir un trou.</translation>
-    </message>
-    <message>
         <source>The dictionary has patches of {} px, and the patch size is {} px; they need the same.</source>
         <translation>Le dictionnaire a des patches de {} px et la taille du patch est de {} px ; il faut la même.</translation>
     </message>
@@ -4747,10 +4743,6 @@
     <message>
         <source>The settings of López Recas 2011, section 4.2: blocks of 40 px with borders of 10 px, blended over 4 px, light left as it is.</source>
         <translation>Les réglages de López Recas 2011, section 4.2 : blocs de 40 px avec des bords de 10 px, fondus sur 4 px, lumière laissée telle quelle.</translation>
-    </message>
-    <message>
-        <source>The settings of Raad &amp; Galerne, IPOL 2017: patches of 40 px, a quarter of overlap, a tolerance of 0.1.</source>
-        <translation>Les réglages de Raad &amp; Galerne, IPOL 2017 : morceaux de 40 px, un quart de recouvrement, une tolérance de 0,1.</translation>
     </message>
     <message>
         <source>The settings of Raad&apos;s thesis, figure 2.6: patches of 30 px from 10 neighbours joined along cuts, contrast not balanced.</source>
@@ -5551,6 +5543,62 @@
     <message>
         <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
         <translation>La même texture par quatre descripteurs, et par l&apos;un d&apos;eux avec l&apos;autre mise en commun, comme les compare la figure 4.8 de la thèse de Gutierrez.</translation>
+    </message>
+    <message>
+        <source>Autocorrelations apart</source>
+        <translation>Écart des autocorrélations</translation>
+    </message>
+    <message>
+        <source>Contrast kept</source>
+        <translation>Contraste conservé</translation>
+    </message>
+    <message>
+        <source>From the most used part of the exemplar, %</source>
+        <translation>Issu de la partie la plus utilisée de l’échantillon, %</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>À quel point, dans les sorties entières, les patchs plats sont empêchés de l’emporter là où rien ne convient bien : 1 garde le contraste de l’échantillon ; 0 compare comme publié, et les sorties peuvent pâlir.</translation>
+    </message>
+    <message>
+        <source>How much pieces that were copied near by are avoided in whole outputs: larger repeats itself less, but joins worse; 0 takes whatever fits best, as published.</source>
+        <translation>À quel point, dans les sorties entières, les morceaux déjà copiés à proximité sont évités : plus grand se répète moins, mais raccorde moins bien ; 0 prend ce qui convient le mieux, comme publié.</translation>
+    </message>
+    <message>
+        <source>Jump where pieces meet</source>
+        <translation>Saut là où les morceaux se rejoignent</translation>
+    </message>
+    <message>
+        <source>Lattice kept</source>
+        <translation>Réseau conservé</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Quilted</source>
+        <translation>Assemblée par quilting</translation>
+    </message>
+    <message>
+        <source>The settings of Raad &amp; Galerne, IPOL 2017: patches of 40 px, a quarter of overlap, a tolerance of 0.1, contrast not balanced, and pieces used again wherever they fit.</source>
+        <translation>Les réglages de Raad &amp; Galerne, IPOL 2017 : patchs de 40 px, un quart de recouvrement, une tolérance de 0,1, contraste non équilibré, et morceaux réutilisés partout où ils conviennent.</translation>
+    </message>
+    <message>
+        <source>The vectors of {} no longer agreed with {} (slopes alike by {:.2f}, in the exemplar by {:.2f}), so they were derived from the heights.</source>
+        <translation>Les vecteurs de {} ne concordaient plus avec {} (pentes semblables à {:.2f}, dans l’échantillon à {:.2f}) ; ils ont donc été déduits des hauteurs.</translation>
+    </message>
+    <message>
+        <source>Variety</source>
+        <translation>Variété</translation>
+    </message>
+    <message>
+        <source>What an output that is larger than the exemplar, or wraps, is a variant of: a quilt of it, or its mirror images, which show as a kaleidoscope. An initial image takes their place.</source>
+        <translation>Ce dont une sortie plus grande que l’échantillon, ou qui se raccorde, est une variante : un quilt de celui-ci, ou ses images en miroir, qui se voient comme un kaléidoscope. Une image de départ prend leur place.</translation>
+    </message>
+    <message>
+        <source>{} does not cover the output, so its patches were first laid out by image quilting; give an initial image for a layout of your own.</source>
+        <translation>{} ne couvre pas la sortie ; ses patchs ont donc d’abord été disposés par quilting d’images ; donnez une image de départ pour une disposition de votre choix.</translation>
     </message>
 </context>
 <context>

@@ -84,5 +84,40 @@ TEST(AnalyzeQuality, MeasuresInnovationOfAnyTextureAlike) {
     EXPECT_GT(innovation("other.png"), 0.3);
 }
 
+TEST(AnalyzeQuality, SeesWhereAMapIsNotTheTextures) {
+    const TemporaryFolder folder;
+    writeImage(folder / "exemplar.png", blobs({64, 60}, 3), {});
+    writePositionMap(folder / "small.png", PositionMap::identity({30, 30}));
+    const Ended ended =
+        runCli({"analyze", "quality", "exemplar.png", "exemplar.png", "--map", "small.png"}, folder.path());
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err, testing::AllOf(testing::HasSubstr("30 × 30"), testing::HasSubstr("64 × 60")));
+}
+
+TEST(AnalyzeMaps, WritesPicturesOfWhatWasCopied) {
+    const TemporaryFolder folder;
+    const Image exemplar = blobs({64, 60}, 3);
+    writeImage(folder / "exemplar.png", exemplar, {});
+    const Image part(exemplar.view().crop(10, 20, {40, 30}));
+    writeImage(folder / "part.png", part, {});
+    const auto run = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"analyze", "maps", "part.png", "exemplar.png"});
+        return runCli(arguments, folder.path());
+    };
+    const Ended ended = run({"--picture", "maps", "--neighbourhood", "7", "--json"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Json figures = Json::parse(ended.out);
+    EXPECT_EQ(figures.at("Innovation, estimated"), 0);
+    EXPECT_NEAR(figures.at("Jump where pieces meet").get<double>(), 0, 1e-6);
+    // A part has the colours of its places in the exemplar's picture.
+    const Image positions = readImage(folder / "maps" / "exemplar_positions.png").image;
+    const Image synthesis = readImage(folder / "maps" / "part_synthesis.png").image;
+    EXPECT_TRUE(samePixels(synthesis, Image(positions.view().crop(10, 20, {40, 30}))));
+    EXPECT_EQ(readImage(folder / "maps" / "part_copied.png").image.size(), (Size{40, 30}));
+
+    EXPECT_EQ(run({"--neighbourhood", "3"}).status, 2);
+    EXPECT_EQ(run({"--neighbourhood", "8"}).status, 2);
+}
+
 } // namespace
 } // namespace texloom::test

@@ -2,27 +2,64 @@
 
 #include "core/base/text.h"
 #include "core/match/patch_grower.h"
+#include "core/match/patch_quilter.h"
 #include "core/match/patch_stitch.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace texloom::gaussian_patches {
 
 namespace {
 
 constexpr double kMapWeight = 0.15;
+/// What the layout is quilted with: patches as a share of the exemplar's shorter side, their overlap as a
+/// share of theirs, and how much they may differ from the best.
+constexpr double kLayoutPatch = 0.16, kLayoutOverlap = 0.25, kLayoutTolerance = 0.1;
+/// Share of the run that quilting the layout makes up.
+constexpr double kLayoutWeight = 0.4;
+
+/// What outputs that the exemplar does not cover are laid out by: a quilt of it, or its mirror images.
+enum class Layout { Quilted, Mirrored };
 
 /// Parameters of the replacement of patches by Gaussian samples (Raad, thesis 2016, algorithm 1).
 struct Settings {
     int patch = 30;       ///< side n in pixels
     int neighbours = 10;  ///< m: patches that a Gaussian is learnt from
     double overlap = 0.5; ///< o as a share of the patch
-    double contrast = 1;  ///< see ContrastBalance::share; 0 in the source
+    Layout layout = Layout::Quilted;
+    double contrast = 1; ///< see ContrastBalance::share; 0 in the source
 
     int overlapPixels() const { return overlapFor(patch, overlap); }
 };
+
+/// Whether the exemplar itself cannot be the guide: it would be mirrored, which shows as a kaleidoscope.
+bool laysOut(const Request& request, const Settings& settings) {
+    const Size exemplar = request.exemplars.front().image->size();
+    return settings.layout == Layout::Quilted && !request.initial() &&
+           (request.wrap.x || request.wrap.y || request.size.width > exemplar.width ||
+            request.size.height > exemplar.height);
+}
+
+QuiltOptions layoutOptions(const Request& request, const Settings& settings) {
+    const int side = request.exemplars.front().image->size().shorterSide();
+    QuiltOptions options;
+    options.size = request.size;
+    options.wrap = request.wrap;
+    // Never larger than the patch that check() has found room for, unless the exemplar alone decides.
+    options.patch = std::max(settings.patch, static_cast<int>(std::lround(kLayoutPatch * side)));
+    if (!leavesWholePatch(request, options.patch) || (request.wrap.x && request.size.width < options.patch) ||
+        (request.wrap.y && request.size.height < options.patch))
+        options.patch = settings.patch;
+    options.overlap = overlapFor(options.patch, kLayoutOverlap);
+    options.tolerance = kLayoutTolerance;
+    options.contrast = 1;
+    options.variety = 0.5;
+    return options;
+}
 
 /// Replaces every patch of a guide by a sample of the Gaussian of the exemplar patches most similar to it.
 /// The guide is the exemplar itself, mirrored beyond its borders, or the initial image.
@@ -85,12 +122,42 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     need.bytes += PatchCanvas::bytesFor(request.size, request.wrap, request.channels(), settings.patch,
                                         settings.overlapPixels());
     addEstimatedMap(request, need);
+    if (laysOut(request, settings)) {
+        const QuiltOptions options = layoutOptions(request, settings);
+        const Estimate quilt = growthEstimate(request, options.patch, options.overlap, threads, true);
+        need.bytes += quilt.bytes + PatchQuilter::mapBytesFor(request.size, options.patch) +
+                      Image::bytesFor(request.size, request.channels());
+        need.seconds += quilt.seconds;
+    }
     return need;
 }
 
+/// The request with a quilt of the exemplar as the image to start from.
+Request laidOut(const Request& request, const Settings& settings, JobContext& context) {
+    const std::vector<PatchSource> exemplars = patchSources(request);
+    const QuiltOptions options = layoutOptions(request, settings);
+    Request guided = request;
+    guided.inputs.set(kInitialPort, std::make_shared<const Image>(
+                                        PatchQuilter(exemplars, options, context).run(kLayoutWeight).image));
+    return guided;
+}
+
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    Replacer replacer(request, settings, context);
-    return grown(replacer, request, TR("Replacing patches"), kMapWeight, context);
+    if (!laysOut(request, settings)) {
+        Replacer replacer(request, settings, context);
+        return grown(replacer, request, TR("Replacing patches"), kMapWeight, context);
+    }
+    const Request guided = laidOut(request, settings, context);
+    Replacer replacer(guided, settings, context);
+    replacer.prepare();
+    context.stage(1 - kLayoutWeight - kMapWeight, TR("Replacing patches"));
+    Synthesis result = withEstimatedMap(replacer.grow(), guided, kMapWeight, context);
+    result.figures = {{TR("Patches"), static_cast<double>(replacer.patches())}};
+    result.notes.push_back(
+        message("{} does not cover the output, so its patches were first laid out by image "
+                "quilting; give an initial image for a layout of your own.",
+                request.exemplars.front().name));
+    return result;
 }
 
 } // namespace
@@ -110,6 +177,12 @@ const Method self = method<Settings>(
      neighboursField(&Settings::neighbours)
          .help(TR("Similar patches that each new one is blended from: more vary more and blur more.")),
      overlapField(&Settings::overlap).help(TR("Share of the patch over which it fades into its neighbours.")),
+     field(&Settings::layout, "layout", TR("Layout"))
+         .choices({{"quilted", TR("Quilted")}, {"mirrored", TR("Mirrored")}})
+         .group(TR("Advanced"))
+         .help(
+             TR("What an output that is larger than the exemplar, or wraps, is a variant of: a quilt of it, "
+                "or its mirror images, which show as a kaleidoscope. An initial image takes their place.")),
      contrastField(&Settings::contrast)},
     run, checkPatch, estimate);
 

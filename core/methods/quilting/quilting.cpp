@@ -24,8 +24,6 @@ void checkHole(const Request& request, const Settings& settings) {
     if (!cuts && settings.stitch != PatchStitch::None && settings.stitch != PatchStitch::Poisson)
         failUsage("A hole has no overlaps of even width to blend; choose the stitch cut, smooth-cut, none or "
                   "poisson.");
-    if (settings.contrast > 0)
-        failUsage("The contrast of {} is for whole outputs; set it to 0 to fill a hole.", settings.contrast);
 }
 
 void check(const Request& request, const Settings& settings) {
@@ -95,7 +93,16 @@ const Method self = method<Settings>(
          .when("stitch", std::string("smooth-cut"))
          .group(TR("Advanced"))
          .help(TR("How far the smoothed cut blends to either side.")),
-     contrastField(&Settings::contrast),
+     field(&Settings::variety, "variety", TR("Variety"))
+         .range(0, 10)
+         .symbol("λ")
+         .help(TR(
+             "How much pieces that were copied near by are avoided in whole outputs: larger repeats itself "
+             "less, but joins worse; 0 takes whatever fits best, as published.")),
+     contrastField(&Settings::contrast)
+         .help(TR(
+             "How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds "
+             "the exemplar's contrast; 0 compares as published, and outputs may fade.")),
      radiusField(&Settings::radius)
          .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
                   "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),

@@ -13,7 +13,8 @@ struct Settings {
     double tolerance = 0.1; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
     PatchStitch stitch = PatchStitch::Cut; ///< how a new patch is joined to what is there
     int softness = 3;                      ///< half the width in pixels over which a smooth cut blends
-    double contrast = 0;                   ///< see ContrastBalance::share
+    double contrast = 1;                   ///< see ContrastBalance::share; 0 in the source
+    double variety = 0.5;                  ///< see QuiltOptions::variety; 0 in the source
     int radius = 0;   ///< in exemplars of the output\'s size, how far a hole\'s sources lie; 0: anywhere
     int context = 80; ///< where a hole is filled, how far around it is copied from; see withoutHole()
 
@@ -28,6 +29,7 @@ struct Settings {
         options.overlap = overlapPixels();
         options.tolerance = tolerance;
         options.contrast = contrast;
+        options.variety = variety;
         options.stitch = stitch;
         options.softness = stitch == PatchStitch::SmoothCut ? softness : 0;
         options.initial = request.initial();

@@ -1,5 +1,8 @@
 #include "core/session/run/run.h"
 
+#include "core/analysis/derived_maps.h"
+#include "core/analysis/lattice_settings.h"
+#include "core/analysis/layout_quality.h"
 #include "core/analysis/map_pictures.h"
 #include "core/analysis/map_usage.h"
 #include "core/analysis/seam.h"
@@ -27,30 +30,32 @@ void addOccurrences(const std::vector<Image>& occurrences, std::vector<Picture>&
     }
 }
 
-/// The method's own figures and those of the result alone; with `exemplars`, also how like them it is.
-std::vector<Figure> measure(Synthesis& synthesis, const std::vector<ImageView>& exemplars,
-                            JobContext& context) {
-    const auto check = [&context] { context.check(); };
-    std::vector<Figure> figures = synthesis.figures;
-    const SeamScore seam = seamScore(synthesis.image, check);
-    figures.push_back({TR("Seam, left to right"), seam.x});
-    figures.push_back({TR("Seam, top to bottom"), seam.y});
-    if (exemplars.empty())
-        return figures;
-    if (synthesis.mapKind != MapKind::None) {
-        const std::vector<Image> occurrences = occurrencesOf(synthesis.map, check);
-        append(figures, mapFigures(synthesis.map, synthesis.mapKind, occurrences, check));
-        addOccurrences(occurrences, synthesis.pictures);
-    }
-    append(figures, distanceFigures(textureDistance(synthesis.image, exemplars, context)));
-    return figures;
-}
-
 std::vector<ImageView> exemplarViews(const Request& request) {
     std::vector<ImageView> views;
     for (const Exemplar& exemplar : request.exemplars)
         views.push_back(exemplar.image->view().channelRange(0, request.resultChannels()));
     return views;
+}
+
+/// The method's own figures and those of the result alone; with `request`, also how like its exemplars it is.
+std::vector<Figure> measure(Synthesis& synthesis, const Request* request, JobContext& context) {
+    const auto check = [&context] { context.check(); };
+    std::vector<Figure> figures = synthesis.figures;
+    const SeamScore seam = seamScore(synthesis.image, check);
+    figures.push_back({TR("Seam, left to right"), seam.x});
+    figures.push_back({TR("Seam, top to bottom"), seam.y});
+    if (!request || request->exemplars.empty())
+        return figures;
+    const std::vector<ImageView> exemplars = exemplarViews(*request);
+    if (synthesis.mapKind != MapKind::None) {
+        const std::vector<Image> occurrences = occurrencesOf(synthesis.map, check);
+        append(figures, mapFigures(synthesis.map, synthesis.mapKind, occurrences, check));
+        append(figures, pieceFigures(synthesis.image, exemplars, synthesis.map, occurrences, check));
+        addOccurrences(occurrences, synthesis.pictures);
+    }
+    append(figures, layoutFigures(synthesis.image, exemplars, request->exemplars.front().image, check));
+    append(figures, distanceFigures(textureDistance(synthesis.image, exemplars, context)));
+    return figures;
 }
 
 /// Makes vectors of a normal map of what a method made of its channels: turned where the method moved pixels.
@@ -68,6 +73,45 @@ void mendNormals(Image& normals, const ExemplarFile& companion, const Result& re
         [&](int x, int y) { return stMapJacobian(*stmap, from, x, y); }, check);
 }
 
+/// Index of the first companion that holds heights, if one does.
+std::optional<std::size_t> heightAmong(const std::vector<ExemplarFile>& companions) {
+    for (std::size_t i = 0; i < companions.size(); ++i)
+        if (companions[i].role == MapRole::Height)
+            return i;
+    return {};
+}
+
+/// Derives normals anew from the heights that were made with them where they belonged together in the
+/// exemplar and no longer do: methods that make new pixels from statistics hold those of each channel, but
+/// hardly any of slopes against vectors.
+void agreeWithHeight(Result& result, const RunPlan& plan, const std::function<void()>& check) {
+    constexpr double kBelongs = 0.5, kLost = 0.8; // of the agreement in the exemplar
+    const std::vector<ExemplarFile>& files = plan.companions.front();
+    const std::optional<std::size_t> height = heightAmong(files);
+    for (std::size_t i = 0; height && i < files.size(); ++i) {
+        if (!isNormal(files[i].role) || files[i].image->channels() < 3)
+            continue;
+        const Relief wanted = reliefOf(*files[*height].image, *files[i].image, files[i].role, {}, check);
+        const Image& heights = result.companions[*height];
+        Image& normals = result.companions[i];
+        const Relief made = reliefOf(heights, normals, files[i].role, plan.request.wrap, check);
+        if (wanted.agreement < kBelongs || made.agreement >= kLost * wanted.agreement)
+            continue;
+        const bool raw = valueRange(files[i].image->view().channelRange(0, 3)).smallest < 0;
+        Image derived = normalsFromHeight(heights, wanted.depth, plan.request.wrap, check);
+        if (files[i].role == MapRole::NormalDx)
+            flipGreen(derived);
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < derived.height(); ++y)
+                for (int x = 0; x < derived.width(); ++x)
+                    normals(x, y, c) = raw ? 2 * derived(x, y, c) - 1 : derived(x, y, c);
+        result.synthesis.notes.push_back(
+            message("The vectors of {} no longer agreed with {} (slopes alike by {:.2f}, in the exemplar by "
+                    "{:.2f}), so they were derived from the heights.",
+                    files[i].name(), files[*height].name(), made.agreement, wanted.agreement));
+    }
+}
+
 /// Splits the companions' channels off the image.
 void unstack(Result& result, const RunPlan& plan, const std::function<void()>& check) {
     if (plan.request.companionChannels == 0)
@@ -81,6 +125,7 @@ void unstack(Result& result, const RunPlan& plan, const std::function<void()>& c
             mendNormals(result.companions.back(), companion, result, plan, check);
         first += companion.image->channels();
     }
+    agreeWithHeight(result, plan, check);
 }
 
 void forgetWeights(Request& request) {
@@ -148,6 +193,26 @@ std::vector<Figure> distanceFigures(const TextureDistance& distance) {
             {TR("Patches apart, sliced Wasserstein"), distance.wasserstein[0]},
             {TR("Patches apart, sliced Wasserstein at half scale"), distance.wasserstein[1]},
             {TR("Patches apart, sliced Wasserstein at quarter scale"), distance.wasserstein[2]}};
+}
+
+std::vector<Figure> pieceFigures(const ImageView& result, const std::vector<ImageView>& exemplars,
+                                 const PositionMap& map, const std::vector<Image>& occurrences,
+                                 const std::function<void()>& check) {
+    return {{TR("Jump where pieces meet"), seamJump(result, exemplars, map, check)},
+            {TR("From the most used part of the exemplar, %"), 100 * mostUsedShare(occurrences)}};
+}
+
+std::vector<Figure> layoutFigures(const ImageView& result, const std::vector<ImageView>& exemplars,
+                                  const std::shared_ptr<const Image>& first,
+                                  const std::function<void()>& check) {
+    std::vector<Figure> figures = {
+        {TR("Contrast kept"), contrastKept(result, exemplars, check)},
+        {TR("Autocorrelations apart"), correlationApart(result, exemplars, check)}};
+    std::vector<Message> notes; // of no use here
+    const Lattice lattice = latticeFor({}, {}, first, notes, check);
+    if (!lattice.free() && !lattice.rowsOnly())
+        figures.push_back({TR("Lattice kept"), latticeKept(result, exemplars.front(), lattice, check)});
+    return figures;
 }
 
 bool leaveOutCompanions(Result& result) {
@@ -274,8 +339,7 @@ Result runPlan(const RunPlan& plan, JobContext& context) {
     for (const StageTime& stage : context.stageTimes())
         result.seconds += stage.seconds;
     context.stage(0, TR("Judging the result"));
-    result.figures = measure(result.synthesis,
-                             plan.judged ? exemplarViews(plan.request) : std::vector<ImageView>(), context);
+    result.figures = measure(result.synthesis, plan.judged ? &plan.request : nullptr, context);
     result.plan = plan;
     if (leaveOutCompanions(result))
         result.synthesis.notes.emplace_back(TR("The run was stopped before it knew where its pixels come "

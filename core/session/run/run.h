@@ -152,6 +152,16 @@ bool leaveOutCompanions(Result& result);
 /// @param occurrences as occurrencesOf() gives them.
 std::vector<Figure> mapFigures(const PositionMap& map, MapKind kind, const std::vector<Image>& occurrences,
                                const std::function<void()>& check);
+/// How a result's pieces meet and whether one of them grew over all of it, under the names that reports and
+/// the window show.
+std::vector<Figure> pieceFigures(const ImageView& result, const std::vector<ImageView>& exemplars,
+                                 const PositionMap& map, const std::vector<Image>& occurrences,
+                                 const std::function<void()>& check);
+/// How far contrast and layout were kept, under the names that reports and the window show.
+/// @param exemplars with the result's channels. @param first of them, in which a lattice is looked for.
+std::vector<Figure> layoutFigures(const ImageView& result, const std::vector<ImageView>& exemplars,
+                                  const std::shared_ptr<const Image>& first,
+                                  const std::function<void()>& check);
 /// The distances under the names that reports and the window show.
 std::vector<Figure> distanceFigures(const TextureDistance& distance);
 

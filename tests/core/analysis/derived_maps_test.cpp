@@ -67,6 +67,26 @@ TEST(DerivedMaps, HeightsComeBackFromTheirNormals) {
     EXPECT_EQ(valueRange(heightFromNormals(normalsFromHeight(flat, 5), MapRole::NormalGl)).smallest, 0.5F);
 }
 
+TEST(DerivedMaps, reliefIsTheDepthThatNormalsWereMadeWith) {
+    const Image height = hills({48, 40});
+    const Wrap wrap{true, true};
+    Image normals = normalsFromHeight(height, 5, wrap);
+    const Relief relief = reliefOf(height, normals, MapRole::NormalGl, wrap);
+    EXPECT_NEAR(relief.depth, 5, 1e-3);
+    EXPECT_NEAR(relief.agreement, 1, 1e-5);
+    // Green the other way round is another convention, and upside down if taken for the first.
+    flipGreen(normals);
+    EXPECT_NEAR(reliefOf(height, normals, MapRole::NormalDx, wrap).agreement, 1, 1e-5);
+    EXPECT_LT(reliefOf(height, normals, MapRole::NormalGl, wrap).agreement, 0.9);
+    // Of heights that have nothing to do with them.
+    Image other(height.size(), 1);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 48; ++x)
+            other(x, y, 0) = static_cast<float>(std::sin(2 * std::numbers::pi * 5 * y / 40));
+    EXPECT_NEAR(reliefOf(other, normals, MapRole::NormalDx, wrap).agreement, 0, 1e-3);
+    EXPECT_EQ(reliefOf(Image({8, 8}, 1), Image({8, 8}, 3), MapRole::NormalGl).agreement, 0);
+}
+
 TEST(DerivedMaps, GuessesGoTheRightWay) {
     Image pit(Size{64, 64}, 1);
     for (int y = 0; y < 64; ++y)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 namespace texloom::test {
@@ -103,6 +104,32 @@ TEST(PatchGrid, overlapsNameExactlyTheKnownPixels) {
                                                (cell.x + x) % canvas.width)] = true;
     }
     EXPECT_TRUE(std::all_of(known.begin(), known.end(), [](bool pixel) { return pixel; }));
+}
+
+/// Cells between two, the shorter way round where the axis wraps.
+int apart(int a, int b, int count, bool wraps) {
+    const int straight = std::abs(a - b);
+    return wraps ? std::min(straight, count - straight) : straight;
+}
+
+TEST(PatchGrid, nearbyCellsAreDoneBeforeAndWithinReach) {
+    for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
+        for (const Size size : {Size{10, 44}, Size{37, 58}, Size{95, 71}}) {
+            const PatchAxis horizontal(size.width, 10, 3, wrap.x), vertical(size.height, 10, 3, wrap.y);
+            const PatchGrid grid(horizontal, vertical);
+            const auto before = ancestors(grid);
+            for (int i = 0; i < grid.count(); ++i) {
+                const PatchCell& cell = grid.cell(i);
+                std::set<int> expected;
+                for (const int j : before[static_cast<std::size_t>(i)])
+                    if (apart(cell.column, grid.cell(j).column, horizontal.count(), wrap.x) <= 2 &&
+                        apart(cell.row, grid.cell(j).row, vertical.count(), wrap.y) <= 2)
+                        expected.insert(j);
+                const std::vector<int> found = grid.nearby(i, 2);
+                EXPECT_EQ(std::set<int>(found.begin(), found.end()), expected) << i;
+                EXPECT_EQ(found.size(), expected.size()) << i;
+            }
+        }
 }
 
 } // namespace

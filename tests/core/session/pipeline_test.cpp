@@ -1,12 +1,15 @@
 // Methods that follow each other in one run, and companion maps that are made together with the result.
 
+#include "core/analysis/derived_maps.h"
 #include "core/session/preset.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 namespace texloom::test {
 
@@ -36,7 +39,12 @@ Image alone(const SampleRun& sample, std::size_t step, std::shared_ptr<const Ima
 /// What the sources' figures and algorithms were made with, as far as they say it.
 const std::vector<std::pair<std::string, Values>> kPublished = {
     // Raad, thesis 2016: figures 2.1, 2.6, 3.4, 3.5 and 4.21, without a balance of contrast.
-    {"gaussian-patches", {{"patch", 30}, {"neighbours", 10}, {"overlap", 0.5}, {"contrast", 0.0}}},
+    {"gaussian-patches",
+     {{"patch", 30},
+      {"neighbours", 10},
+      {"overlap", 0.5},
+      {"layout", std::string("mirrored")},
+      {"contrast", 0.0}}},
     {"locally-gaussian", {{"patch", 30}, {"neighbours", 10}, {"overlap", 0.5}, {"contrast", 0.0}}},
     {"conditional-gaussian", {{"patch", 40}, {"neighbours", 30}, {"overlap", 0.5}, {"contrast", 0.0}}},
     {"multiscale-gaussian",
@@ -48,7 +56,7 @@ const std::vector<std::pair<std::string, Values>> kPublished = {
       {"contrast", 0.0}}},
     {"midway-quilting", {{"patch", 40}, {"overlap", 0.45}, {"contrast", 0.0}}},
     // Raad & Galerne, IPOL 2017, section 4.
-    {"quilting", {{"patch", 40}, {"overlap", 0.25}, {"tolerance", 0.1}, {"contrast", 0.0}}},
+    {"quilting", {{"patch", 40}, {"overlap", 0.25}, {"tolerance", 0.1}, {"variety", 0.0}, {"contrast", 0.0}}},
     // López Recas 2011, sections 4.1 and 4.2.
     {"near-regular", {{"block", 40}, {"border", 10}, {"join", std::string("blend")}, {"blend", 4}}},
     {"regular-tile", {{"border", 16}, {"tolerance", 0.0}}},
@@ -166,6 +174,38 @@ TEST(Companions, AreMadeWithTheResultWhereNoPixelsAreCopied) {
     const Image all = sample.run().synthesis.image;
     EXPECT_TRUE(samePixels(result.synthesis.image, all.view().channelRange(0, 3)));
     EXPECT_TRUE(samePixels(result.companion(0), all.view().channelRange(3, 3)));
+}
+
+/// The bark with heights and the normals that belong to them.
+struct ReliefRun : SampleRun {
+    explicit ReliefRun(const std::string& method) {
+        input.steps.front() = {method, {}};
+        const Image height(input.exemplars.front().image.image->view().channelRange(0, 1));
+        writeImage(folder / "bark_height.png", height, {Depth::Bits16});
+        writeImage(folder / "bark_normal.png", normalsFromHeight(height, 4), {Depth::Bits16});
+        for (const char* name : {"bark_height.png", "bark_normal.png"})
+            input.exemplars.front().companions.push_back(loadData(folder / name));
+    }
+    /// Of the result's normals with its heights.
+    static double agreement(const Result& result) {
+        return reliefOf(result.companion(0), result.companion(1), MapRole::NormalGl).agreement;
+    }
+    static bool saysSo(const Result& result) {
+        return std::any_of(result.synthesis.notes.begin(), result.synthesis.notes.end(),
+                           [](const Message& note) {
+                               return note.text().find("derived from the heights") != std::string::npos;
+                           });
+    }
+};
+
+TEST(Companions, NormalsAgreeWithTheHeightsMadeWithThem) {
+    const Result statistics = ReliefRun("heeger-bergen").run();
+    EXPECT_GT(ReliefRun::agreement(statistics), 0.9);
+    EXPECT_TRUE(ReliefRun::saysSo(statistics));
+    // The same phases in all channels keep slopes and vectors together, so that there is nothing to mend.
+    const Result phases = ReliefRun("random-phase").run();
+    EXPECT_GT(ReliefRun::agreement(phases), 0.7);
+    EXPECT_FALSE(ReliefRun::saysSo(phases));
 }
 
 TEST(Companions, FollowTheMapOfALastStepThatCopies) {

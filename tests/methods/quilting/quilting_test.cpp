@@ -1,3 +1,4 @@
+#include "core/analysis/layout_quality.h"
 #include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
@@ -152,7 +153,7 @@ TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
 TEST(Quilting, zeroToleranceAlwaysTakesTheNearestPatch) {
     // The second patch of the first row, from the definition of the distance.
     const Image exemplar = blobs({40, 40}, 2);
-    const Settings settings{16, 0.25, 0, PatchStitch::Cut, 3};
+    const Settings settings{16, 0.25, 0, PatchStitch::Cut, 3, 0, 0};
     const Quilt result = quilt(requestFor(exemplar, {28, 16}), settings, 1);
     const Source first = result.map.at(0, 0);
     double best = HUGE_VAL;
@@ -234,6 +235,56 @@ TEST(Quilting, mapsAreExactWherePixelsAreNotBlended) {
                 EXPECT_EQ(fromMap(x, y, 1), result.image(x, y, 1)) << stitch.id;
         EXPECT_EQ(result.figures.size(), stitch.id == "cut" || stitch.id == "smooth-cut" ? 2U : 1U);
     }
+}
+
+/// How many pixels of the output show what a pixel at most `reach` patches away shows as well.
+double repeatedShare(const PositionMap& map, int step, int reach) {
+    std::int64_t repeated = 0;
+    for (int y = 0; y < map.height(); ++y)
+        for (int x = 0; x < map.width(); ++x) {
+            bool found = false;
+            for (int v = std::max(0, y - reach * step); v <= y && !found; ++v)
+                for (int u = std::max(0, x - reach * step);
+                     u < std::min(map.width(), x + reach * step) && !found; ++u)
+                    found = (u != x || v != y) && map.at(u, v) == map.at(x, y);
+            repeated += found ? 1 : 0;
+        }
+    return static_cast<double>(repeated) / static_cast<double>(map.size().area());
+}
+
+TEST(Quilting, varietyKeepsPiecesFromComingAgainNearBy) {
+    double plain = 0, varied = 0;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        Request request = requestFor(blobs({64, 64}, 3), {120, 120});
+        request.seed = seed;
+        plain += repeatedShare(quilt(request, {16, 0.25, 0.1, PatchStitch::Cut, 3, 0, 0}).map, 12, 2);
+        varied += repeatedShare(quilt(request, {16, 0.25, 0.1, PatchStitch::Cut, 3, 0, 2}).map, 12, 2);
+    }
+    EXPECT_LT(varied, 0.5 * plain);
+}
+
+TEST(Quilting, varietyGivesTheSameBitsInAnyOrder) {
+    for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{false, true}, Wrap{true, true}}) {
+        const Request request = requestFor(blobs({40, 40}, 3), {150, 90}, wrap);
+        const Settings settings{16, 0.25, 0.3, PatchStitch::Cut, 3, 1, 2};
+        const Quilt raster = quilt(request, settings, 1, PatchQuilter::Order::Raster);
+        for (const int threads : {2, 5})
+            EXPECT_EQ(raster.map, quilt(request, settings, threads).map);
+    }
+}
+
+TEST(Quilting, contrastIsKeptWhereFlatPatchesWouldWin) {
+    // Blobs, of which a third is nearly flat; nothing fits well.
+    Image exemplar = noise({72, 72}, 1);
+    for (int y = 0; y < 72; ++y)
+        for (int x = 0; x < 24; ++x)
+            exemplar(x, y, 0) = 0.5F + 0.05F * (exemplar(x, y, 0) - 0.5F);
+    const Request request = requestFor(exemplar, {200, 200});
+    const ImageView one = *request.exemplars.front().image;
+    const Image faded = quilt(request, {16, 0.25, 0.1, PatchStitch::Cut, 3, 0, 0}).image;
+    const Image kept = run(request, {{"patch", 16}}).image;
+    EXPECT_LT(contrastKept(faded, {&one, 1}), 0.7);
+    EXPECT_GT(contrastKept(kept, {&one, 1}), 0.85);
 }
 
 TEST(Quilting, refusalsNameTheValueAndTheLimit) {
