@@ -18,7 +18,7 @@ struct Settings {
     int batch = 2;      ///< samples in one iteration
     double rate = 0.02; ///< of Adam
     double decay = 0.8;
-    int decayEvery = 1000; ///< iterations after which the rate is multiplied by `decay`
+    int decayEvery = 0; ///< iterations after which the rate is multiplied by `decay`; 0: a tenth of all
     LossChoice loss = LossChoice::Both;
     DescriptorChoice descriptor = DescriptorChoice::Automatic;
     int levels = 0; ///< 0: as the descriptor says

@@ -142,9 +142,9 @@ std::vector<Param> trainingFields() {
             .group(TR("Advanced"))
             .help(TR("What the learning rate is multiplied by each time that it falls.")),
         field(&Settings::decayEvery, "decay-every", TR("Decay every"))
-            .range(1, 100000)
+            .range(0, 100000)
             .group(TR("Advanced"))
-            .help(TR("Iterations after which the learning rate falls."))};
+            .help(TR("Iterations after which the learning rate falls; 0 for a tenth of them all."))};
 }
 
 std::vector<Param> lossFields() {

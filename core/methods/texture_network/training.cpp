@@ -6,6 +6,8 @@
 #include "core/job/voxel_random.h"
 #include "core/network/descriptor_learning.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace texloom::texture_network {
@@ -86,7 +88,8 @@ void Training::run() {
         return;
     m_training.run([this](int number) { return iteration(number); },
                    [this](int number) {
-                       const int times = number / m_settings.decayEvery;
+                       const int tenth = std::max(1, m_settings.iterations / 10);
+                       const int times = number / (m_settings.decayEvery > 0 ? m_settings.decayEvery : tenth);
                        return m_settings.rate * std::pow(m_settings.decay, times);
                    });
 }
@@ -139,34 +142,44 @@ std::shared_ptr<Model> Training::model() const {
     return made;
 }
 
-std::uint64_t Training::bytesFor(const Request& request, const Settings& settings, int threads) {
-    const Size sizes[] = {trainedSize(request, settings)};
-    const Size sample{settings.trainSize, settings.trainSize};
+namespace {
+
+/// What training will compare, before there is anything to learn from.
+struct Planned {
+    Planned(const Request& request, const Settings& settings)
+        : exemplar{trainedSize(request, settings)}, sample{settings.trainSize, settings.trainSize},
+          box{0, 0, 0, {sample.width, sample.height, 1}} {
+        if (settings.describes())
+            descriptor = plannedDescriptor(request, settings.descriptor);
+        learns = descriptor && learnsDescriptor(request, settings.descriptor);
+        options = settings.lossOptions(used());
+    }
+    const Descriptor* used() const { return descriptor ? &*descriptor : nullptr; }
+
+    std::array<Size, 1> exemplar;
+    Size sample;
+    Box box;
     std::optional<Descriptor> descriptor;
-    if (settings.describes())
-        descriptor = plannedDescriptor(request, settings.descriptor);
-    const Descriptor* const used = descriptor ? &*descriptor : nullptr;
-    std::uint64_t bytes =
-        GeneratorTrainer::bytesFor(shapeOf(request, settings), {sample.width, sample.height, 1}) +
-        GeneratorLoss::bytesFor(sizes, sample, request.channels(), used, settings.lossOptions(used), threads);
-    if (used && learnsDescriptor(request, settings.descriptor))
-        bytes += learningBytes(quickLearning(), request.channels());
-    return bytes;
+    bool learns = false;
+    GeneratorLossOptions options;
+};
+
+} // namespace
+
+std::uint64_t Training::bytesFor(const Request& request, const Settings& settings, int threads) {
+    const Planned plan(request, settings);
+    return GeneratorTrainer::bytesFor(shapeOf(request, settings), plan.box.size) +
+           GeneratorLoss::bytesFor(plan.exemplar, plan.sample, request.channels(), plan.used(), plan.options,
+                                   threads) +
+           (plan.learns ? learningBytes(quickLearning(), request.channels()) : 0);
 }
 
 double Training::secondsFor(const Request& request, const Settings& settings) {
-    const Size sizes[] = {trainedSize(request, settings)};
-    const Size sample{settings.trainSize, settings.trainSize};
-    std::optional<Descriptor> descriptor;
-    if (settings.describes())
-        descriptor = plannedDescriptor(request, settings.descriptor);
-    const Descriptor* const used = descriptor ? &*descriptor : nullptr;
-    const double each = 3e-10 * Generator::productsFor(shapeOf(request, settings),
-                                                       {0, 0, 0, {sample.width, sample.height, 1}}) +
-                        GeneratorLoss::secondsFor(sizes, sample, used, settings.lossOptions(used));
-    const bool learns = used && learnsDescriptor(request, settings.descriptor);
+    const Planned plan(request, settings);
+    const double each = 3e-10 * Generator::productsFor(shapeOf(request, settings), plan.box) +
+                        GeneratorLoss::secondsFor(plan.exemplar, plan.sample, plan.used(), plan.options);
     return settings.iterations * settings.batch * each +
-           (learns ? learningSeconds(quickLearning(), request.channels()) : 0);
+           (plan.learns ? learningSeconds(quickLearning(), request.channels()) : 0);
 }
 
 } // namespace texloom::texture_network
