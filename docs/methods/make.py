@@ -42,7 +42,7 @@ GUIDED_SIDE = 256
 TARGETS = {"texture-transfer": "crazy_paving.png"}
 # Methods that optimise or train for long are shown smaller, and after fewer steps.
 BRIEFER = {"gram-cnn": (256, []), "solid-optimise": (192, ["--set", "side=96"]), "solid-texture": (256, ["--set", "iterations=200"]),
-           "texture-network": (256, ["--set", "iterations=600"])}
+           "texture-network": (256, ["--set", "iterations=800"])}
 SIDE = 384
 BATCHES = HERE.parent.parent / "resources/batches"
 EXAMPLE = HERE.parent.parent / "tests/methods/examples/mirror_tile.cpp"

@@ -181,7 +181,8 @@ std::vector<Param> networkFields() {
         field(&Settings::step, "channels", TR("Channels"))
             .range(1, 32)
             .group(TR("Advanced"))
-            .help(TR("Feature maps that each scale adds: more hold more of the texture, and take longer by "
+            .help(TR("Feature maps that each scale adds, 8 as published: more hold more of the texture, and "
+                     "take longer by "
                      "their square.")),
         field(&Settings::noiseChannels, "noise-channels", TR("Noise channels"))
             .range(1, 16)
