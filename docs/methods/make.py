@@ -32,6 +32,7 @@ SHOWN_ON = {
     "random-phase": "sand_ripples.png",
     "regular-tile": "solar_cells_blue.jpg",
     "sparse": "brick_pavement_gray.png",
+    "texture-network": "crazy_paving.png",
     "texture-optimization": "crazy_paving.png",
 }
 # Methods that are given pictures by ports of their own are shown with them, two by two: A and the exemplar A', B and the

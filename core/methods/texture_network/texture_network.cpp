@@ -12,6 +12,9 @@ namespace texloom::texture_network {
 namespace {
 
 constexpr int kSmallestExemplar = 16, kMostChannels = 64;
+/// Where the picture begins in the texture: amid the cells of all scales, so that no edge of theirs lies at
+/// the seam where it closes on itself.
+constexpr int kFirst = 11;
 
 std::shared_ptr<const Model> givenModel(const Request& request) {
     return request.inputs.first<Model>(kPictureGenerator);
@@ -102,7 +105,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     const VolumeSize period{request.wrap.x ? request.size.width : 0, request.wrap.y ? request.size.height : 0,
                             0};
     const GeneratorSource texture(std::make_shared<const Generator>(weights), request.seed, period);
-    made.image = planeOf(texture, request.part(), context);
+    const Region part = request.part();
+    made.image = planeOf(texture, {part.x + kFirst, part.y + kFirst, part.size}, context);
     made.outputs.add(kPictureGenerator, model);
     context.progress(1);
     return made;
