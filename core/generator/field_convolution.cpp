@@ -24,9 +24,9 @@ int sideOf(int taps) {
 } // namespace
 
 TEXLOOM_WIDE_VECTORS
-void leak(float* values, std::ptrdiff_t count) {
+void rectify(float* values, std::ptrdiff_t count, float slope) {
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float leaked = kLeak * values[i];
+        const float leaked = slope * values[i];
         values[i] = values[i] > leaked ? values[i] : leaked;
     }
 }
@@ -68,7 +68,8 @@ void FieldConvolution::prepare(const Field& in, Field& out, int channels) const 
     out.resize(channels, outputSize(in.size()), in.rowStride());
 }
 
-void FieldConvolution::plane(const Field& in, int z, bool leaky, Field& out, int firstChannel) const {
+/// Output channels from `first` on, as many as are done at once.
+void FieldConvolution::block(const Field& in, int z, int first, float slope, Field& out) const {
     const std::vector<std::ptrdiff_t> taps = tapOffsets(m_taps, in.rowStride(), in.planeStride());
     const VolumeSize& size = out.size();
     FlatConvolution what;
@@ -76,23 +77,34 @@ void FieldConvolution::plane(const Field& in, int z, bool leaky, Field& out, int
     what.inputs = m_inputs;
     what.offsets = taps.data();
     what.taps = m_taps;
+    what.weights = m_weights.data() + static_cast<std::ptrdiff_t>(first) * m_inputs * m_taps;
+    what.bias = m_bias.data() + first;
     what.outPlane = out.channelStride();
     what.block = m_block;
     const std::ptrdiff_t whole = static_cast<std::ptrdiff_t>(size.height - 1) * out.rowStride() + size.width;
     // Row by row where that leaves out more between the rows than it adds to their ends.
     const bool inRows = (size.width + kStep - 1) / kStep * kStep * size.height < whole;
-    for (int first = 0; first < m_outputs; first += m_block) {
-        what.weights = m_weights.data() + static_cast<std::ptrdiff_t>(first) * m_inputs * m_taps;
-        what.bias = m_bias.data() + first;
-        for (int y = 0; y < (inRows ? size.height : 1); ++y) {
-            what.in = in.row(0, y, z);
-            what.out = out.row(firstChannel + first, y, z);
-            what.last = inRows ? size.width : whole;
-            convolveFlat(what);
-        }
+    for (int y = 0; y < (inRows ? size.height : 1); ++y) {
+        what.in = in.row(0, y, z);
+        what.out = out.row(first, y, z);
+        what.last = inRows ? size.width : whole;
+        convolveFlat(what);
     }
-    for (int o = 0; leaky && o < m_outputs; ++o)
-        leak(out.row(firstChannel + o, 0, z), whole);
+    for (int o = 0; slope != kStraight && o < m_block; ++o)
+        rectify(out.row(first + o, 0, z), whole, slope);
+}
+
+void FieldConvolution::plane(const Field& in, int z, float slope, Field& out) const {
+    for (int first = 0; first < m_outputs; first += m_block)
+        block(in, z, first, slope, out);
+}
+
+void FieldConvolution::all(const Field& in, float slope, Field& out, JobContext& context) const {
+    const int blocks = m_outputs / m_block;
+    context.parallel(0, out.size().depth * blocks, [&](int task) {
+        context.check();
+        block(in, task / blocks, task % blocks * m_block, slope, out);
+    });
 }
 
 void addFilterGradient(const Field& in, const Field& gradient, int taps, int input,

@@ -2,6 +2,7 @@
 
 #include "core/generator/field.h"
 #include "core/generator/generator_weights.h"
+#include "core/job/job_context.h"
 
 #include <vector>
 
@@ -22,12 +23,14 @@ public:
     VolumeSize outputSize(const VolumeSize& input) const;
     /// Gives `out` its shape; rows are as far apart as those of the input.
     void prepare(const Field& in, Field& out, int channels) const;
-    /// All channels of plane z of the output. @param out prepared. @param leaky whether what is below 0 is
-    /// multiplied by kLeak. @param firstChannel of the output to be written to.
-    void plane(const Field& in, int z, bool leaky, Field& out, int firstChannel = 0) const;
+    /// All channels of plane z of the output. @param out prepared. @param slope by which what is below 0 is
+    /// multiplied; kStraight: nothing is.
+    void plane(const Field& in, int z, float slope, Field& out) const;
+    /// All planes, planes and channels beside each other.
+    void all(const Field& in, float slope, Field& out, JobContext& context) const;
 
 private:
-    std::vector<std::ptrdiff_t> offsets(const Field& in) const;
+    void block(const Field& in, int z, int first, float slope, Field& out) const;
 
     int m_outputs = 0, m_inputs = 0, m_taps = 1, m_block = 1;
     std::vector<float> m_weights; ///< blocks × inputs × taps × block
@@ -44,7 +47,7 @@ void addFilterGradient(const Field& in, const Field& gradient, int taps, int inp
 /// Where the taps of a filter lie.
 std::vector<std::ptrdiff_t> tapOffsets(int taps, std::ptrdiff_t row, std::ptrdiff_t plane);
 
-/// Multiplies what is below 0 by kLeak.
-void leak(float* values, std::ptrdiff_t count);
+/// Multiplies what is below 0 by `slope`, from 0 to 1.
+void rectify(float* values, std::ptrdiff_t count, float slope);
 
 } // namespace texloom

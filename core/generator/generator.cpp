@@ -83,49 +83,50 @@ Generator::Generator(const GeneratorWeights& weights) : m_shape(weights.shape), 
     }
 }
 
-/// The second convolution of a plane and the third of it while it is at hand.
+/// Of a solid the second convolution of a plane and the third of it while it is at hand.
 void Generator::runBlock(const Block& block, const Field& in, Field& out, Buffers& buffers,
                          JobContext& context) const {
+    const float slope = m_shape.slope();
     block[0].prepare(in, buffers.first, block[0].outputs());
-    context.parallel(0, buffers.first.size().depth, [&](int z) {
-        context.check();
-        block[0].plane(in, z, true, buffers.first);
-    });
+    block[0].all(in, slope, buffers.first, context);
     block[1].prepare(buffers.first, buffers.second, block[1].outputs());
     block[2].prepare(buffers.second, out, block[2].outputs());
+    if (out.size().depth == 1) {
+        block[1].all(buffers.first, slope, buffers.second, context);
+        block[2].all(buffers.second, slope, out, context);
+        return;
+    }
     context.parallel(0, out.size().depth, [&](int z) {
         context.check();
-        block[1].plane(buffers.first, z, true, buffers.second);
-        block[2].plane(buffers.second, z, true, out);
+        block[1].plane(buffers.first, z, slope, buffers.second);
+        block[2].plane(buffers.second, z, slope, out);
     });
 }
 
-/// The coarser scale's features, each voxel twice along every axis, with those of the noise behind them.
-void Generator::join(const Box& coarse, const Field& up, const Box& box, Buffers& buffers,
+/// The coarser scale's features at the voxels of a box, with those of the noise behind them.
+void Generator::join(const Field& up, const Box& box, const CoarserPlaces& places, Buffers& buffers,
                      JobContext& context) const {
-    const bool flat = m_shape.dimensions == 2;
-    buffers.joined.resize(up.channels() + buffers.side.channels(), box.size, box.size.width);
-    context.parallel(0, box.size.depth, [&](int z) {
-        const int fromZ = flat ? z : static_cast<int>(((box.z + z) >> 1) - coarse.z);
+    const int ups = up.channels(), channels = ups + buffers.side.channels();
+    buffers.joined.resize(channels, box.size, box.size.width);
+    context.parallel(0, channels * box.size.depth, [&](int task) {
+        const int z = task / channels, c = task % channels;
         for (int y = 0; y < box.size.height; ++y) {
-            const int fromY = static_cast<int>(((box.y + y) >> 1) - coarse.y);
-            for (int c = 0; c < up.channels(); ++c) {
-                const float* from = up.row(c, fromY, fromZ);
-                float* to = buffers.joined.row(c, y, z);
-                const std::int64_t odd = box.x & 1, first = (box.x >> 1) - coarse.x;
-                for (int x = 0; x < box.size.width; ++x)
-                    to[x] = from[first + ((x + odd) >> 1)];
+            float* to = buffers.joined.row(c, y, z);
+            if (c >= ups) {
+                std::copy_n(buffers.side.row(c - ups, y, z), box.size.width, to);
+                continue;
             }
-            for (int c = 0; c < buffers.side.channels(); ++c)
-                std::copy_n(buffers.side.row(c, y, z), box.size.width,
-                            buffers.joined.row(up.channels() + c, y, z));
+            const float* from = up.row(c, places.y[at(y)], places.z[at(z)]);
+            for (int x = 0; x < box.size.width; ++x)
+                to[x] = from[places.x[at(x)]];
         }
     });
 }
 
 Volume Generator::evaluate(const Box& box, const GeneratorNoise& noise, JobContext& context) const {
     box.check();
-    const std::vector<ScaleBoxes> boxes = scaleBoxes(box, m_shape.coarsest, m_shape.dimensions == 2);
+    const bool flat = m_shape.dimensions == 2;
+    const std::vector<ScaleBoxes> boxes = scaleBoxes(box, m_shape.coarsest, flat, noise.period());
     const auto buffers = m_buffers.borrow([] { return Buffers{}; });
     buffers->outputs.resize(boxes.size());
     for (int k = m_shape.coarsest; k >= 0; --k) {
@@ -138,14 +139,15 @@ Volume Generator::evaluate(const Box& box, const GeneratorNoise& noise, JobConte
             continue;
         }
         runBlock(scale.noise, buffers->noise, buffers->side, *buffers, context);
-        join(boxes[at(k + 1)].output, buffers->outputs[at(k + 1)], own.joined, *buffers, context);
+        join(buffers->outputs[at(k + 1)], own.joined,
+             CoarserPlaces(own.joined, boxes[at(k + 1)].output, flat, noise.period(k)), *buffers, context);
         runBlock(scale.joined, buffers->joined, out, *buffers, context);
     }
     Volume made(box.size, m_shape.channels);
     Field& colours = buffers->first;
     m_last.prepare(buffers->outputs.front(), colours, m_shape.channels);
     context.parallel(0, box.size.depth, [&](int z) {
-        m_last.plane(buffers->outputs.front(), z, false, colours);
+        m_last.plane(buffers->outputs.front(), z, kStraight, colours);
         for (int c = 0; c < m_shape.channels; ++c)
             for (int y = 0; y < box.size.height; ++y)
                 std::copy_n(colours.row(c, y, z), box.size.width, made.row(y, z, c));

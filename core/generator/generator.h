@@ -40,7 +40,7 @@ private:
 
     void runBlock(const Block& block, const Field& in, Field& out, Buffers& buffers,
                   JobContext& context) const;
-    void join(const Box& coarse, const Field& up, const Box& box, Buffers& buffers,
+    void join(const Field& up, const Box& box, const CoarserPlaces& places, Buffers& buffers,
               JobContext& context) const;
 
     GeneratorShape m_shape;

@@ -11,11 +11,15 @@ namespace texloom {
 /// and coordinates at that scale.
 class GeneratorNoise {
 public:
-    /// @param period after how many voxels of the output noise repeats along each axis, and with it the
-    /// output; 0: never. Multiples of 2 to the power of the coarsest scale.
+    /// @param period after how many voxels the output repeats along each axis, and its noise with it, see
+    /// periodAt(); 0: never.
     explicit GeneratorNoise(std::uint64_t seed, const VolumeSize& period = {})
         : m_seed(seed), m_period(period) {}
 
+    /// Of the output along each axis; 0: none.
+    const VolumeSize& period() const { return m_period; }
+    /// The same at a scale.
+    VolumeSize period(int scale) const;
     /// Fills `field`, which gets the size of the box. @param box at the scale.
     void fill(const Box& box, int scale, int channels, Field& field, JobContext& context) const;
     /// One number.

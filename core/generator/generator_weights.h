@@ -29,6 +29,8 @@ struct GeneratorShape {
     int joinedChannels(int scale) const { return (coarsest - scale + 1) * step; }
     /// Weights of a filter for one input channel: 27 or 9.
     int taps() const { return dimensions == 3 ? 27 : 9; }
+    /// By this rectifiers multiply what is below 0: nothing of it is left of pictures, as published.
+    float slope() const { return dimensions == 3 ? 0.01F : 0.0F; }
     friend bool operator==(const GeneratorShape&, const GeneratorShape&) = default;
 };
 
@@ -60,16 +62,15 @@ struct FieldFilters {
     }
 };
 
-/// A convolution, its normalisation, and a leaky rectifier.
+/// A convolution, its normalisation, and a rectifier.
 struct GeneratorLayer {
     FieldFilters filters;
     Normalisation norm;
 };
+/// No rectifier: what is below 0 is multiplied by 1.
+inline constexpr float kStraight = 1;
 /// Three of them: 3 × 3 × 3, again, and 1 × 1 × 1.
 using GeneratorBlock = std::array<GeneratorLayer, 3>;
-
-/// What is below 0 is multiplied by this.
-inline constexpr float kLeak = 0.01F;
 
 /// All that a generator has learned.
 struct GeneratorWeights {
@@ -89,7 +90,7 @@ struct GeneratorWeights {
     /// Filters drawn at random, uniformly within ±1 / √inputs, the rest as it does nothing.
     static GeneratorWeights drawn(const GeneratorShape& shape, std::uint64_t seed);
 
-    /// Weights and biases of all convolutions: 84,219 for the default shape.
+    /// Weights and biases of all convolutions: 84,219 for the default shape, 115,347 of Ulyanov's pictures.
     std::int64_t convolutionNumbers() const;
     /// Calls `visit` for every list of numbers that is learned, in a fixed order, with its name.
     void everyLearned(const std::function<void(const std::string&, std::vector<float>&)>& visit);

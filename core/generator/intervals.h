@@ -24,9 +24,21 @@ struct ScaleIntervals {
     Interval noise;  ///< [a − 4, b + 4), or of the coarsest [a − 2, b + 2)
 };
 
+/// Values along an axis at a scale before all repeat: `period` of the output's, halved and rounded up from
+/// scale to scale. 0: they never do.
+inline int periodAt(int period, int scale) {
+    return (period + (1 << scale) - 1) >> scale;
+}
+
+/// The coordinate at the next coarser scale that stands for `place`: half of it, rounded down. Where `period`
+/// is not 0 both run round in circles; of an odd one the last coarse value stands for one value, the others
+/// for two.
+std::int64_t coarser(std::int64_t place, int period);
+
 /// The intervals of scales 0 to `coarsest` for an output: [a', b') = [⌊(a − 2) / 2⌋, ⌊(b + 1) / 2⌋ + 1) from
 /// one scale to the next (Gutierrez 2020, section 4.3.2, without its rounding up).
-std::vector<ScaleIntervals> scaleIntervals(Interval wanted, int coarsest);
+/// @param period after how many values the output repeats; 0: never.
+std::vector<ScaleIntervals> scaleIntervals(Interval wanted, int coarsest, int period = 0);
 
 /// The boxes at one scale.
 struct ScaleBoxes {
@@ -34,6 +46,15 @@ struct ScaleBoxes {
 };
 
 /// The boxes of scales 0 to `coarsest`. @param flat whether there are two dimensions: z stays as it is.
-std::vector<ScaleBoxes> scaleBoxes(const Box& wanted, int coarsest, bool flat);
+/// @param period of the output along each axis; 0: none.
+std::vector<ScaleBoxes> scaleBoxes(const Box& wanted, int coarsest, bool flat, const VolumeSize& period = {});
+
+/// Where the values of a fine box lie in the box of the next coarser scale that holds them.
+struct CoarserPlaces {
+    std::vector<int> x, y, z;
+
+    /// @param period of the fine scale along each axis; 0: none.
+    CoarserPlaces(const Box& fine, const Box& coarse, bool flat, const VolumeSize& period);
+};
 
 } // namespace texloom

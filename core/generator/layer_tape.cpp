@@ -59,7 +59,7 @@ ChannelStatistics statisticsOf(const Field& field, JobContext& context) {
     return made;
 }
 
-ChannelStatistics normalise(const Field& in, bool leaky, Normalisation& norm, int first, Field& out,
+ChannelStatistics normalise(const Field& in, float slope, Normalisation& norm, int first, Field& out,
                             JobContext& context) {
     ChannelStatistics statistics = statisticsOf(in, context);
     context.parallel(0, in.channels(), [&](int c) {
@@ -72,15 +72,15 @@ ChannelStatistics normalise(const Field& in, bool leaky, Normalisation& norm, in
             float* to = out.row(first + c, y, z);
             for (int x = 0; x < in.size().width; ++x)
                 to[x] = scale * from[x] + shift;
-            if (leaky)
-                leak(to, in.size().width);
+            if (slope != kStraight)
+                rectify(to, in.size().width, slope);
         });
     });
     takeIn(statistics, voxelsOf(in), norm);
     return statistics;
 }
 
-void normaliseGradient(const Field& in, const ChannelStatistics& statistics, bool leaky,
+void normaliseGradient(const Field& in, const ChannelStatistics& statistics, float slope,
                        const Normalisation& weights, const Field& gradient, int first, Field& to,
                        Normalisation& norm, JobContext& context) {
     to.resize(in.channels(), in.size(), in.rowStride());
@@ -95,7 +95,7 @@ void normaliseGradient(const Field& in, const ChannelStatistics& statistics, boo
             float* row = to.row(c, y, z);
             for (int x = 0; x < in.size().width; ++x) {
                 const float normal = (from[x] - mean) * inverse;
-                const float change = leaky && scale * normal + shift < 0 ? kLeak * wanted[x] : wanted[x];
+                const float change = scale * normal + shift < 0 ? slope * wanted[x] : wanted[x];
                 row[x] = change;
                 sum += static_cast<double>(change);
                 product += static_cast<double>(change) * static_cast<double>(normal);
@@ -140,28 +140,24 @@ void convolutionGradient(const Field& in, const FieldFilters& filters, const Fie
         });
     });
     back.prepare(surrounded, *inGradient, filters.inputs);
-    context.parallel(0, inGradient->size().depth, [&](int z) {
-        context.check();
-        back.plane(surrounded, z, false, *inGradient);
-    });
+    back.all(surrounded, kStraight, *inGradient, context);
 }
 
-const Field& LayerTape::forward(const Field& in, GeneratorLayer& layer, JobContext& context) {
+const Field& LayerTape::forward(const Field& in, GeneratorLayer& layer, float slope, JobContext& context) {
     m_in = &in;
+    m_slope = slope;
     const FieldConvolution convolution(layer.filters);
     convolution.prepare(in, m_filtered, layer.filters.outputs);
-    context.parallel(0, m_filtered.size().depth, [&](int z) {
-        context.check();
-        convolution.plane(in, z, false, m_filtered);
-    });
+    convolution.all(in, kStraight, m_filtered, context);
     m_out.resize(m_filtered.channels(), m_filtered.size(), m_filtered.rowStride());
-    m_statistics = normalise(m_filtered, true, layer.norm, 0, m_out, context);
+    m_statistics = normalise(m_filtered, slope, layer.norm, 0, m_out, context);
     return m_out;
 }
 
 void LayerTape::backward(const GeneratorLayer& layer, const Field& gradient, GeneratorLayer& sums,
                          Field* inGradient, JobContext& context) {
-    normaliseGradient(m_filtered, m_statistics, true, layer.norm, gradient, 0, m_change, sums.norm, context);
+    normaliseGradient(m_filtered, m_statistics, m_slope, layer.norm, gradient, 0, m_change, sums.norm,
+                      context);
     convolutionGradient(*m_in, layer.filters, m_change, sums.filters, m_surrounded, inGradient, context);
 }
 

@@ -34,7 +34,7 @@ const Field& GeneratorTrainer::runBlock(GeneratorBlock& block, BlockTape& tape, 
                                         JobContext& context) {
     const Field* last = &in;
     for (std::size_t i = 0; i < block.size(); ++i)
-        last = &tape[i].forward(*last, block[i], context);
+        last = &tape[i].forward(*last, block[i], m_weights.shape.slope(), context);
     return *last;
 }
 
@@ -47,18 +47,34 @@ void GeneratorTrainer::blockBackward(const GeneratorBlock& block, BlockTape& tap
 
 /// The coarser scale's features at the voxels of the joined box.
 void GeneratorTrainer::enlarge(int scale, JobContext& context) {
-    const Box &box = m_boxes[at(scale)].joined, &coarse = m_boxes[at(scale + 1)].output;
+    const VolumeSize& size = m_boxes[at(scale)].joined.size;
+    const CoarserPlaces& places = m_places[at(scale)];
     const Field& from = *m_tapes[at(scale + 1)].output;
     Field& to = m_tapes[at(scale)].enlarged;
-    const bool flat = m_weights.shape.dimensions == 2;
-    to.resize(from.channels(), box.size, box.size.width);
-    context.parallel(0, box.size.depth, [&](int z) {
-        const int fromZ = flat ? z : static_cast<int>(((box.z + z) >> 1) - coarse.z);
-        for (int c = 0; c < from.channels(); ++c)
-            for (int y = 0; y < box.size.height; ++y) {
-                const float* row = from.row(c, static_cast<int>(((box.y + y) >> 1) - coarse.y), fromZ);
-                for (int x = 0; x < box.size.width; ++x)
-                    to.row(c, y, z)[x] = row[((box.x + x) >> 1) - coarse.x];
+    to.resize(from.channels(), size, size.width);
+    context.parallel(0, from.channels(), [&](int c) {
+        for (int z = 0; z < size.depth; ++z)
+            for (int y = 0; y < size.height; ++y) {
+                const float* row = from.row(c, places.y[at(y)], places.z[at(z)]);
+                for (int x = 0; x < size.width; ++x)
+                    to.row(c, y, z)[x] = row[places.x[at(x)]];
+            }
+    });
+}
+
+/// The transpose of enlarge(), of m_change to m_gradient.
+void GeneratorTrainer::gather(int scale, JobContext& context) {
+    const VolumeSize& size = m_boxes[at(scale)].joined.size;
+    const CoarserPlaces& places = m_places[at(scale)];
+    const Field& from = *m_tapes[at(scale + 1)].output;
+    m_gradient.resize(from.channels(), from.size(), from.rowStride());
+    m_gradient.clear();
+    context.parallel(0, from.channels(), [&](int c) {
+        for (int z = 0; z < size.depth; ++z)
+            for (int y = 0; y < size.height; ++y) {
+                float* to = m_gradient.row(c, places.y[at(y)], places.z[at(z)]);
+                for (int x = 0; x < size.width; ++x)
+                    to[places.x[at(x)]] += m_change.row(c, y, z)[x];
             }
     });
 }
@@ -70,7 +86,7 @@ void GeneratorTrainer::colour(const Box& box, JobContext& context) {
     last.prepare(features, m_colours, channels);
     m_made = Volume(box.size, channels);
     context.parallel(0, box.size.depth, [&](int z) {
-        last.plane(features, z, false, m_colours);
+        last.plane(features, z, kStraight, m_colours);
         for (int c = 0; c < channels; ++c)
             for (int y = 0; y < box.size.height; ++y) {
                 float* to = m_made.row(y, z, c);
@@ -87,7 +103,11 @@ void GeneratorTrainer::colour(const Box& box, JobContext& context) {
 
 const Volume& GeneratorTrainer::forward(const Box& box, const GeneratorNoise& noise, JobContext& context) {
     const GeneratorShape& shape = m_weights.shape;
-    m_boxes = scaleBoxes(box, shape.coarsest, shape.dimensions == 2);
+    const bool flat = shape.dimensions == 2;
+    m_boxes = scaleBoxes(box, shape.coarsest, flat, noise.period());
+    m_places.clear();
+    for (int k = 0; k < shape.coarsest; ++k)
+        m_places.emplace_back(m_boxes[at(k)].joined, m_boxes[at(k + 1)].output, flat, noise.period(k));
     for (int k = shape.coarsest; k >= 0; --k) {
         GeneratorWeights::Scale& scale = m_weights.scales[at(k)];
         ScaleTape& tape = m_tapes[at(k)];
@@ -100,8 +120,8 @@ const Volume& GeneratorTrainer::forward(const Box& box, const GeneratorNoise& no
         enlarge(k, context);
         const int ups = tape.enlarged.channels();
         tape.joined.resize(ups + shape.step, tape.enlarged.size(), tape.enlarged.rowStride());
-        tape.up = normalise(tape.enlarged, false, scale.up, 0, tape.joined, context);
-        tape.side = normalise(*tape.sideField, false, scale.side, ups, tape.joined, context);
+        tape.up = normalise(tape.enlarged, kStraight, scale.up, 0, tape.joined, context);
+        tape.side = normalise(*tape.sideField, kStraight, scale.side, ups, tape.joined, context);
         tape.output = &runBlock(scale.joined, tape.joinedBlock, tape.joined, context);
     }
     colour(box, context);
@@ -130,28 +150,24 @@ void GeneratorTrainer::backward(const Volume& gradient, JobContext& context) {
         Field joined;
         blockBackward(scale.joined, tape.joinedBlock, m_gradient, sums.joined, &joined, context);
         const int ups = tape.enlarged.channels();
-        normaliseGradient(*tape.sideField, tape.side, false, scale.side, joined, ups, m_change, sums.side,
+        normaliseGradient(*tape.sideField, tape.side, kStraight, scale.side, joined, ups, m_change, sums.side,
                           context);
         blockBackward(scale.noise, tape.noiseBlock, m_change, sums.noise, nullptr, context);
-        normaliseGradient(tape.enlarged, tape.up, false, scale.up, joined, 0, m_change, sums.up, context);
-        const Box &box = m_boxes[at(k)].joined, &coarse = m_boxes[at(k + 1)].output;
-        const Field& from = *m_tapes[at(k + 1)].output;
-        m_gradient.resize(ups, from.size(), from.rowStride());
-        m_gradient.clear();
-        context.parallel(0, ups, [&](int c) {
-            for (int z = 0; z < box.size.depth; ++z)
-                for (int y = 0; y < box.size.height; ++y) {
-                    const int toZ =
-                        shape.dimensions == 2 ? z : static_cast<int>(((box.z + z) >> 1) - coarse.z);
-                    float* to = m_gradient.row(c, static_cast<int>(((box.y + y) >> 1) - coarse.y), toZ);
-                    for (int x = 0; x < box.size.width; ++x)
-                        to[((box.x + x) >> 1) - coarse.x] += m_change.row(c, y, z)[x];
-                }
-        });
+        normaliseGradient(tape.enlarged, tape.up, kStraight, scale.up, joined, 0, m_change, sums.up, context);
+        gather(k, context);
     }
     const auto last = at(shape.coarsest);
     blockBackward(m_weights.scales[last].noise, m_tapes[last].noiseBlock, m_gradient,
                   m_gradients.scales[last].noise, nullptr, context);
+}
+
+bool GeneratorTrainer::finite() {
+    bool all = true;
+    m_gradients.everyLearned([&](const std::string&, const std::vector<float>& values) {
+        all = all &&
+              std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+    });
+    return all;
 }
 
 void GeneratorTrainer::step(double rate) {

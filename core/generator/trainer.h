@@ -25,6 +25,8 @@ public:
     void backward(const Volume& gradient, JobContext& context);
     /// One step of Adam along what was added, which is 0 then.
     void step(double rate);
+    /// Whether all that was added are numbers.
+    bool finite();
     /// The derivatives so far, in the shape of the weights.
     const GeneratorWeights& gradients() const { return m_gradients; }
 
@@ -49,12 +51,14 @@ private:
     void blockBackward(const GeneratorBlock& block, BlockTape& tape, const Field& gradient,
                        GeneratorBlock& sums, Field* inGradient, JobContext& context);
     void enlarge(int scale, JobContext& context);
+    void gather(int scale, JobContext& context);
     void colour(const Box& box, JobContext& context);
 
     GeneratorWeights m_weights, m_gradients;
     std::vector<std::vector<float>> m_first, m_second; ///< moments of every list
     std::int64_t m_steps = 0;
     std::vector<ScaleBoxes> m_boxes;
+    std::vector<CoarserPlaces> m_places;
     std::vector<ScaleTape> m_tapes;
     Field m_colours, m_surrounded, m_gradient, m_next, m_between, m_change;
     Volume m_made;

@@ -1,8 +1,10 @@
 #include "core/image/resample.h"
 
 #include "core/image/cubic_taps.h"
+#include "core/image/placement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace texloom {
 
@@ -66,6 +68,21 @@ Image resampledMask(const ImageView& mask, const Warp& warp, const std::function
         }
     }
     return result;
+}
+
+Size sizeWithin(Size size, int longest) {
+    if (size.longerSide() <= longest)
+        return size;
+    const double scale = static_cast<double>(longest) / size.longerSide();
+    const auto side = [&](int length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
+    return {side(size.width), side(size.height)};
+}
+
+Image resized(const ImageView& source, Size to, const std::function<void()>& check) {
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+    matrix(0, 0) = static_cast<double>(source.width) / to.width;
+    matrix(1, 1) = static_cast<double>(source.height) / to.height;
+    return resampled(source, Placement(to, matrix), check);
 }
 
 } // namespace texloom

@@ -17,4 +17,10 @@ Image resampled(
 Image resampledMask(
     const ImageView& mask, const Warp& warp, const std::function<void()>& check = [] {});
 
+/// The size with its longer side scaled down to `longest` px, if it is longer.
+Size sizeWithin(Size size, int longest);
+/// The image stretched to another size.
+Image resized(
+    const ImageView& source, Size to, const std::function<void()>& check = [] {});
+
 } // namespace texloom

@@ -39,6 +39,12 @@ Tensor unitTensor(const Image& image) {
 
 } // namespace
 
+std::optional<Pooling> poolingOf(PoolingChoice choice) {
+    if (choice == PoolingChoice::Own)
+        return std::nullopt;
+    return choice == PoolingChoice::Average ? Pooling::Average : Pooling::Maximum;
+}
+
 Port descriptorInput() {
     return {.id = std::string(kDescriptorPort),
             .title = TR("Descriptor"),

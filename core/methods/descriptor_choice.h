@@ -2,7 +2,9 @@
 
 #include "core/methods/method.h"
 #include "core/network/descriptor.h"
+#include "core/network/texture_loss.h"
 
+#include <optional>
 #include <string>
 
 namespace texloom {
@@ -15,6 +17,11 @@ enum class DescriptorChoice {
     Random,
     Wavelet,
 };
+
+/// How its feature maps are halved.
+enum class PoolingChoice { Own, Average, Maximum };
+/// None: as the descriptor says.
+std::optional<Pooling> poolingOf(PoolingChoice choice);
 
 /// The port that takes a descriptor.
 Port descriptorInput();
@@ -29,6 +36,36 @@ template <class Settings> Param descriptorField(DescriptorChoice Settings::*memb
         .help(TR(
             "The network whose feature maps are compared: the file that is given, else Texloom's own; "
             "maps beside colours need one that sees them: learned from the exemplar, random or wavelets."));
+}
+
+template <class Settings> Param levelsField(int Settings::*member) {
+    return field(member, "levels", TR("Levels"))
+        .range(0, 4)
+        .help(
+            TR("How many sizes of the picture, each half the one before, the network sees at once: more hold "
+               "larger structures together; 0 leaves it to the descriptor."));
+}
+
+template <class Settings> Param coloursField(bool Settings::*member) {
+    return field(member, "colours", TR("Compare colours"))
+        .help(TR("Also compares the distribution of colours, which networks alone let drift."));
+}
+
+template <class Settings> Param statisticField(Statistic Settings::*member) {
+    return field(member, "statistic", TR("Statistic"))
+        .choices({{"normalised", TR("Normalised")}, {"gram", TR("Gram")}, {"relative", TR("Relative Gram")}})
+        .group(TR("Advanced"))
+        .help(TR("What is compared of the feature maps: their moments once each has the exemplar's mean and "
+                 "deviation, their Gram matrices as published, or these relative to the exemplar's."));
+}
+
+template <class Settings> Param poolingField(PoolingChoice Settings::*member) {
+    return field(member, "pooling", TR("Pooling"))
+        .choices(
+            {{"own", TR("As the descriptor says")}, {"average", TR("Average")}, {"maximum", TR("Maximum")}})
+        .group(TR("Advanced"))
+        .help(
+            TR("How the network halves its feature maps: by their mean, or by the largest of four values."));
 }
 
 /// Checks that the choice suits the request's channels and that a file that is given is not left unused.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -41,21 +40,6 @@ std::optional<std::size_t> exemplarOf(const AxisGoal& goal, std::size_t count) {
 bool swapsSides(SliceTurn turn) {
     return turn == SliceTurn::Right || turn == SliceTurn::Left || turn == SliceTurn::MirroredRight ||
            turn == SliceTurn::MirroredLeft;
-}
-
-Size scaledSize(Size size, int longest) {
-    if (size.longerSide() <= longest)
-        return size;
-    const double scale = static_cast<double>(longest) / size.longerSide();
-    const auto side = [&](int length) { return std::max(1, static_cast<int>(std::lround(length * scale))); };
-    return {side(size.width), side(size.height)};
-}
-
-Image scaledDown(const ImageView& image, Size to, const std::function<void()>& check) {
-    Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
-    matrix(0, 0) = static_cast<double>(image.width) / to.width;
-    matrix(1, 1) = static_cast<double>(image.height) / to.height;
-    return resampled(image, Placement(to, matrix), check);
 }
 
 Image turned(const ImageView& image, SliceTurn turn) {
@@ -95,8 +79,8 @@ std::vector<SliceGoal> sliceGoals(const Request& request, const SliceSettings& s
                                   const std::function<void()>& check) {
     std::vector<Image> scaled;
     for (const Exemplar& exemplar : request.exemplars) {
-        const Size from = exemplar.image->size(), to = scaledSize(from, settings.exemplarSide);
-        scaled.push_back(from == to ? *exemplar.image : scaledDown(*exemplar.image, to, check));
+        const Size from = exemplar.image->size(), to = sizeWithin(from, settings.exemplarSide);
+        scaled.push_back(from == to ? *exemplar.image : resized(*exemplar.image, to, check));
         if (settings.matchColours && scaled.size() > 1)
             matchColours(scaled.front(), scaled.back(), check);
     }
@@ -112,7 +96,7 @@ std::vector<Size> sliceGoalSizes(const Request& request, const SliceSettings& se
     std::vector<Size> sizes;
     for (const AxisGoal& goal : axisGoals(settings))
         if (const auto number = exemplarOf(goal, all.size()); number && *number < all.size()) {
-            const Size size = scaledSize(all[*number], settings.exemplarSide);
+            const Size size = sizeWithin(all[*number], settings.exemplarSide);
             sizes.push_back(swapsSides(goal.turn) ? Size{size.height, size.width} : size);
         }
     return sizes;

@@ -32,6 +32,7 @@ SHOWN_ON = {
     "random-phase": "sand_ripples.png",
     "regular-tile": "solar_cells_blue.jpg",
     "sparse": "brick_pavement_gray.png",
+    "texture-network": "crazy_paving.png",
     "texture-optimization": "crazy_paving.png",
 }
 # Methods that are given pictures by ports of their own are shown with them, two by two: A and the exemplar A', B and the
@@ -41,7 +42,8 @@ GUIDED_SIDE = 256
 # Methods that need a target follow a texture of this exemplar.
 TARGETS = {"texture-transfer": "crazy_paving.png"}
 # Methods that optimise or train for long are shown smaller, and after fewer steps.
-BRIEFER = {"gram-cnn": (256, []), "solid-optimise": (192, ["--set", "side=96"]), "solid-texture": (256, ["--set", "iterations=200"])}
+BRIEFER = {"gram-cnn": (256, []), "solid-optimise": (192, ["--set", "side=96"]), "solid-texture": (256, ["--set", "iterations=200"]),
+           "texture-network": (256, ["--set", "iterations=800"])}
 SIDE = 384
 BATCHES = HERE.parent.parent / "resources/batches"
 EXAMPLE = HERE.parent.parent / "tests/methods/examples/mirror_tile.cpp"

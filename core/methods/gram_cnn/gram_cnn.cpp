@@ -15,8 +15,7 @@ TextureLossOptions Settings::lossOptions(const Descriptor& used) const {
     TextureLossOptions options;
     options.statistic = statistic;
     options.levels = levels > 0 ? levels : used.levels;
-    if (pooling != PoolingChoice::Own)
-        options.pooling = pooling == PoolingChoice::Average ? Pooling::Average : Pooling::Maximum;
+    options.pooling = poolingOf(pooling);
     options.firstTap = firstTap - 1;
     options.lastTap = lastTap - 1;
     options.colours = colours;
@@ -97,29 +96,13 @@ const Method self = method<Settings>(
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 2000)
          .help(TR("At each scale: more come closer to the exemplar and take longer.")),
-     field(&Settings::levels, "levels", TR("Levels"))
-         .range(0, 4)
-         .help(TR(
-             "How many sizes of the picture, each half the one before, the network sees at once: more hold "
-             "larger structures together; 0 leaves it to the descriptor.")),
-     field(&Settings::colours, "colours", TR("Compare colours"))
-         .help(TR("Also compares the distribution of colours, which networks alone let drift.")),
+     levelsField(&Settings::levels), coloursField(&Settings::colours),
      field(&Settings::histogram, "histogram", TR("Match histograms"))
          .help(TR("Gives the result the exemplar's distribution of colours at the end.")),
      field(&Settings::variation, "total-variation", TR("Total variation"))
          .range(0, 1)
          .help(TR("How much rough pixels are avoided: more smooths noise and fine detail alike.")),
-     field(&Settings::statistic, "statistic", TR("Statistic"))
-         .choices({{"normalised", TR("Normalised")}, {"gram", TR("Gram")}, {"relative", TR("Relative Gram")}})
-         .group(TR("Advanced"))
-         .help(TR("What is compared of the feature maps: their moments once each has the exemplar's mean and "
-                  "deviation, their Gram matrices as published, or these relative to the exemplar's.")),
-     field(&Settings::pooling, "pooling", TR("Pooling"))
-         .choices(
-             {{"own", TR("As the descriptor says")}, {"average", TR("Average")}, {"maximum", TR("Maximum")}})
-         .group(TR("Advanced"))
-         .help(
-             TR("How the network halves its feature maps: by their mean, or by the largest of four values.")),
+     statisticField(&Settings::statistic), poolingField(&Settings::pooling),
      field(&Settings::firstTap, "first-tap", TR("First tap"))
          .range(1, 16)
          .group(TR("Advanced"))

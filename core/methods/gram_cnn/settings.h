@@ -5,7 +5,6 @@
 
 namespace texloom::gram_cnn {
 
-enum class PoolingChoice { Own, Average, Maximum };
 enum class Optimiser { Lbfgs, Adam };
 
 /// Parameters of optimising an image on a network's second moments (Gatys, Ecker & Bethge 2015).

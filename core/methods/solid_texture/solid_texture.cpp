@@ -2,15 +2,13 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/generator/generator_source.h"
-#include "core/generator/trainer.h"
 #include "core/job/voxel_random.h"
+#include "core/methods/generator_training.h"
 #include "core/methods/method.h"
 #include "core/methods/solid_texture/slice_loss.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 namespace texloom::solid_texture {
@@ -33,26 +31,20 @@ class Training {
 public:
     Training(const Request& request, const Settings& settings, JobContext& context)
         : m_request(request), m_settings(settings), m_context(context), m_loss(request, settings, context),
-          m_trainer(startingWeights()) {}
+          m_training(startingWeights(), settings.iterations, context) {}
 
-    const GeneratorWeights& weights() const { return m_trainer.weights(); }
-    double loss() const { return m_lastLoss; }
-    int iterationsDone() const { return m_done; }
-    bool describes() const { return m_loss.describes(); }
+    const GeneratorTraining& training() const { return m_training; }
+    bool describes() const { return m_loss.pictures().describes(); }
+    /// There is nothing to learn of one colour.
+    bool constant() const { return m_loss.pictures().constant(); }
 
     void run() {
-        if (m_loss.constant()) {
-            m_done = m_settings.iterations;
-            return;
-        }
-        if (const std::string* earlier = m_context.resumed())
-            takeUp(*earlier);
-        for (; m_done < m_settings.iterations && !m_stopped; ++m_done) {
-            m_lastLoss = iteration();
-            m_context.curve(TR("Loss"), m_lastLoss);
-            m_context.progress((m_done + 1.0) / m_settings.iterations);
-            m_context.checkpoint(std::chrono::seconds(30), [&] { return state(); });
-        }
+        if (!constant())
+            m_training.run([this](int n) { return iteration(n); },
+                           [this](int n) {
+                               const double late = static_cast<double>(n) / m_settings.iterations;
+                               return m_settings.rate * std::pow(kLastRate, late);
+                           });
     }
 
 private:
@@ -62,113 +54,62 @@ private:
         GeneratorShape shape;
         shape.channels = m_request.channels();
         GeneratorWeights weights = GeneratorWeights::drawn(shape, m_request.seed);
-        weights.mean = m_loss.mean();
-        weights.mix = m_loss.mix();
+        weights.mean = m_loss.pictures().mean();
+        weights.mix = m_loss.pictures().mix();
         return weights;
     }
 
     /// One slice of each direction at a place drawn anew, so that all of the 2^K kinds of slices are met,
     /// with fresh noise.
-    double iteration() {
+    double iteration(int number) {
         double sum = 0;
         const VoxelRandom random(m_request.seed, 1);
+        GeneratorTrainer& trainer = m_training.trainer();
         Volume gradient;
-        for (std::size_t goal = 0; goal < m_loss.goals().size(); ++goal)
+        for (std::size_t goal = 0; goal < m_loss.axes().size(); ++goal)
             for (int n = 0; n < m_settings.slices; ++n) {
+                const Voxel draws{number, static_cast<std::int64_t>(goal), n};
                 const auto draw = [&](std::uint32_t axis) {
-                    return static_cast<std::int64_t>(
-                        random.below(kFarthest, {m_done, static_cast<std::int64_t>(goal), n}, axis));
+                    return static_cast<std::int64_t>(random.below(kFarthest, draws, axis));
                 };
                 const Voxel first{draw(0), draw(1), draw(2)};
-                const GeneratorNoise noise(random.bits({m_done, static_cast<std::int64_t>(goal), n}, 3));
-                const Volume& slice = m_trainer.forward(
-                    sliceBox(m_loss.goals()[goal].axis, first, m_settings.trainSide), noise, m_context);
-                show(slice, m_loss.goals()[goal].axis);
+                const GeneratorNoise noise(random.bits(draws, 3));
+                const Axis axis = m_loss.axes()[goal];
+                const Volume& slice =
+                    trainer.forward(sliceBox(axis, first, m_settings.trainSide), noise, m_context);
+                m_training.show(m_request.size, [&] { return m_loss.pictureOf(slice, axis); });
                 sum += m_loss.evaluate(goal, slice,
-                                       (m_done * m_settings.slices + n) * 4 + static_cast<int>(goal),
+                                       (number * m_settings.slices + n) * 4 + static_cast<int>(goal),
                                        gradient, m_context);
-                m_trainer.backward(gradient, m_context);
+                trainer.backward(gradient, m_context);
             }
-        const double late = static_cast<double>(m_done) / m_settings.iterations;
-        m_trainer.step(m_settings.rate * std::pow(kLastRate, late));
         return sum / m_settings.slices;
-    }
-
-    /// The slice that is learned from now, laid out over the output.
-    void show(const Volume& slice, Axis axis) {
-        const int side = m_settings.trainSide;
-        const auto laidOut = [&](Size size, int step) {
-            Image picture(size, slice.channels());
-            for (int c = 0; c < slice.channels(); ++c)
-                for (int y = 0; y < size.height; ++y)
-                    for (int x = 0; x < size.width; ++x) {
-                        const SliceVoxel v = sliceVoxel(axis, x * step % side, y * step % side, 0);
-                        picture(x, y, c) = slice(v.x, v.y, v.z, c);
-                    }
-            return picture;
-        };
-        try {
-            m_context.preview(m_request.size, laidOut);
-        } catch (const StoppedEarly&) { // what was learned is worth more than this picture
-            m_stopped = true;
-        }
-    }
-
-    std::string state() const {
-        const int next = m_done + 1;
-        return std::string(reinterpret_cast<const char*>(&next), sizeof next) + m_trainer.state();
-    }
-    void takeUp(const std::string& text) {
-        if (text.size() < sizeof m_done)
-            fail("The checkpoint is of a generator of another size; begin anew without it.");
-        std::memcpy(&m_done, text.data(), sizeof m_done);
-        m_trainer.restore(text.substr(sizeof m_done));
     }
 
     const Request& m_request;
     const Settings& m_settings;
     JobContext& m_context;
     SliceLoss m_loss;
-    GeneratorTrainer m_trainer;
-    int m_done = 0;
-    bool m_stopped = false; ///< told to stop and keep what there is
-    double m_lastLoss = 0;
+    GeneratorTraining m_training;
 };
-
-/// The slice at z = 0, as large as the output.
-Image firstSlice(const VolumeSource& solid, const Request& request, JobContext& context) {
-    Image image(request.size, request.channels());
-    constexpr int kRows = 128;
-    for (int begin = 0; begin < request.size.height; begin += kRows) {
-        const int rows = std::min(kRows, request.size.height - begin);
-        const Volume slab = solid.sample({0, begin, 0, {request.size.width, rows, 1}}, context);
-        for (int c = 0; c < slab.channels(); ++c)
-            for (int y = 0; y < rows; ++y)
-                std::copy_n(slab.row(y, 0, c), slab.width(), image.plane(c).row(begin + y));
-        context.progress(static_cast<double>(begin + rows) / request.size.height);
-    }
-    return image;
-}
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     context.stage(0.02, TR("Preparing the exemplar"));
-    Training training(request, settings, context);
+    Training trained(request, settings, context);
     context.stage(kTraining, TR("Training"));
-    training.run();
+    trained.run();
+    const GeneratorTraining& training = trained.training();
     Synthesis made;
-    if (training.iterationsDone() < settings.iterations)
-        made.notes.push_back(
-            message("Stopped after {} of {} iterations; the generator knows what it had learned "
-                    "by then.",
-                    training.iterationsDone(), settings.iterations));
-    if (!training.describes())
+    if (!trained.constant())
+        made.notes = training.notes();
+    if (!trained.describes())
         made.notes.emplace_back(
             TR("Only the patches of slices were compared: the descriptor sees grey pictures "
                "and those of three channels."));
     context.stage(0.05, TR("Cutting a slice"));
     const auto generator = std::make_shared<const Generator>(training.weights());
     const auto solid = std::make_shared<const GeneratorSource>(generator, request.seed);
-    made.image = firstSlice(*solid, request, context);
+    made.image = planeOf(*solid, {0, 0, request.size}, context);
     made.outputs.add(kSolidGenerator, training.weights().model());
     made.outputs.add(kVolume, solid);
     made.figures = {{TR("Loss"), training.loss()}};

@@ -85,12 +85,37 @@ TEST(GeneratorIntervals, areWhatTracingEveryVoxelFinds) {
         }
 }
 
+TEST(GeneratorIntervals, ofWhatRepeatsAreThoseOfEveryRound) {
+    for (const int period : {1, 2, 3, 7, 20, 32})
+        for (std::int64_t begin = -period - 3; begin <= period; ++begin) {
+            const auto here = scaleIntervals({begin, begin + 5}, 4, period);
+            const auto there = scaleIntervals({begin + 3 * period, begin + 3 * period + 5}, 4, period);
+            for (int k = 0; k <= 4; ++k) {
+                const int around = periodAt(period, k);
+                EXPECT_EQ(here[static_cast<std::size_t>(k)].noise.begin + 3 * around,
+                          there[static_cast<std::size_t>(k)].noise.begin);
+                EXPECT_EQ(here[static_cast<std::size_t>(k)].noise.end + 3 * around,
+                          there[static_cast<std::size_t>(k)].noise.end);
+            }
+            if (period % 16 == 0) {
+                EXPECT_EQ(here.back().noise, scaleIntervals({begin, begin + 5}, 4).back().noise)
+                    << "halving needs no rounding up";
+            }
+        }
+}
+
 TEST(GeneratorWeights, ofTheSourceAreSoMany) {
     EXPECT_EQ(GeneratorWeights::drawn({}, 1).convolutionNumbers(), 84219);
     GeneratorShape flat;
     flat.dimensions = 2;
     flat.step = 8;
-    EXPECT_EQ(GeneratorWeights::drawn(flat, 1).convolutionNumbers(), 115347) << "those of texture networks";
+    GeneratorWeights weights = GeneratorWeights::drawn(flat, 1);
+    EXPECT_EQ(weights.convolutionNumbers(), 115347) << "those of texture networks";
+    std::size_t learned = 0;
+    weights.everyLearned(
+        [&](const std::string&, const std::vector<float>& values) { learned += values.size(); });
+    EXPECT_EQ(learned, 115347U + 1568U) << "with the scales and shifts of normalisations";
+    EXPECT_LT(weights.model()->bytes().size(), 500'000U);
 }
 
 TEST(GeneratorWeights, surviveTheirFile) {
@@ -166,6 +191,132 @@ TEST(Generator, ofPicturesLeavesZAlone) {
     expectPart(generator.evaluate(part, noise, work.context), part, all, whole);
 }
 
+/// Feature maps on a torus, the oracle of pictures: written down as the source has it (Gutierrez 2020,
+/// section 4.1.2), with circular padding and normalisations that are not folded.
+struct Maps {
+    int width, height;
+    std::vector<std::vector<double>> channels;
+
+    double at(std::size_t c, int x, int y) const {
+        const int right = (x % width + width) % width, down = (y % height + height) % height;
+        return channels[c][static_cast<std::size_t>(down * width + right)];
+    }
+};
+
+Maps convolved(const Maps& in, const FieldFilters& filters) {
+    Maps out{in.width, in.height, {}};
+    const int reach = filters.taps == 1 ? 0 : 1;
+    for (int o = 0; o < filters.outputs; ++o) {
+        std::vector<double>& to = out.channels.emplace_back();
+        for (int y = 0; y < in.height; ++y)
+            for (int x = 0; x < in.width; ++x) {
+                auto sum = static_cast<double>(filters.bias[static_cast<std::size_t>(o)]);
+                for (int c = 0; c < filters.inputs; ++c)
+                    for (int t = 0; t < filters.taps; ++t)
+                        sum += static_cast<double>(filters.filter(o, c)[t]) *
+                               in.at(static_cast<std::size_t>(c), x + t % 3 - reach, y + t / 3 - reach);
+                to.push_back(sum);
+            }
+    }
+    return out;
+}
+
+Maps normalised(Maps maps, const Normalisation& norm, bool rectified) {
+    for (std::size_t c = 0; c < maps.channels.size(); ++c)
+        for (double& value : maps.channels[c]) {
+            value = static_cast<double>(norm.scale[c]) * (value - static_cast<double>(norm.mean[c])) /
+                        std::sqrt(static_cast<double>(norm.variance[c]) + 1e-5) +
+                    static_cast<double>(norm.shift[c]);
+            if (rectified)
+                value = std::max(0.0, value);
+        }
+    return maps;
+}
+
+Maps throughBlock(Maps maps, const GeneratorBlock& block) {
+    for (const GeneratorLayer& layer : block)
+        maps = normalised(convolved(maps, layer.filters), layer.norm, true);
+    return maps;
+}
+
+Maps picture(const GeneratorWeights& weights, const GeneratorNoise& noise, int width, int height) {
+    const int coarsest = weights.shape.coarsest;
+    Maps made{};
+    for (int k = coarsest; k >= 0; --k) {
+        const GeneratorWeights::Scale& scale = weights.scales[static_cast<std::size_t>(k)];
+        Maps z{periodAt(width, k), periodAt(height, k), {}};
+        for (int c = 0; c < weights.shape.noiseChannels; ++c) {
+            std::vector<double>& to = z.channels.emplace_back();
+            for (int y = 0; y < z.height; ++y)
+                for (int x = 0; x < z.width; ++x)
+                    to.push_back(static_cast<double>(noise.at(x, y, 0, k, c)));
+        }
+        const Maps own = throughBlock(z, scale.noise);
+        if (k == coarsest) {
+            made = own;
+            continue;
+        }
+        Maps up{z.width, z.height, {}};
+        for (std::size_t c = 0; c < made.channels.size(); ++c) {
+            std::vector<double>& to = up.channels.emplace_back();
+            for (int y = 0; y < z.height; ++y)
+                for (int x = 0; x < z.width; ++x)
+                    to.push_back(made.at(c, x / 2, y / 2));
+        }
+        Maps joined = normalised(up, scale.up, false);
+        const Maps side = normalised(own, scale.side, false);
+        joined.channels.insert(joined.channels.end(), side.channels.begin(), side.channels.end());
+        made = throughBlock(joined, scale.joined);
+    }
+    return convolved(made, weights.last);
+}
+
+TEST(Generator, ofPicturesIsWhatTheSourceWritesDown) {
+    Work work;
+    for (const int coarsest : {0, 1, 2})
+        for (const Box& box : {Box{0, 0, 0, {4, 4, 1}}, Box{0, 0, 0, {8, 4, 1}}, Box{0, 0, 0, {7, 5, 1}}}) {
+            GeneratorShape shape = smallShape(2);
+            shape.coarsest = coarsest;
+            const GeneratorWeights weights = stirred(shape);
+            const GeneratorNoise noise(5, {box.size.width, box.size.height, 0});
+            const Volume made = Generator(weights).evaluate(box, noise, work.context);
+            const Maps wanted = picture(weights, noise, box.size.width, box.size.height);
+            for (int c = 0; c < 3; ++c)
+                for (int y = 0; y < made.height(); ++y)
+                    for (int x = 0; x < made.width(); ++x)
+                        EXPECT_NEAR(made(x, y, 0, c), wanted.at(static_cast<std::size_t>(c), x, y), 1e-5);
+        }
+}
+
+TEST(Generator, ofPicturesShiftsWithItsNoise) {
+    Work work;
+    const Generator generator(stirred(smallShape(2)));
+    constexpr int kSide = 24, kShift = 8; // 2^K
+    const GeneratorNoise noise(5, {kSide, kSide, 0});
+    const Volume all = generator.evaluate({0, 0, 0, {kSide, kSide, 1}}, noise, work.context);
+    const Volume shifted = generator.evaluate({kShift, -kShift, 0, {kSide, kSide, 1}}, noise, work.context);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            ASSERT_EQ(shifted(x, y, 0, 0), all((x + kShift) % kSide, (y + kSide - kShift) % kSide, 0, 0));
+}
+
+TEST(Generator, ofPicturesClosesOnItselfAfterAnyNumberOfPixels) {
+    Work work;
+    const Generator generator(stirred(smallShape(2)));
+    for (const int width : {1, 5, 22, 31, 32}) {
+        const GeneratorNoise noise(5, {width, 13, 0});
+        const Box whole{-2 * width, -13, 0, {4 * width, 39, 1}};
+        const Volume all = generator.evaluate(whole, noise, work.context);
+        for (int y = 0; y < 26; ++y)
+            for (int x = 0; x < 3 * width; ++x) {
+                ASSERT_EQ(all(x, y, 0, 1), all(x + width, y, 0, 1));
+                ASSERT_EQ(all(x, y, 0, 1), all(x, y + 13, 0, 1));
+            }
+        const Box part{width / 2, 3, 0, {width, 9, 1}};
+        expectPart(generator.evaluate(part, noise, work.context), part, all, whole);
+    }
+}
+
 TEST(GeneratorNoise, isUniformAndDiffersBetweenScales) {
     const GeneratorNoise noise(1);
     double sum = 0, squares = 0;
@@ -194,10 +345,11 @@ Volume lossGradient(const Box& box, int channels) {
     return gradient;
 }
 
-double lossOf(const GeneratorWeights& weights, const Box& box, const Volume& by) {
+double lossOf(const GeneratorWeights& weights, const Box& box, const GeneratorNoise& noise,
+              const Volume& by) {
     Work work;
     GeneratorTrainer trainer(weights);
-    const Volume& made = trainer.forward(box, GeneratorNoise(9), work.context);
+    const Volume& made = trainer.forward(box, noise, work.context);
     double sum = 0;
     for (int c = 0; c < made.channels(); ++c)
         for (int z = 0; z < made.depth(); ++z)
@@ -221,12 +373,13 @@ GeneratorWeights farFromKinks(GeneratorWeights weights) {
     return weights;
 }
 
-void expectDerivatives(const GeneratorShape& shape, const Box& box) {
+void expectDerivatives(const GeneratorShape& shape, const Box& box, const VolumeSize& period = {}) {
+    const GeneratorNoise noise(9, period);
     Work work;
     const GeneratorWeights weights = farFromKinks(stirred(shape));
     const Volume by = lossGradient(box, shape.channels);
     GeneratorTrainer trainer(weights);
-    trainer.forward(box, GeneratorNoise(9), work.context);
+    trainer.forward(box, noise, work.context);
     trainer.backward(by, work.context);
     std::vector<std::vector<float>> found;
     GeneratorWeights gradients = trainer.gradients();
@@ -247,8 +400,9 @@ void expectDerivatives(const GeneratorShape& shape, const Box& box) {
             });
             return copy;
         };
-        const double difference = (lossOf(moved(kStep), box, by) - lossOf(moved(-kStep), box, by)) /
-                                  (2 * static_cast<double>(kStep));
+        const double difference =
+            (lossOf(moved(kStep), box, noise, by) - lossOf(moved(-kStep), box, noise, by)) /
+            (2 * static_cast<double>(kStep));
         const auto derivative = static_cast<double>(found[list++][i]);
         squares += difference * difference;
         errors += (difference - derivative) * (difference - derivative);
@@ -260,6 +414,7 @@ void expectDerivatives(const GeneratorShape& shape, const Box& box) {
 TEST(GeneratorTrainer, derivativesAreThoseOfDifferences) {
     expectDerivatives(smallShape(), {3, -2, 5, {12, 11, 1}});
     expectDerivatives(smallShape(2), {3, -2, 0, {12, 11, 1}});
+    expectDerivatives(smallShape(2), {0, 0, 0, {12, 11, 1}}, {12, 11, 0});
 }
 
 TEST(GeneratorTrainer, goesOnFromItsStateBitForBit) {
