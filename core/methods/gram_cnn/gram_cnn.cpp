@@ -85,7 +85,7 @@ const Method self = method<Settings>(
             "exemplar's do. New pixels rather than copies; long straight structures may bend or break."),
      .citation = "Gatys, Ecker & Bethge, NIPS 2015; Ustyuzhaninov et al., ICLR 2017",
      .category = Category::Networks,
-     .suits = {.regular = 2, .grain = 4, .objects = 3, .large = 2},
+     .suits = {.regular = 1, .grain = 4, .objects = 2, .large = 1},
      .takes = {ports::weighedExemplars(), ports::initial(), descriptorInput()},
      .gives = {ports::wrappingImage()}},
     {descriptorField(&Settings::descriptor),

@@ -178,7 +178,7 @@ const Method self = method<Settings>(
             "large areas verbatim."),
      .citation = "Kwatra, Schödl, Essa, Turk & Bobick, SIGGRAPH 2003; Boykov & Kolmogorov, IEEE PAMI 2004",
      .category = Category::Patches,
-     .suits = {.regular = 3, .grain = 2, .objects = 4, .large = 5},
+     .suits = {.regular = 4, .grain = 4, .objects = 5, .large = 5},
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::placement, "placement", TR("Placement"))

@@ -225,7 +225,7 @@ const Method self = method<Settings>(
             "copies; suits grainy and stochastic textures, and loses structure."),
      .citation = "Heeger & Bergen, SIGGRAPH 1995; Briand, Vacher, Galerne & Rabin, IPOL 2014",
      .category = Category::Statistics,
-     .suits = {.grain = 3},
+     .suits = {.grain = 2},
      .takes = {ports::exemplar(), ports::initial()},
      .gives = {ports::wrappingImage()}},
     {octavesField(&Settings::scales).symbol("P"), orientationsField(&Settings::orientations).symbol("Q"),

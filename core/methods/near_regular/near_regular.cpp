@@ -397,7 +397,7 @@ const Method self = method<Settings>(
          "gaps with patches that fit: keeps the courses and varies what lies in them."),
      .citation = "López Recas, diploma thesis 2011, chapters 3 to 5; Liu, Tsin & Lin, IJCV 2005",
      .category = Category::NearRegular,
-     .suits = {.regular = 5},
+     .suits = {.regular = 5, .grain = 2, .objects = 2, .large = 2},
      .takes = {ports::exemplar(), ports::mask()},
      .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
     params(), run, check, estimate);

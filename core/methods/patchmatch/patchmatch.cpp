@@ -71,7 +71,7 @@ const Method self = method<Settings>(
             "large structure."),
      .citation = "Barnes et al., SIGGRAPH 2009; Han et al. 2006; Kaspar et al., Eurographics 2015",
      .category = Category::Optimisation,
-     .suits = {.regular = 2, .grain = 4, .objects = 4, .large = 3},
+     .suits = {.regular = 2, .grain = 4, .objects = 4, .large = 4},
      .takes = {ports::exemplars(), ports::mask(), ports::initial(), ports::known()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {field(&Settings::patch, "patch", TR("Patch size"))

@@ -113,7 +113,7 @@ const Method self = method<Settings>(
             "Never copies; suits gravel, grass, bark and other dense textures, and loses regular layouts."),
      .citation = "Portilla & Simoncelli, IJCV 2000; Vacher & Briand, IPOL 2021",
      .category = Category::Statistics,
-     .suits = {.regular = 1, .grain = 4, .objects = 2, .large = 1},
+     .suits = {.regular = 1, .grain = 5, .objects = 2, .large = 1},
      .takes = {ports::weighedExemplars(), ports::initial()},
      .gives = {ports::wrappingImage()}},
     params(), run, check, estimate);

@@ -72,7 +72,7 @@ const Method self = method<Settings>(
             "faithful to structure such as bricks or leaves; copies larger areas verbatim."),
      .citation = "Efros & Freeman, SIGGRAPH 2001; Raad & Galerne, IPOL 2017",
      .category = Category::Patches,
-     .suits = {.regular = 3, .grain = 3, .objects = 4, .large = 4},
+     .suits = {.regular = 3, .grain = 4, .objects = 4, .large = 4},
      .takes = {ports::weighedExemplars(), ports::mask(), ports::initial(), ports::known()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {patchField(&Settings::patch, 0.16)

@@ -145,7 +145,7 @@ const Method self = method<Settings>(
                    "or cloth, and loses edges and objects."),
      .citation = "Galerne, Gousseau & Morel, IEEE TIP 2011; Moisan, J. Math. Imaging Vis. 2011",
      .category = Category::Statistics,
-     .suits = {.grain = 5},
+     .suits = {.grain = 3},
      .takes = {ports::exemplar()},
      .gives = {ports::wrappingImage()}},
     {field(&Settings::model, "model", TR("Model"))

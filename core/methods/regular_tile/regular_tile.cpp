@@ -403,7 +403,7 @@ const Method self = method<Settings>(
          "regular, without the variety of near-regular synthesis."),
      .citation = "López Recas, diploma thesis 2011, section 4.1; Liu, Lin & Hays, SIGGRAPH 2004",
      .category = Category::NearRegular,
-     .suits = {.regular = 5},
+     .suits = {.regular = 4},
      .takes = {ports::exemplar(), ports::mask()},
      .gives = {ports::inParts(ports::wrappingImage()), ports::map()}},
     params(), run, check, estimate);

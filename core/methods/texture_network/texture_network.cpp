@@ -217,6 +217,7 @@ const Method self = method<Settings>(
             "textures of any size at once. For patterns without strict order."),
      .citation = "Ulyanov, Lebedev, Vedaldi & Lempitsky, ICML 2016; Gutierrez, PhD thesis 2020, section 4.1",
      .category = Category::Networks,
+     .suits = {.regular = 1, .grain = 3, .objects = 2, .large = 1},
      .takes = {optionalExemplar(),
                {.id = std::string(kPictureGenerator),
                 .title = TR("Generator"),

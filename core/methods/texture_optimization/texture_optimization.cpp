@@ -59,7 +59,7 @@ const Method self = method<Settings>(
      .citation =
          "Kwatra et al., SIGGRAPH 2005; Kopf et al., SIGGRAPH 2007; Wei et al. 2008; Kaspar et al. 2015",
      .category = Category::Optimisation,
-     .suits = {.regular = 2, .grain = 3, .objects = 4, .large = 3},
+     .suits = {.regular = 3, .grain = 3, .objects = 4, .large = 2},
      .takes = {ports::exemplars(), ports::mask(), ports::initial()},
      .gives = {ports::wrappingImage(), ports::map()}},
     {scalesField(&Settings::scales),
