@@ -148,14 +148,16 @@ void PatchSearch::discourage(const PatchPosition& used, double weight, Scratch& 
         float* const from = row + left;
         const auto share =
             static_cast<float>(weight * (m_patch - std::abs(y - used.y)) / (1.0 * m_patch * m_patch));
-        float& least = scratch[e].rowMinima[static_cast<std::size_t>(y)];
-        int nearest = 0; // of those that move away, some were
+        float& minimum = scratch[e].rowMinima[static_cast<std::size_t>(y)];
+        const float least = minimum; // a copy, and a plain pointer, so that the loop vectorises
+        const float* const columns = shared.data();
+        int nearest = 0; // whether one of those that move away was the nearest
         for (std::ptrdiff_t i = 0; i < count; ++i) {
             nearest |= from[i] <= least ? 1 : 0;
-            from[i] *= 1 + share * shared[static_cast<std::size_t>(i)];
+            from[i] *= 1 + share * columns[i];
         }
         if (nearest != 0)
-            least = *std::min_element(row, row + positions.width);
+            minimum = *std::min_element(row, row + positions.width);
     }
 }
 
