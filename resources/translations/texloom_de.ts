@@ -5552,6 +5552,194 @@
         <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
         <translation>Dieselbe Textur durch vier Deskriptoren und durch einen mit der anderen Art von Pooling, wie Abbildung 4.8 von Gutierrez&apos; Dissertation sie vergleicht.</translation>
     </message>
+    <message>
+        <source>128 px</source>
+        <translation>128 px</translation>
+    </message>
+    <message>
+        <source>256 px</source>
+        <translation>256 px</translation>
+    </message>
+    <message>
+        <source>64 px</source>
+        <translation>64 px</translation>
+    </message>
+    <message>
+        <source>A trained generator to make the texture with, or to train further.</source>
+        <translation>Ein trainierter Generator, der die Textur macht oder weiter trainiert wird.</translation>
+    </message>
+    <message>
+        <source>An exemplar with a longer one is scaled down to this, and features with it: larger keeps more detail and takes much longer to learn.</source>
+        <translation>Eine Vorlage mit einer längeren wird darauf verkleinert, und ihre Merkmale mit ihr: Größer bewahrt mehr Einzelheiten und lernt sich viel langsamer.</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beides</translation>
+    </message>
+    <message>
+        <source>Compare by</source>
+        <translation>Vergleichen nach</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Abnahme</translation>
+    </message>
+    <message>
+        <source>Decay every</source>
+        <translation>Abnahme alle</translation>
+    </message>
+    <message>
+        <source>Even gradients</source>
+        <translation>Gradienten ausgleichen</translation>
+    </message>
+    <message>
+        <source>Feature maps that each scale adds, 8 as published: more hold more of the texture, and take longer by their square.</source>
+        <translation>Merkmalskarten, die jede Stufe hinzufügt, veröffentlicht 8: Mehr fassen mehr von der Textur und brauchen im Quadrat länger.</translation>
+    </message>
+    <message>
+        <source>Figure 4.3 of Gutierrez&apos; thesis: the same noise through the generator after more and more iterations. First colours, then soft shapes, then edges and detail; the curve of the loss is under Figures.</source>
+        <translation>Abbildung 4.3 der Dissertation von Gutierrez: dasselbe Rauschen durch den Generator nach immer mehr Durchläufen. Erst Farben, dann weiche Formen, dann Kanten und Einzelheiten; die Kurve des Verlusts steht unter Kennzahlen.</translation>
+    </message>
+    <message>
+        <source>Figures 4.4 and 4.5 of Gutierrez&apos; thesis: the rate falls by 0.8 now and then, in batches of one or four samples. See the curve of the loss under Figures.</source>
+        <translation>Abbildungen 4.4 und 4.5 der Dissertation von Gutierrez: Die Rate fällt ab und zu auf das 0,8-Fache, in Stapeln von einer oder vier Proben. Die Kurve des Verlusts steht unter Kennzahlen.</translation>
+    </message>
+    <message>
+        <source>Figures 4.6 to 4.9 of Gutierrez&apos; thesis in small: the exemplar learned at three sizes, the descriptor&apos;s pooling by mean and by maximum, and gradients as they are or evened out over its taps.</source>
+        <translation>Abbildungen 4.6 bis 4.9 der Dissertation von Gutierrez im Kleinen: die Vorlage in drei Größen gelernt, der Deskriptor mit Mittelwert- und mit Maximum-Pooling, und Gradienten, wie sie sind oder über seine Abgriffe ausgeglichen.</translation>
+    </message>
+    <message>
+        <source>Gives the gradient at each tap of the descriptor the same norm, so that all have their say, whatever their loss.</source>
+        <translation>Gibt dem Gradienten an jedem Abgriff des Deskriptors dieselbe Norm, damit alle mitreden, wie groß ihr Verlust auch sei.</translation>
+    </message>
+    <message>
+        <source>Goes on training the generator that is given; else it only makes the texture, at once.</source>
+        <translation>Trainiert den gegebenen Generator weiter; sonst macht er nur sofort die Textur.</translation>
+    </message>
+    <message>
+        <source>Gradients</source>
+        <translation>Gradienten</translation>
+    </message>
+    <message>
+        <source>Halvings</source>
+        <translation>Halbierungen</translation>
+    </message>
+    <message>
+        <source>How far each step goes at the beginning. Too large, and the loss jumps; too small, and it falls slowly.</source>
+        <translation>Wie weit jeder Schritt am Anfang geht. Zu groß, und der Verlust springt; zu klein, und er fällt langsam.</translation>
+    </message>
+    <message>
+        <source>How often the generator&apos;s noise is halved in size: each scale more lets features be twice as large.</source>
+        <translation>Wie oft das Rauschen des Generators auf die halbe Größe gebracht wird: Mit jeder Stufe mehr dürfen Merkmale doppelt so groß sein.</translation>
+    </message>
+    <message>
+        <source>Iterations after which the learning rate falls; 0 for a tenth of them all.</source>
+        <translation>Durchläufe, nach denen die Lernrate fällt; 0 für ein Zehntel von allen.</translation>
+    </message>
+    <message>
+        <source>Making the texture</source>
+        <translation>Textur wird gemacht</translation>
+    </message>
+    <message>
+        <source>Noise channels</source>
+        <translation>Rauschkanäle</translation>
+    </message>
+    <message>
+        <source>Of the random numbers that each scale begins with.</source>
+        <translation>Der Zufallszahlen, mit denen jede Stufe beginnt.</translation>
+    </message>
+    <message>
+        <source>Of the textures that are made and compared in training: larger ones say more of large features, and take longer.</source>
+        <translation>Der Texturen, die beim Training gemacht und verglichen werden: Größere sagen mehr über große Merkmale und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Randfortsetzung</translation>
+    </message>
+    <message>
+        <source>Samples in one iteration: more make each step surer and longer.</source>
+        <translation>Proben in einem Durchlauf: Mehr machen jeden Schritt sicherer und länger.</translation>
+    </message>
+    <message>
+        <source>Samples of {} px are too small for the network, which needs {} px a side.</source>
+        <translation>Proben von {} px sind zu klein für das Netz, das {} px je Seite braucht.</translation>
+    </message>
+    <message>
+        <source>Side of samples</source>
+        <translation>Seite der Proben</translation>
+    </message>
+    <message>
+        <source>Texture network</source>
+        <translation>Texturnetz</translation>
+    </message>
+    <message>
+        <source>Texture network, as published</source>
+        <translation>Texturnetz, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Texture network: learning rate and batch</source>
+        <translation>Texturnetz: Lernrate und Stapel</translation>
+    </message>
+    <message>
+        <source>Texture network: resolution, pooling, gradients</source>
+        <translation>Texturnetz: Auflösung, Pooling, Gradienten</translation>
+    </message>
+    <message>
+        <source>Texture network: what training does</source>
+        <translation>Texturnetz: was Training bewirkt</translation>
+    </message>
+    <message>
+        <source>The exemplar has {} channels with its maps; a generator makes at most {}.</source>
+        <translation>Die Vorlage hat mit ihren Karten {} Kanäle; ein Generator macht höchstens {}.</translation>
+    </message>
+    <message>
+        <source>The generator makes {} channels, and the exemplar has {}.</source>
+        <translation>Der Generator macht {} Kanäle, und die Vorlage hat {}.</translation>
+    </message>
+    <message>
+        <source>There is neither an exemplar to learn from nor a trained generator to make a texture with.</source>
+        <translation>Es gibt weder eine Vorlage, von der zu lernen wäre, noch einen trainierten Generator, der eine Textur macht.</translation>
+    </message>
+    <message>
+        <source>There is no generator to train further: give one, or train anew.</source>
+        <translation>Es gibt keinen Generator, der weiter zu trainieren wäre: einen angeben oder neu trainieren.</translation>
+    </message>
+    <message>
+        <source>Train further</source>
+        <translation>Weiter trainieren</translation>
+    </message>
+    <message>
+        <source>Training ended after {} of {} iterations, since the next gave values that are no numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
+        <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
+    </message>
+    <message>
+        <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
+        <translation>Trainiert ein kleines Netz, bis das, was es aus Rauschen macht, wie die Vorlage aussieht; danach macht es sofort Texturen jeder Größe. Für Muster ohne strenge Ordnung.</translation>
+    </message>
+    <message>
+        <source>Ulyanov et al. as Gutierrez trains them: plain Gram matrices of 256 px, circular padding, batches of four and 5,000 iterations, with the rate falling by 0.8; give it their VGG-19 as its descriptor. Takes hours.</source>
+        <translation>Ulyanov u. a., wie Gutierrez sie trainiert: einfache Gram-Matrizen von 256 px, kreisförmige Randfortsetzung, Viererstapel und 5.000 Durchläufe, wobei die Rate auf das 0,8-Fache fällt; als Deskriptor ihr VGG-19 angeben. Dauert Stunden.</translation>
+    </message>
+    <message>
+        <source>What of samples and exemplar is compared: the feature maps of a descriptor, the distribution of small patches, which makes edges sharper, or both.</source>
+        <translation>Was von Proben und Vorlage verglichen wird: die Merkmalskarten eines Deskriptors, die Verteilung kleiner Ausschnitte, die Kanten schärfer macht, oder beides.</translation>
+    </message>
+    <message>
+        <source>What samples find beyond their edges in training: more of an endless texture, or their other end, as published. Either generator makes any part of any size, and wraps.</source>
+        <translation>Was Proben beim Training jenseits ihrer Ränder finden: mehr von einer endlosen Textur oder, wie veröffentlicht, ihr anderes Ende. Beide Generatoren machen jeden Teil in jeder Größe und schließen sich.</translation>
+    </message>
+    <message>
+        <source>What the learning rate is multiplied by each time that it falls.</source>
+        <translation>Womit die Lernrate jedes Mal multipliziert wird, wenn sie fällt.</translation>
+    </message>
+    <message>
+        <source>What was learned, under half a megabyte: given to this method, it makes any size and any part of the texture without training.</source>
+        <translation>Was gelernt wurde, unter einem halben Megabyte: Diesem Verfahren gegeben, macht es jede Größe und jeden Teil der Textur ohne Training.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

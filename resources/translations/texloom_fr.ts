@@ -5552,6 +5552,194 @@
         <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
         <translation>La même texture par quatre descripteurs, et par l&apos;un d&apos;eux avec l&apos;autre mise en commun, comme les compare la figure 4.8 de la thèse de Gutierrez.</translation>
     </message>
+    <message>
+        <source>128 px</source>
+        <translation>128 px</translation>
+    </message>
+    <message>
+        <source>256 px</source>
+        <translation>256 px</translation>
+    </message>
+    <message>
+        <source>64 px</source>
+        <translation>64 px</translation>
+    </message>
+    <message>
+        <source>A trained generator to make the texture with, or to train further.</source>
+        <translation>Un générateur entraîné qui fait la texture, ou à entraîner davantage.</translation>
+    </message>
+    <message>
+        <source>An exemplar with a longer one is scaled down to this, and features with it: larger keeps more detail and takes much longer to learn.</source>
+        <translation>Un exemple qui en a un plus long est réduit à cette taille, et ses motifs avec lui : plus grand garde plus de détails et s’apprend bien plus lentement.</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Lot</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Compare by</source>
+        <translation>Comparer par</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Décroissance</translation>
+    </message>
+    <message>
+        <source>Decay every</source>
+        <translation>Décroissance tous les</translation>
+    </message>
+    <message>
+        <source>Even gradients</source>
+        <translation>Équilibrer les gradients</translation>
+    </message>
+    <message>
+        <source>Feature maps that each scale adds, 8 as published: more hold more of the texture, and take longer by their square.</source>
+        <translation>Cartes de caractéristiques que chaque échelle ajoute, 8 dans la publication : davantage retiennent plus de la texture et prennent un temps qui croît comme leur carré.</translation>
+    </message>
+    <message>
+        <source>Figure 4.3 of Gutierrez&apos; thesis: the same noise through the generator after more and more iterations. First colours, then soft shapes, then edges and detail; the curve of the loss is under Figures.</source>
+        <translation>Figure 4.3 de la thèse de Gutierrez : le même bruit à travers le générateur après de plus en plus d’itérations. D’abord les couleurs, puis des formes douces, puis les contours et les détails ; la courbe de la perte est sous Mesures.</translation>
+    </message>
+    <message>
+        <source>Figures 4.4 and 4.5 of Gutierrez&apos; thesis: the rate falls by 0.8 now and then, in batches of one or four samples. See the curve of the loss under Figures.</source>
+        <translation>Figures 4.4 et 4.5 de la thèse de Gutierrez : le taux baisse de temps en temps d’un facteur 0,8, par lots d’un ou de quatre échantillons. Voir la courbe de la perte sous Mesures.</translation>
+    </message>
+    <message>
+        <source>Figures 4.6 to 4.9 of Gutierrez&apos; thesis in small: the exemplar learned at three sizes, the descriptor&apos;s pooling by mean and by maximum, and gradients as they are or evened out over its taps.</source>
+        <translation>Figures 4.6 à 4.9 de la thèse de Gutierrez en petit : l’exemple appris en trois tailles, le mise en commun du descripteur par moyenne et par maximum, et les gradients tels quels ou équilibrés entre ses prises.</translation>
+    </message>
+    <message>
+        <source>Gives the gradient at each tap of the descriptor the same norm, so that all have their say, whatever their loss.</source>
+        <translation>Donne au gradient de chaque prise du descripteur la même norme, pour que toutes comptent, quelle que soit leur perte.</translation>
+    </message>
+    <message>
+        <source>Goes on training the generator that is given; else it only makes the texture, at once.</source>
+        <translation>Continue d’entraîner le générateur donné ; sinon il fait seulement la texture, aussitôt.</translation>
+    </message>
+    <message>
+        <source>Gradients</source>
+        <translation>Gradients</translation>
+    </message>
+    <message>
+        <source>Halvings</source>
+        <translation>Divisions par deux</translation>
+    </message>
+    <message>
+        <source>How far each step goes at the beginning. Too large, and the loss jumps; too small, and it falls slowly.</source>
+        <translation>Longueur de chaque pas au début. Trop grand, la perte fait des sauts ; trop petit, elle baisse lentement.</translation>
+    </message>
+    <message>
+        <source>How often the generator&apos;s noise is halved in size: each scale more lets features be twice as large.</source>
+        <translation>Combien de fois la taille du bruit du générateur est divisée par deux : chaque échelle de plus permet des motifs deux fois plus grands.</translation>
+    </message>
+    <message>
+        <source>Iterations after which the learning rate falls; 0 for a tenth of them all.</source>
+        <translation>Itérations après lesquelles le taux d’apprentissage baisse ; 0 pour un dixième du total.</translation>
+    </message>
+    <message>
+        <source>Making the texture</source>
+        <translation>Création de la texture</translation>
+    </message>
+    <message>
+        <source>Noise channels</source>
+        <translation>Canaux de bruit</translation>
+    </message>
+    <message>
+        <source>Of the random numbers that each scale begins with.</source>
+        <translation>Des nombres aléatoires par lesquels commence chaque échelle.</translation>
+    </message>
+    <message>
+        <source>Of the textures that are made and compared in training: larger ones say more of large features, and take longer.</source>
+        <translation>Des textures faites et comparées pendant l’entraînement : plus grandes, elles en disent plus sur les grands motifs et prennent plus de temps.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Remplissage des bords</translation>
+    </message>
+    <message>
+        <source>Samples in one iteration: more make each step surer and longer.</source>
+        <translation>Échantillons par itération : davantage rendent chaque pas plus sûr et plus long.</translation>
+    </message>
+    <message>
+        <source>Samples of {} px are too small for the network, which needs {} px a side.</source>
+        <translation>Des échantillons de {} px sont trop petits pour le réseau, qui demande {} px de côté.</translation>
+    </message>
+    <message>
+        <source>Side of samples</source>
+        <translation>Côté des échantillons</translation>
+    </message>
+    <message>
+        <source>Texture network</source>
+        <translation>Réseau de texture</translation>
+    </message>
+    <message>
+        <source>Texture network, as published</source>
+        <translation>Réseau de texture, comme publié</translation>
+    </message>
+    <message>
+        <source>Texture network: learning rate and batch</source>
+        <translation>Réseau de texture : taux d’apprentissage et lot</translation>
+    </message>
+    <message>
+        <source>Texture network: resolution, pooling, gradients</source>
+        <translation>Réseau de texture : résolution, mise en commun, gradients</translation>
+    </message>
+    <message>
+        <source>Texture network: what training does</source>
+        <translation>Réseau de texture : ce que fait l’entraînement</translation>
+    </message>
+    <message>
+        <source>The exemplar has {} channels with its maps; a generator makes at most {}.</source>
+        <translation>L’exemple a {} canaux avec ses cartes ; un générateur en fait au plus {}.</translation>
+    </message>
+    <message>
+        <source>The generator makes {} channels, and the exemplar has {}.</source>
+        <translation>Le générateur fait {} canaux, et l’exemple en a {}.</translation>
+    </message>
+    <message>
+        <source>There is neither an exemplar to learn from nor a trained generator to make a texture with.</source>
+        <translation>Il n’y a ni exemple dont apprendre, ni générateur entraîné pour faire une texture.</translation>
+    </message>
+    <message>
+        <source>There is no generator to train further: give one, or train anew.</source>
+        <translation>Il n’y a pas de générateur à entraîner davantage : en donner un, ou entraîner de nouveau.</translation>
+    </message>
+    <message>
+        <source>Train further</source>
+        <translation>Entraîner davantage</translation>
+    </message>
+    <message>
+        <source>Training ended after {} of {} iterations, since the next gave values that are no numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
+        <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
+    </message>
+    <message>
+        <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
+        <translation>Entraîne un petit réseau jusqu’à ce que ce qu’il fait du bruit ressemble à l’exemple ; entraîné, il fait aussitôt des textures de toute taille. Pour des motifs sans ordre strict.</translation>
+    </message>
+    <message>
+        <source>Ulyanov et al. as Gutierrez trains them: plain Gram matrices of 256 px, circular padding, batches of four and 5,000 iterations, with the rate falling by 0.8; give it their VGG-19 as its descriptor. Takes hours.</source>
+        <translation>Ulyanov et al. comme Gutierrez les entraîne : de simples matrices de Gram de 256 px, remplissage circulaire, lots de quatre et 5 000 itérations, le taux baissant d’un facteur 0,8 ; donner leur VGG-19 comme descripteur. Prend des heures.</translation>
+    </message>
+    <message>
+        <source>What of samples and exemplar is compared: the feature maps of a descriptor, the distribution of small patches, which makes edges sharper, or both.</source>
+        <translation>Ce qui est comparé des échantillons et de l’exemple : les cartes de caractéristiques d’un descripteur, la distribution de petits morceaux, qui rend les contours plus nets, ou les deux.</translation>
+    </message>
+    <message>
+        <source>What samples find beyond their edges in training: more of an endless texture, or their other end, as published. Either generator makes any part of any size, and wraps.</source>
+        <translation>Ce que les échantillons trouvent au-delà de leurs bords pendant l’entraînement : la suite d’une texture sans fin, ou leur autre bout, comme publié. L’un et l’autre générateur fait toute partie de toute taille, et se raccorde.</translation>
+    </message>
+    <message>
+        <source>What the learning rate is multiplied by each time that it falls.</source>
+        <translation>Ce par quoi le taux d’apprentissage est multiplié chaque fois qu’il baisse.</translation>
+    </message>
+    <message>
+        <source>What was learned, under half a megabyte: given to this method, it makes any size and any part of the texture without training.</source>
+        <translation>Ce qui a été appris, moins d’un demi-mégaoctet : donné à cette méthode, cela fait toute taille et toute partie de la texture sans entraînement.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
