@@ -1,11 +1,14 @@
 // Texture networks: that training lowers the loss, what a trained model makes, how training ends, refusals.
 
+#include "core/base/at.h"
 #include "core/base/error.h"
 #include "core/generator/generator_weights.h"
+#include "core/io/model_file.h"
 #include "core/job/job.h"
 #include "core/math/channel_pca.h"
 #include "core/methods/generator_training.h"
 #include "core/methods/method.h"
+#include "core/session/run/exemplar_file.h"
 #include "tests/support/stopped_run.h"
 
 #include <gmock/gmock.h>
@@ -156,6 +159,21 @@ TEST(TextureNetwork, modelOfTheUsualSizeIsUnderHalfAMegabyte) {
     const Synthesis learned = made(requestFor(blobs({48, 40}, 3), {8, 8}),
                                    {{"iterations", 1}, {"batch", 1}, {"loss", std::string("patches")}});
     EXPECT_LT(learned.outputs.first<Model>(kPort)->bytes().size(), 500'000U);
+}
+
+TEST(TextureNetwork, bundledModelHasItsExemplarsColours) {
+    const auto model =
+        std::make_shared<const Model>(readModel(bundled("../models/crazy_paving.safetensors")));
+    EXPECT_LT(model->bytes().size(), 500'000U);
+    const Image image = made(requestOf(model, {256, 256}), {}).image;
+    const Image exemplar = *loadExemplar(bundled("crazy_paving.png")).image;
+    const std::vector<double> means = channelMeans(image), wanted = channelMeans(exemplar);
+    const Eigen::MatrixXd spread = channelCovariance(image), wantedSpread = channelCovariance(exemplar);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(means[at(c)], wanted[at(c)], 0.5 * std::sqrt(wantedSpread(c, c)));
+        EXPECT_GT(spread(c, c), 0.4 * wantedSpread(c, c));
+        EXPECT_LT(spread(c, c), 2 * wantedSpread(c, c));
+    }
 }
 
 TEST(TextureNetwork, anyPartAloneEqualsTheWholes) {
