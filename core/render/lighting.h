@@ -1,6 +1,10 @@
 #pragma once
 
-#include "core/render/render.h"
+#include "core/image/image.h"
+#include "core/job/job_context.h"
+#include "core/render/environment.h"
+#include "core/render/look.h"
+#include "core/volume/mesh.h"
 
 #include <Eigen/Core>
 
