@@ -1,5 +1,7 @@
 #include "ui/volume/slice_view.h"
 
+#include <Eigen/Geometry>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
