@@ -5552,6 +5552,30 @@
         <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
         <translation>Dieselbe Textur durch vier Deskriptoren und durch einen mit der anderen Art von Pooling, wie Abbildung 4.8 von Gutierrez&apos; Dissertation sie vergleicht.</translation>
     </message>
+    <message>
+        <source>A scale of {} voxels for a unit of the mesh is none; it must be more than 0.</source>
+        <translation>Ein Maßstab von {} Voxeln je Einheit des Netzes ist keiner; er muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Ein Netz wird gefärbt</translation>
+    </message>
+    <message>
+        <source>The box of {} has {} voxels, and one file holds up to {}; write several boxes, which fit together.</source>
+        <translation>Der Quader von {} hat {} Voxel, und eine Datei fasst bis zu {}; schreiben Sie mehrere Quader, die zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>The mesh has no face that could be coloured; choose another one.</source>
+        <translation>Das Netz hat keine Fläche, die gefärbt werden könnte; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Writing a box</source>
+        <translation>Ein Quader wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Ein Schnitt wird geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6057,6 +6081,33 @@
     <message>
         <source>Show the re&amp;gion’s outline</source>
         <translation>Umriss des &amp;Bereichs zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::BoxDialog</name>
+    <message>
+        <source>Box of voxels</source>
+        <translation>Quader aus Voxeln</translation>
+    </message>
+    <message>
+        <source>First voxel</source>
+        <translation>Erstes Voxel</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>First voxel along %1</source>
+        <translation>Erstes Voxel entlang %1</translation>
+    </message>
+    <message>
+        <source>Voxels along %1</source>
+        <translation>Voxel entlang %1</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
     </message>
 </context>
 <context>
@@ -7894,6 +7945,26 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>The session was saved by Texloom %1; this is %2, so results may differ.</source>
         <translation>Die Sitzung wurde von Texloom %1 gespeichert; dies ist %2, daher können Ergebnisse abweichen.</translation>
     </message>
+    <message>
+        <source>S&amp;olids</source>
+        <translation>K&amp;örper</translation>
+    </message>
+    <message>
+        <source>A generator that was trained already: look at it in the Volume tab.</source>
+        <translation>Ein Generator, der schon trainiert ist: im Reiter Volumen zu sehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a solid…</source>
+        <translation>Körper ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Solid to look at</source>
+        <translation>Körper zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Generators and volumes (*.safetensors *.json);;Slices of a volume (*.png *.tif *.exr)</source>
+        <translation>Generatoren und Volumen (*.safetensors *.json);;Schnitte eines Volumens (*.png *.tif *.exr)</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapDeriver</name>
@@ -9341,10 +9412,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>A slice of the volume that the result has: any plane, at any place.</source>
-        <translation>Ein Schnitt durch das Volumen, das zum Ergebnis gehört: jede Ebene, an jeder Stelle.</translation>
-    </message>
-    <message>
         <source>There is no picture yet that could be kept; the run ends as soon as there is one.</source>
         <translation>Noch gibt es kein Bild, das behalten werden könnte; der Vorgang endet, sobald eines da ist.</translation>
     </message>
@@ -9371,6 +9438,14 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The volume of the result: slices at any place, a block cut open, a mesh.</source>
+        <translation>Das Volumen des Ergebnisses: Schnitte an jeder Stelle, ein aufgeschnittener Block, ein Netz.</translation>
     </message>
 </context>
 <context>
@@ -9555,34 +9630,61 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
-    <name>texloom::ui::SlicePanel</name>
+    <name>texloom::ui::SliceView</name>
+    <message>
+        <source>Slice square to %1</source>
+        <translation>Schnitt senkrecht zu %1</translation>
+    </message>
+    <message>
+        <source>Oblique slice</source>
+        <translation>Schräger Schnitt</translation>
+    </message>
+    <message>
+        <source>Oblique · %1°, %2°</source>
+        <translation>Schräg · %1°, %2°</translation>
+    </message>
     <message>
         <source>There is no volume to look at.</source>
         <translation>Es gibt kein Volumen zu sehen.</translation>
     </message>
     <message>
-        <source>Making the slice…</source>
-        <translation>Der Schnitt entsteht …</translation>
+        <source>Making it…</source>
+        <translation>Wird gemacht …</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidPanel</name>
+    <message>
+        <source>Block with a part cut away</source>
+        <translation>Block mit einem weggeschnittenen Teil</translation>
     </message>
     <message>
-        <source>The axis that the slice is square to while it is not turned</source>
-        <translation>Die Achse, zu der der Schnitt senkrecht steht, solange er nicht gedreht ist</translation>
+        <source>Drag to turn it, with Ctrl to move the cut, which goes through the crosshair; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Ziehen dreht ihn, mit Strg verschiebt es den Schnitt, der durch das Fadenkreuz geht; das Rad kommt näher. Ein Doppelklick gibt ihm allen Platz.</translation>
     </message>
     <message>
-        <source>Square to z</source>
-        <translation>Senkrecht zu z</translation>
+        <source>Mesh with the volume&apos;s colours</source>
+        <translation>Netz mit den Farben des Volumens</translation>
     </message>
     <message>
-        <source>Square to y</source>
-        <translation>Senkrecht zu y</translation>
+        <source>Drag to turn it, with Ctrl to move the volume in the mesh; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Ziehen dreht es, mit Strg verschiebt es das Volumen im Netz; das Rad kommt näher. Ein Doppelklick gibt ihm allen Platz.</translation>
     </message>
     <message>
-        <source>Square to x</source>
-        <translation>Senkrecht zu x</translation>
+        <source>Oblique slice</source>
+        <translation>Schräger Schnitt</translation>
     </message>
     <message>
-        <source>The voxel in the middle of the picture</source>
-        <translation>Das Voxel in der Mitte des Bildes</translation>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>What the fourth view shows</source>
+        <translation>Was die vierte Ansicht zeigt</translation>
     </message>
     <message>
         <source>How far the slice is turned about the picture&apos;s vertical</source>
@@ -9593,28 +9695,8 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Wie weit der Schnitt um die Waagrechte des Bildes gekippt ist</translation>
     </message>
     <message>
-        <source>Width and height of the picture</source>
-        <translation>Breite und Höhe des Bildes</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Slice</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Middle x</source>
-        <translation>Mitte x</translation>
-    </message>
-    <message>
-        <source>Middle y</source>
-        <translation>Mitte y</translation>
-    </message>
-    <message>
-        <source>Middle z</source>
-        <translation>Mitte z</translation>
+        <source>Cuts at 45° between x and z</source>
+        <translation>Schneidet bei 45° zwischen x und z</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -9625,8 +9707,107 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Neigung</translation>
     </message>
     <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Beyond x</source>
+        <translation>Jenseits x</translation>
+    </message>
+    <message>
+        <source>Above y</source>
+        <translation>Über y</translation>
+    </message>
+    <message>
+        <source>Before z</source>
+        <translation>Vor z</translation>
+    </message>
+    <message>
+        <source>What is cut away at the crosshair</source>
+        <translation>Was am Fadenkreuz weggeschnitten ist</translation>
+    </message>
+    <message>
+        <source>Voxels along the block&apos;s sides</source>
+        <translation>Voxel entlang der Seiten des Blocks</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
         <source>Side</source>
         <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>The surface; it needs no places in a texture</source>
+        <translation>Die Fläche; sie braucht keine Orte in einer Textur</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Voxels along the mesh&apos;s longest side: more of them are smaller</source>
+        <translation>Voxel entlang der längsten Seite des Netzes: mehr davon sind kleiner</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about x</source>
+        <translation>Wie weit das Volumen um x gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about y</source>
+        <translation>Wie weit das Volumen um y gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about z</source>
+        <translation>Wie weit das Volumen um z gedreht ist</translation>
+    </message>
+    <message>
+        <source>Mesh to show the volume on</source>
+        <translation>Netz, das das Volumen zeigt</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb)</source>
+        <translation>Netze (*.obj *.ply *.gltf *.glb)</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidView</name>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Es gibt kein Volumen zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -9974,6 +10155,101 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::VolumePage</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>The voxel under the crosshair</source>
+        <translation>Das Voxel unter dem Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>Alle Ansichten</translation>
+    </message>
+    <message>
+        <source>Gives each view its part of the room again</source>
+        <translation>Gibt jeder Ansicht wieder ihren Platz</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Click to bring the crosshair here; drag its lines to move it, and the rest to move along. The wheel zooms, with Ctrl it steps through the volume, like Page Up and Page Down. Double click gives it all the room.</source>
+        <translation>Ein Klick bringt das Fadenkreuz hierher; an seinen Linien gezogen bewegt es sich, sonst der Schnitt. Das Rad vergrößert, mit Strg geht es durch das Volumen, wie Bild auf und Bild ab. Ein Doppelklick gibt ihm allen Platz.</translation>
+    </message>
+    <message>
+        <source>Drag to move along, with Shift to turn the slice; a click brings the crosshair here. Double click gives it all the room.</source>
+        <translation>Ziehen bewegt den Schnitt, mit Umschalt dreht es ihn; ein Klick bringt das Fadenkreuz hierher. Ein Doppelklick gibt ihm allen Platz.</translation>
+    </message>
+    <message>
+        <source>Slice as it is seen…</source>
+        <translation>Schnitt, wie er zu sehen ist …</translation>
+    </message>
+    <message>
+        <source>Box of voxels…</source>
+        <translation>Quader aus Voxeln …</translation>
+    </message>
+    <message>
+        <source>Mesh with colours…</source>
+        <translation>Netz mit Farben …</translation>
+    </message>
+    <message>
+        <source>Save the slice %1</source>
+        <translation>Den Schnitt %1 speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation>Bilder (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Save a box of voxels</source>
+        <translation>Einen Quader aus Voxeln speichern</translation>
+    </message>
+    <message>
+        <source>Raw numbers and JSON (*.json);;Numbered slices (*.png *.tif *.exr)</source>
+        <translation>Rohe Zahlen und JSON (*.json);;Nummerierte Schnitte (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet: choose one in the fourth view, under Mesh.</source>
+        <translation>Es gibt noch kein Netz: wählen Sie eines in der vierten Ansicht, unter Netz.</translation>
+    </message>
+    <message>
+        <source>Mesh with colours</source>
+        <translation>Netz mit Farben</translation>
+    </message>
+    <message>
+        <source>Voxels from one vertex to the next, at most (0 leaves the mesh as it is):</source>
+        <translation>Voxel von einer Ecke zur nächsten, höchstens (0 lässt das Netz, wie es ist):</translation>
+    </message>
+    <message>
+        <source>Save the mesh with its colours</source>
+        <translation>Das Netz mit seinen Farben speichern</translation>
+    </message>
+    <message>
+        <source>Meshes with colours (*.ply *.obj *.glb)</source>
+        <translation>Netze mit Farben (*.ply *.obj *.glb)</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Ein Schnitt wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing a box of voxels</source>
+        <translation>Ein Quader aus Voxeln wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Ein Netz wird gefärbt</translation>
+    </message>
+    <message>
+        <source>There is no volume to save anything of.</source>
+        <translation>Es gibt kein Volumen, von dem etwas zu speichern wäre.</translation>
     </message>
 </context>
 <context>

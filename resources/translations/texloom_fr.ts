@@ -5552,6 +5552,30 @@
         <source>The same texture by four descriptors, and by one with the other kind of pooling, as figure 4.8 of Gutierrez&apos; thesis compares them.</source>
         <translation>La même texture par quatre descripteurs, et par l&apos;un d&apos;eux avec l&apos;autre mise en commun, comme les compare la figure 4.8 de la thèse de Gutierrez.</translation>
     </message>
+    <message>
+        <source>A scale of {} voxels for a unit of the mesh is none; it must be more than 0.</source>
+        <translation>Une échelle de {} voxels par unité du maillage n’en est pas une ; elle doit être supérieure à 0.</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Coloration d’un maillage</translation>
+    </message>
+    <message>
+        <source>The box of {} has {} voxels, and one file holds up to {}; write several boxes, which fit together.</source>
+        <translation>La boîte de {} a {} voxels, et un fichier en contient jusqu’à {} ; écrivez plusieurs boîtes, qui se raccordent.</translation>
+    </message>
+    <message>
+        <source>The mesh has no face that could be coloured; choose another one.</source>
+        <translation>Le maillage n’a aucune face à colorer ; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Writing a box</source>
+        <translation>Écriture d’une boîte</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Écriture d’une coupe</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6057,6 +6081,33 @@
     <message>
         <source>Show the re&amp;gion’s outline</source>
         <translation>Montrer le contour de la ré&amp;gion</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::BoxDialog</name>
+    <message>
+        <source>Box of voxels</source>
+        <translation>Boîte de voxels</translation>
+    </message>
+    <message>
+        <source>First voxel</source>
+        <translation>Premier voxel</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxels</translation>
+    </message>
+    <message>
+        <source>First voxel along %1</source>
+        <translation>Premier voxel le long de %1</translation>
+    </message>
+    <message>
+        <source>Voxels along %1</source>
+        <translation>Voxels le long de %1</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 voxels</translation>
     </message>
 </context>
 <context>
@@ -7894,6 +7945,26 @@ Déposez une image ici.</translation>
         <source>The session was saved by Texloom %1; this is %2, so results may differ.</source>
         <translation>La session a été enregistrée par Texloom %1 ; ceci est %2, les résultats peuvent donc différer.</translation>
     </message>
+    <message>
+        <source>S&amp;olids</source>
+        <translation>S&amp;olides</translation>
+    </message>
+    <message>
+        <source>A generator that was trained already: look at it in the Volume tab.</source>
+        <translation>Un générateur déjà entraîné : à voir dans l’onglet Volume.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a solid…</source>
+        <translation>&amp;Ouvrir un solide…</translation>
+    </message>
+    <message>
+        <source>Solid to look at</source>
+        <translation>Solide à regarder</translation>
+    </message>
+    <message>
+        <source>Generators and volumes (*.safetensors *.json);;Slices of a volume (*.png *.tif *.exr)</source>
+        <translation>Générateurs et volumes (*.safetensors *.json);;Coupes d’un volume (*.png *.tif *.exr)</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::MapDeriver</name>
@@ -9341,10 +9412,6 @@ Déposez une image ici.</translation>
         <translation>Volume</translation>
     </message>
     <message>
-        <source>A slice of the volume that the result has: any plane, at any place.</source>
-        <translation>Une coupe du volume qui accompagne le résultat : tout plan, à tout endroit.</translation>
-    </message>
-    <message>
         <source>There is no picture yet that could be kept; the run ends as soon as there is one.</source>
         <translation>Il n’y a pas encore d’image à garder ; le calcul se termine dès qu’il y en a une.</translation>
     </message>
@@ -9371,6 +9438,14 @@ Déposez une image ici.</translation>
     <message>
         <source>Open folder</source>
         <translation>Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The volume of the result: slices at any place, a block cut open, a mesh.</source>
+        <translation>Le volume du résultat : des coupes n’importe où, un bloc ouvert, un maillage.</translation>
     </message>
 </context>
 <context>
@@ -9555,34 +9630,61 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
-    <name>texloom::ui::SlicePanel</name>
+    <name>texloom::ui::SliceView</name>
+    <message>
+        <source>Slice square to %1</source>
+        <translation>Coupe perpendiculaire à %1</translation>
+    </message>
+    <message>
+        <source>Oblique slice</source>
+        <translation>Coupe oblique</translation>
+    </message>
+    <message>
+        <source>Oblique · %1°, %2°</source>
+        <translation>Oblique · %1°, %2°</translation>
+    </message>
     <message>
         <source>There is no volume to look at.</source>
-        <translation>Il n’y a pas de volume à regarder.</translation>
+        <translation>Il n’y a aucun volume à voir.</translation>
     </message>
     <message>
-        <source>Making the slice…</source>
-        <translation>Calcul de la coupe…</translation>
+        <source>Making it…</source>
+        <translation>En préparation…</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidPanel</name>
+    <message>
+        <source>Block with a part cut away</source>
+        <translation>Bloc dont une partie est coupée</translation>
     </message>
     <message>
-        <source>The axis that the slice is square to while it is not turned</source>
-        <translation>L’axe auquel la coupe est perpendiculaire tant qu’elle n’est pas tournée</translation>
+        <source>Drag to turn it, with Ctrl to move the cut, which goes through the crosshair; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Glisser le tourne, avec Ctrl déplace la coupe, qui passe par le réticule ; la molette rapproche. Un double clic lui donne toute la place.</translation>
     </message>
     <message>
-        <source>Square to z</source>
-        <translation>Perpendiculaire à z</translation>
+        <source>Mesh with the volume&apos;s colours</source>
+        <translation>Maillage aux couleurs du volume</translation>
     </message>
     <message>
-        <source>Square to y</source>
-        <translation>Perpendiculaire à y</translation>
+        <source>Drag to turn it, with Ctrl to move the volume in the mesh; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Glisser le tourne, avec Ctrl déplace le volume dans le maillage ; la molette rapproche. Un double clic lui donne toute la place.</translation>
     </message>
     <message>
-        <source>Square to x</source>
-        <translation>Perpendiculaire à x</translation>
+        <source>Oblique slice</source>
+        <translation>Coupe oblique</translation>
     </message>
     <message>
-        <source>The voxel in the middle of the picture</source>
-        <translation>Le voxel au milieu de l’image</translation>
+        <source>Block</source>
+        <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>What the fourth view shows</source>
+        <translation>Ce que montre la quatrième vue</translation>
     </message>
     <message>
         <source>How far the slice is turned about the picture&apos;s vertical</source>
@@ -9590,31 +9692,11 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>How far the slice is turned about the picture&apos;s horizontal</source>
-        <translation>De combien la coupe est inclinée autour de l’horizontale de l’image</translation>
+        <translation>De combien la coupe est tournée autour de l’horizontale de l’image</translation>
     </message>
     <message>
-        <source>Width and height of the picture</source>
-        <translation>Largeur et hauteur de l’image</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Slice</source>
-        <translation>Coupe</translation>
-    </message>
-    <message>
-        <source>Middle x</source>
-        <translation>Milieu x</translation>
-    </message>
-    <message>
-        <source>Middle y</source>
-        <translation>Milieu y</translation>
-    </message>
-    <message>
-        <source>Middle z</source>
-        <translation>Milieu z</translation>
+        <source>Cuts at 45° between x and z</source>
+        <translation>Coupe à 45° entre x et z</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -9625,8 +9707,107 @@ Déposez une image ici.</translation>
         <translation>Inclinaison</translation>
     </message>
     <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Coin</translation>
+    </message>
+    <message>
+        <source>Beyond x</source>
+        <translation>Au-delà de x</translation>
+    </message>
+    <message>
+        <source>Above y</source>
+        <translation>Au-dessus de y</translation>
+    </message>
+    <message>
+        <source>Before z</source>
+        <translation>Devant z</translation>
+    </message>
+    <message>
+        <source>What is cut away at the crosshair</source>
+        <translation>Ce qui est coupé au réticule</translation>
+    </message>
+    <message>
+        <source>Voxels along the block&apos;s sides</source>
+        <translation>Voxels le long des côtés du bloc</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
         <source>Side</source>
         <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Cube</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>D’un fichier…</translation>
+    </message>
+    <message>
+        <source>The surface; it needs no places in a texture</source>
+        <translation>La surface ; elle n’a pas besoin de places dans une texture</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Voxels along the mesh&apos;s longest side: more of them are smaller</source>
+        <translation>Voxels le long du plus grand côté du maillage : plus il y en a, plus ils sont petits</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about x</source>
+        <translation>De combien le volume est tourné autour de x</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about y</source>
+        <translation>De combien le volume est tourné autour de y</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about z</source>
+        <translation>De combien le volume est tourné autour de z</translation>
+    </message>
+    <message>
+        <source>Mesh to show the volume on</source>
+        <translation>Maillage sur lequel montrer le volume</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb)</source>
+        <translation>Maillages (*.obj *.ply *.gltf *.glb)</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidView</name>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin en cours…</translation>
+    </message>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Il n’y a aucun volume à voir.</translation>
     </message>
 </context>
 <context>
@@ -9974,6 +10155,101 @@ Déposez une image ici.</translation>
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::VolumePage</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>The voxel under the crosshair</source>
+        <translation>Le voxel sous le réticule</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>Toutes les vues</translation>
+    </message>
+    <message>
+        <source>Gives each view its part of the room again</source>
+        <translation>Rend à chaque vue sa part de la place</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Click to bring the crosshair here; drag its lines to move it, and the rest to move along. The wheel zooms, with Ctrl it steps through the volume, like Page Up and Page Down. Double click gives it all the room.</source>
+        <translation>Un clic amène le réticule ici ; glisser ses lignes le déplace, glisser le reste fait défiler. La molette agrandit, avec Ctrl elle parcourt le volume, comme Page préc. et Page suiv. Un double clic lui donne toute la place.</translation>
+    </message>
+    <message>
+        <source>Drag to move along, with Shift to turn the slice; a click brings the crosshair here. Double click gives it all the room.</source>
+        <translation>Glisser fait défiler, avec Maj tourne la coupe ; un clic amène le réticule ici. Un double clic lui donne toute la place.</translation>
+    </message>
+    <message>
+        <source>Slice as it is seen…</source>
+        <translation>La coupe telle qu’on la voit…</translation>
+    </message>
+    <message>
+        <source>Box of voxels…</source>
+        <translation>Boîte de voxels…</translation>
+    </message>
+    <message>
+        <source>Mesh with colours…</source>
+        <translation>Maillage en couleurs…</translation>
+    </message>
+    <message>
+        <source>Save the slice %1</source>
+        <translation>Enregistrer la coupe %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation>Images (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Save a box of voxels</source>
+        <translation>Enregistrer une boîte de voxels</translation>
+    </message>
+    <message>
+        <source>Raw numbers and JSON (*.json);;Numbered slices (*.png *.tif *.exr)</source>
+        <translation>Nombres bruts et JSON (*.json);;Coupes numérotées (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet: choose one in the fourth view, under Mesh.</source>
+        <translation>Il n’y a pas encore de maillage : choisissez-en un dans la quatrième vue, sous Maillage.</translation>
+    </message>
+    <message>
+        <source>Mesh with colours</source>
+        <translation>Maillage en couleurs</translation>
+    </message>
+    <message>
+        <source>Voxels from one vertex to the next, at most (0 leaves the mesh as it is):</source>
+        <translation>Voxels d’un sommet au suivant, au plus (0 laisse le maillage tel quel) :</translation>
+    </message>
+    <message>
+        <source>Save the mesh with its colours</source>
+        <translation>Enregistrer le maillage avec ses couleurs</translation>
+    </message>
+    <message>
+        <source>Meshes with colours (*.ply *.obj *.glb)</source>
+        <translation>Maillages en couleurs (*.ply *.obj *.glb)</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Écriture d’une coupe</translation>
+    </message>
+    <message>
+        <source>Writing a box of voxels</source>
+        <translation>Écriture d’une boîte de voxels</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Coloration d’un maillage</translation>
+    </message>
+    <message>
+        <source>There is no volume to save anything of.</source>
+        <translation>Il n’y a aucun volume dont enregistrer quelque chose.</translation>
     </message>
 </context>
 <context>
