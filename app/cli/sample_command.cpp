@@ -12,8 +12,8 @@
 #include "core/session/run/asset_file.h"
 #include "core/volume/coloured_mesh.h"
 #include "core/volume/mesh_file.h"
-#include "core/volume/point_samples.h"
 #include "core/volume/slice.h"
+#include "core/volume/solid_placement.h"
 #include "core/volume/volume_file.h"
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct SampleCommand {
     fs::path solid, output, mesh;
-    std::string box, plane, depth, space = "srgb", offset;
+    std::string box, plane, depth, space = "srgb", offset, rotate;
     std::optional<Size> size;
     double turn = 0, tilt = 0, scale = 0;
     std::uint64_t seed = 0;
@@ -72,12 +72,7 @@ Box boxOf(const std::string& text) {
     const auto whole = [&](std::size_t i) { return static_cast<std::int64_t>(numbers[i]); };
     const auto side = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
     const Box box{whole(0), whole(1), whole(2), {side(3), side(4), side(5)}};
-    box.check();
-    if (box.size.voxels() > kLargestFileVoxels)
-        failUsage(
-            "--box {}: it has {} voxels; one call writes up to {}. Ask for several boxes: they fit together.",
-            text, grouped(static_cast<std::uint64_t>(box.size.voxels())),
-            grouped(static_cast<std::uint64_t>(kLargestFileVoxels)));
+    checkFileBox(box);
     return box;
 }
 
@@ -152,22 +147,19 @@ void writeMeshColours(const SampleCommand& command, const Solid& solid, JobConte
     const double longest = static_cast<double>((bounds.highest - bounds.lowest).maxCoeff());
     constexpr double kUsual = 128;
     const double scale = command.scale > 0 ? command.scale : kUsual / std::max(longest, 1e-12);
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-    if (!command.offset.empty()) {
-        const std::vector<double> numbers = numbersIn("--offset", command.offset, 3);
-        offset = {numbers[0], numbers[1], numbers[2]};
-    }
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(mesh.positions.size());
-    for (const Eigen::Vector3f& position : mesh.positions)
-        points.emplace_back(scale * position.cast<double>() + offset);
-    const std::vector<float> values = sampledAt(*solid.source, points, context);
-    const auto channels = static_cast<std::size_t>(solid.source->channels());
-    std::vector<float> colours;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c)
-            colours.push_back(values[i * channels + (channels < 3 ? 0 : c)]);
-    writeColouredMesh(command.output, mesh, colours, [&context] { context.check(); });
+    SolidPlacement placement;
+    placement.scale = scale;
+    const auto three = [](const std::string& option, const std::string& text) -> Eigen::Vector3d {
+        if (text.empty())
+            return Eigen::Vector3d::Zero();
+        const std::vector<double> numbers = numbersIn(option, text, 3);
+        return {numbers[0], numbers[1], numbers[2]};
+    };
+    placement.offset = three("--offset", command.offset);
+    placement.angles = three("--rotate", command.rotate) * (std::numbers::pi / 180);
+    writeColouredMesh(
+        command.output, mesh, vertexColours(mesh, *solid.source, placement, context),
+        [&context] { context.check(); }, solid.recipe);
 }
 
 void checkOutputs(const SampleCommand& command) {
@@ -241,6 +233,8 @@ void addSample(CLI::App& app) {
     command->add_option("--scale", options->scale,
                         "Voxels for one unit of a mesh; 128 for its longest side if not given");
     command->add_option("--offset", options->offset, "Voxel at a mesh's origin, as x,y,z");
+    command->add_option("--rotate", options->rotate,
+                        "Degrees by which a solid is turned in a mesh about x, then y, then z, as x,y,z");
     addSeed(*command, options->seed, "Of a generator: whole number from 0; another seed gives another solid");
     command->add_option(
         "--tile", options->tile,

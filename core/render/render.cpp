@@ -1,6 +1,6 @@
 #include "core/render/render.h"
 
-#include "core/render/microfacets.h"
+#include "core/render/lighting.h"
 #include "core/render/visibility.h"
 
 #include <Eigen/Geometry>
@@ -14,10 +14,6 @@ namespace {
 
 using Eigen::Vector2f;
 using Eigen::Vector3f;
-
-constexpr float kGlass = 0.04F;    ///< what a surface that is no metal reflects when seen straight on
-constexpr float kBackdrop = 0.18F; ///< mid-grey
-constexpr float kBackdropBlur = 0.3F;
 
 /// A point of the surface as it is seen.
 struct Point {
@@ -42,14 +38,13 @@ class Shader {
 public:
     Shader(const RenderMesh& mesh, const MaterialTexture& material, const Environment& light,
            const Look& look, const Visibility& visibility)
-        : m_mesh(mesh), m_material(material), m_light(light), m_look(look), m_visibility(visibility),
-          m_eye(look.camera.position()), m_axes(look.camera.axes()), m_gain(std::exp2(look.exposure)),
-          m_lightTurn(Eigen::AngleAxisf(-look.lightTurn, Vector3f::UnitY()).toRotationMatrix()) {}
+        : m_mesh(mesh), m_material(material), m_look(look), m_visibility(visibility), m_lighting(light, look),
+          m_eye(look.camera.position()) {}
 
     /// Colour and opacity of a pixel.
     Eigen::Vector4f at(int x, int y) const {
         const Hit& hit = m_visibility.at(x, y);
-        Eigen::Vector4f behind = beside(x, y);
+        const Eigen::Vector4f behind = m_lighting.backdrop(x, y, m_visibility.size());
         if (!hit.any())
             return behind;
         Point point = pointOf(hit, x, y);
@@ -67,25 +62,6 @@ public:
     }
 
 private:
-    Vector3f radiance(const Vector3f& direction, float roughness) const {
-        return m_gain * m_light.radiance(m_lightTurn * direction, roughness);
-    }
-
-    Eigen::Vector4f beside(int x, int y) const {
-        if (m_look.backdrop == Backdrop::Nothing)
-            return Eigen::Vector4f::Zero();
-        if (m_look.backdrop == Backdrop::Grey)
-            return {kBackdrop, kBackdrop, kBackdrop, 1};
-        const Size size = m_visibility.size();
-        const float half = static_cast<float>(std::min(size.width, size.height)) / 2;
-        const float right = (static_cast<float>(x) + 0.5F - static_cast<float>(size.width) / 2) / half;
-        const float up = (static_cast<float>(size.height) / 2 - static_cast<float>(y) - 0.5F) / half;
-        const float open = std::tan(m_look.camera.angle / 2);
-        const Vector3f direction = m_axes.transpose() * Vector3f(right * open, up * open, -1).normalized();
-        const Vector3f light = radiance(direction, kBackdropBlur);
-        return {light.x(), light.y(), light.z(), 1};
-    }
-
     Vector2f uvAt(const Mesh::Triangle& triangle, const std::array<double, 3>& shares) const {
         Vector2f uv = Vector2f::Zero();
         for (std::size_t i = 0; i < 3; ++i)
@@ -107,7 +83,7 @@ private:
         point.normal.normalize();
         point.alongU = (point.alongU - point.normal * point.normal.dot(point.alongU)).normalized();
         point.alongV = m_mesh.tangents[triangle[0]].w() * point.normal.cross(point.alongU);
-        if (facesAway(triangle, point))
+        if (facesAway(m_mesh.mesh, triangle, point.normal, point.toViewer))
             point.normal = -point.normal;
         const SeenTriangle seen = m_visibility.seen(hit.triangle);
         const double column = x + 0.5, row = y + 0.5;
@@ -116,14 +92,6 @@ private:
             std::min(1.0F, std::max((uvAt(triangle, seen.shares(column + 1, row)) - point.uv).norm(),
                                     (uvAt(triangle, seen.shares(column, row + 1)) - point.uv).norm()));
         return point;
-    }
-
-    /// Whether the mesh's normal is on the other side of the triangle than the viewer: then its back is seen.
-    bool facesAway(const Mesh::Triangle& triangle, const Point& point) const {
-        const Vector3f& corner = m_mesh.mesh.positions[triangle[0]];
-        const Vector3f flat =
-            (m_mesh.mesh.positions[triangle[1]] - corner).cross(m_mesh.mesh.positions[triangle[2]] - corner);
-        return flat.dot(point.normal) * flat.dot(point.toViewer) < 0;
     }
 
     /// Moves a point in the texture to where the line of sight meets the heights.
@@ -183,37 +151,21 @@ private:
                               sample[Texture::NormalV] * point.alongV +
                               sample[Texture::NormalOut] * point.normal;
         const float length = bent.norm();
-        const Vector3f normal = length > 1e-6F ? Vector3f(bent / length) : point.normal;
-        const Vector3f albedo(sample[Texture::Red], sample[Texture::Green], sample[Texture::Blue]);
-        const float roughness = widened(sample[Texture::Roughness], length);
-        const float metallic = sample[Texture::Metallic], occlusion = sample[Texture::Occlusion];
-        const float cosine = std::clamp(normal.dot(point.toViewer), 1e-3F, 1.0F);
-        const Vector3f straightOn = Vector3f::Constant(kGlass * (1 - metallic)) + metallic * albedo;
-
-        const Reflected once = SplitSum::table().at(cosine, roughness);
-        const Vector3f single = straightOn * once.scale + Vector3f::Constant(once.bias);
-        const float left = 1 - once.scale - once.bias; // what bounces on between the facets
-        const Vector3f mean = straightOn + (Vector3f::Ones() - straightOn) / 21;
-        const Vector3f several =
-            left * single.cwiseProduct(mean).cwiseQuotient(Vector3f::Ones() - left * mean);
-        const Vector3f matt = (1 - metallic) * albedo.cwiseProduct(Vector3f::Ones() - single - several);
-
-        const Vector3f mirrored = 2 * cosine * normal - point.toViewer;
-        const float horizon = std::clamp(1 + mirrored.dot(point.normal), 0.0F, 1.0F);
-        const Vector3f around = m_gain * m_light.irradiance(m_lightTurn * normal);
-        const Vector3f glossy = horizon * horizon * radiance(mirrored.normalized(), roughness);
-        return occlusion * ((several + matt).cwiseProduct(around) + single.cwiseProduct(glossy));
+        return m_lighting.reflected({length > 1e-6F ? Vector3f(bent / length) : point.normal,
+                                     point.normal,
+                                     point.toViewer,
+                                     {sample[Texture::Red], sample[Texture::Green], sample[Texture::Blue]},
+                                     widened(sample[Texture::Roughness], length),
+                                     sample[Texture::Metallic],
+                                     sample[Texture::Occlusion]});
     }
 
     const RenderMesh& m_mesh;
     const MaterialTexture& m_material;
-    const Environment& m_light;
     const Look& m_look;
     const Visibility& m_visibility;
+    Lighting m_lighting;
     Vector3f m_eye;
-    Eigen::Matrix3f m_axes;
-    float m_gain;
-    Eigen::Matrix3f m_lightTurn;
 };
 
 } // namespace
@@ -223,24 +175,8 @@ Image rendered(const RenderMesh& mesh, const MaterialTexture& material, const En
     const int samples = std::clamp(look.samples, 1, 4);
     const Visibility visibility(mesh, look.camera, {size.width * samples, size.height * samples}, context);
     const Shader shader(mesh, material, light, look, visibility);
-    Image made(size, 4);
-    context.parallel(0, size.height, [&](int y) {
-        for (int x = 0; x < size.width; ++x) {
-            Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-            for (int j = 0; j < samples; ++j)
-                for (int i = 0; i < samples; ++i) {
-                    const Eigen::Vector4f one = shader.at(x * samples + i, y * samples + j);
-                    sum.head<3>() += one.w() * one.head<3>();
-                    sum.w() += one.w();
-                }
-            if (sum.w() > 0)
-                sum.head<3>() /= sum.w();
-            for (int c = 0; c < 3; ++c)
-                made(x, y, c) = sum[c];
-            made(x, y, 3) = sum.w() / static_cast<float>(samples * samples);
-        }
-    });
-    return made;
+    return meanOfSamples(
+        size, samples, [&](int x, int y) { return shader.at(x, y); }, context);
 }
 
 } // namespace texloom

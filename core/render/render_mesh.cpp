@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -173,7 +174,76 @@ RenderMesh finished(Mesh mesh) {
     return made;
 }
 
+/// A block in parts: along each axis it goes up to the cut, and on behind it.
+struct Parts {
+    std::array<std::array<float, 3>, 3> edges{}; ///< of an axis: where it begins, the cut, where it ends
+    CutAway away = CutAway::Nothing;
+
+    /// Whether a part is there; numbers beyond 0 and 1 lie outside.
+    bool has(const std::array<int, 3>& part) const {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (const auto i = static_cast<std::size_t>(part[axis]);
+                part[axis] < 0 || part[axis] > 1 || !(edges[axis][i] < edges[axis][i + 1]))
+                return false;
+        switch (away) {
+        case CutAway::Nothing:
+            return true;
+        case CutAway::Corner:
+            return part != std::array<int, 3>{1, 1, 1};
+        case CutAway::X:
+        case CutAway::Y:
+        case CutAway::Z:
+            break;
+        }
+        return part[static_cast<std::size_t>(away) - static_cast<std::size_t>(CutAway::X)] == 0;
+    }
+};
+
+/// The face of a part on one side of it along an axis.
+void addFace(Mesh& mesh, const Parts& parts, const std::array<int, 3>& part, std::size_t axis, int side) {
+    const auto edge = [&](std::size_t along, int further) {
+        return parts.edges[along][static_cast<std::size_t>(part[along] + further)];
+    };
+    const std::size_t s = (axis + 1) % 3, t = (axis + 2) % 3;
+    Vector3f corner, right = Vector3f::Zero(), down = Vector3f::Zero(), normal = Vector3f::Zero();
+    const auto index = [](std::size_t number) { return static_cast<Eigen::Index>(number); };
+    corner[index(axis)] = edge(axis, side > 0 ? 1 : 0);
+    corner[index(s)] = edge(s, 0);
+    corner[index(t)] = edge(t, side > 0 ? 1 : 0); // so that it is seen from outside
+    right[index(s)] = edge(s, 1) - edge(s, 0);
+    down[index(t)] = static_cast<float>(-side) * (edge(t, 1) - edge(t, 0));
+    normal[index(axis)] = static_cast<float>(side);
+    addGrid(mesh, 1, 1, [&](float u, float v) {
+        return Vertex{corner + u * right + v * down, normal, {u, v}};
+    });
+}
+
 } // namespace
+
+RenderMesh carvedBlock(const Eigen::Vector3f& sides, CutAway away, const Eigen::Vector3f& cut) {
+    Parts parts;
+    parts.away = away;
+    const Vector3f half = sides / sides.norm();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<Eigen::Index>(axis);
+        const float place = half[i] * (2 * std::clamp(cut[i], 0.0F, 1.0F) - 1);
+        parts.edges[axis] = {-half[i], away == CutAway::Nothing ? half[i] : place, half[i]};
+    }
+    Mesh mesh;
+    for (int number = 0; number < 8; ++number) {
+        const std::array<int, 3> part{number & 1, number >> 1 & 1, number >> 2};
+        if (!parts.has(part))
+            continue;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            for (const int side : {-1, 1}) {
+                std::array<int, 3> beside = part;
+                beside[axis] += side;
+                if (!parts.has(beside))
+                    addFace(mesh, parts, part, axis, side);
+            }
+    }
+    return finished(std::move(mesh));
+}
 
 RenderMesh renderMesh(Mesh mesh) {
     if (mesh.triangles.empty())

@@ -29,4 +29,13 @@ RenderMesh renderMesh(Mesh mesh);
 /// twice around a sphere and three times around a cylinder, as high as it is wide on the surface.
 RenderMesh renderMesh(BasicShape shape);
 
+/// What of a block is cut away, so that one sees what is inside: nothing, the corner towards the viewer as
+/// Camera stands at first, or all on one side of a plane square to an axis.
+enum class CutAway { Nothing, Corner, X, Y, Z };
+
+/// A block of these sides in the middle of space, its diagonal 2 long, with a cut through a point of it:
+/// what lies beyond the point along x, y and z, or along one of them, is away.
+/// @param sides in any unit, each more than 0. @param cut the point, from 0 to 1 along each side.
+RenderMesh carvedBlock(const Eigen::Vector3f& sides, CutAway away, const Eigen::Vector3f& cut);
+
 } // namespace texloom

@@ -31,9 +31,20 @@ std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
 }
 
-std::string plyOf(const Mesh& mesh, const std::vector<float>& colours, const std::function<void()>& check) {
-    std::string bytes = fmt::format(
-        "ply\nformat binary_little_endian 1.0\ncomment Texloom\nelement vertex {}\n", mesh.positions.size());
+/// Comments end with their line; between two words of JSON a blank means the same.
+std::string inOneLine(const std::string& recipe) {
+    std::string line = recipe;
+    for (char& letter : line)
+        if (letter == '\n' || letter == '\r')
+            letter = ' ';
+    return line;
+}
+
+std::string plyOf(const Mesh& mesh, const std::vector<float>& colours, const std::string& recipe,
+                  const std::function<void()>& check) {
+    std::string bytes =
+        fmt::format("ply\nformat binary_little_endian 1.0\ncomment Texloom {}\nelement vertex {}\n", recipe,
+                    mesh.positions.size());
     for (const char* name : {"x", "y", "z", "nx", "ny", "nz"})
         bytes += fmt::format("property float {}\n", name);
     for (const char* name : {"red", "green", "blue"})
@@ -57,8 +68,9 @@ std::string plyOf(const Mesh& mesh, const std::vector<float>& colours, const std
     return bytes;
 }
 
-std::string objOf(const Mesh& mesh, const std::vector<float>& colours, const std::function<void()>& check) {
-    std::string text = "# Texloom\n";
+std::string objOf(const Mesh& mesh, const std::vector<float>& colours, const std::string& recipe,
+                  const std::function<void()>& check) {
+    std::string text = fmt::format("# Texloom {}\n", recipe);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         ask(check, i);
         const Eigen::Vector3f& p = mesh.positions[i];
@@ -87,7 +99,8 @@ Image lightOf(const std::vector<float>& colours) {
     return light;
 }
 
-std::string glbOf(const Mesh& mesh, const std::vector<float>& colours, const std::function<void()>& check) {
+std::string glbOf(const Mesh& mesh, const std::vector<float>& colours, const std::string& recipe,
+                  const std::function<void()>& check) {
     using Json = nlohmann::json;
     const Image light = lightOf(colours);
     std::string data;
@@ -128,6 +141,8 @@ std::string glbOf(const Mesh& mesh, const std::vector<float>& colours, const std
     const Json primitive = {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}}, {"indices", 3}};
     Json head;
     head["asset"] = {{"version", "2.0"}, {"generator", "Texloom"}};
+    if (!recipe.empty())
+        head["asset"]["extras"]["texloom"] = recipe;
     head["scene"] = 0;
     head["scenes"][0]["nodes"] = Json::array({0});
     head["nodes"][0]["mesh"] = 0;
@@ -156,15 +171,15 @@ void checkColouredMeshFile(const std::filesystem::path& path) {
 }
 
 void writeColouredMesh(const std::filesystem::path& path, const Mesh& mesh, const std::vector<float>& colours,
-                       const std::function<void()>& check) {
+                       const std::function<void()>& check, const std::string& recipe) {
     checkColouredMeshFile(path);
     if (colours.size() != 3 * mesh.positions.size())
         failUsage("{}: {} vertices want three numbers each, and there are {}.", path.string(),
                   mesh.positions.size(), colours.size());
     const std::string extension = path.extension().string();
-    writeText(path, extension == ".ply"   ? plyOf(mesh, colours, check)
-                    : extension == ".obj" ? objOf(mesh, colours, check)
-                                          : glbOf(mesh, colours, check));
+    writeText(path, extension == ".ply"   ? plyOf(mesh, colours, inOneLine(recipe), check)
+                    : extension == ".obj" ? objOf(mesh, colours, inOneLine(recipe), check)
+                                          : glbOf(mesh, colours, recipe, check));
 }
 
 } // namespace texloom

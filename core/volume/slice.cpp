@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace texloom {
 
@@ -176,7 +177,8 @@ Plane turned(const Plane& plane, const Vector3d& pivot, double turn, double tilt
     return {pivot + rotation * (plane.origin - pivot), rotation * plane.right, rotation * plane.down};
 }
 
-Image slice(const VolumeSource& source, const Plane& plane, Size size, JobContext& context) {
+std::optional<Image> sliceWithin(const VolumeSource& source, const Plane& plane, Size size,
+                                 JobContext& context) {
     checkPlane(plane, size);
     Image image(size, source.channels());
     const bool exact = alongAxes(plane);
@@ -188,9 +190,14 @@ Image slice(const VolumeSource& source, const Plane& plane, Size size, JobContex
             const Size extent{std::min(tile.width, size.width - x), std::min(tile.height, size.height - y)};
             met = fillPart(source, plane, {x, y, extent}, exact, image, context) || met;
         }
-    if (!met)
+    return met ? std::optional(std::move(image)) : std::nullopt;
+}
+
+Image slice(const VolumeSource& source, const Plane& plane, Size size, JobContext& context) {
+    std::optional<Image> made = sliceWithin(source, plane, size, context);
+    if (!made)
         failUsage("The slice lies beside the volume, which has {}.", boxText(*source.bounds()));
-    return image;
+    return std::move(*made);
 }
 
 } // namespace texloom

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace texloom {
 
 /// The axis that a plane is square to.
@@ -36,5 +38,9 @@ Plane turned(const Plane& plane, const Eigen::Vector3d& pivot, double turn, doub
 /// around it. Pixels beyond the bounds of a source that ends are 0.
 /// @throws UsageError if the plane's directions are no such, or it lies too far out or nowhere in the bounds.
 Image slice(const VolumeSource& source, const Plane& plane, Size size, JobContext& context);
+
+/// The same; nothing where all of it lies beyond the source's bounds.
+std::optional<Image> sliceWithin(const VolumeSource& source, const Plane& plane, Size size,
+                                 JobContext& context);
 
 } // namespace texloom

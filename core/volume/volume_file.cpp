@@ -1,5 +1,7 @@
 #include "core/volume/volume_file.h"
 
+#include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/volume/raw_volume.h"
 #include "core/volume/slice_series.h"
 
@@ -30,6 +32,15 @@ std::vector<fs::path> volumeFiles(const fs::path& path, int depth) {
 
 std::vector<fs::path> filesOfVolume(const fs::path& path) {
     return isRaw(path) ? filesOfRawVolume(path) : filesOfSlices(path);
+}
+
+void checkFileBox(const Box& box) {
+    box.check();
+    if (box.size.voxels() > kLargestFileVoxels)
+        failUsage("The box of {} has {} voxels, and one file holds up to {}; write several boxes, which fit "
+                  "together.",
+                  sizeText(box.size), grouped(static_cast<std::uint64_t>(box.size.voxels())),
+                  grouped(static_cast<std::uint64_t>(kLargestFileVoxels)));
 }
 
 void writeVolume(const fs::path& path, const VolumeSource& source, const Box& box,

@@ -15,6 +15,9 @@ std::vector<std::filesystem::path> volumeFiles(const std::filesystem::path& path
 /// itself where they cannot be told, as for a file that is not there.
 std::vector<std::filesystem::path> filesOfVolume(const std::filesystem::path& path);
 
+/// @throws UsageError if a box has no voxels, lies too far out, or has more voxels than one call writes.
+void checkFileBox(const Box& box);
+
 /// Writes a box of a source, a few z at a time, so that it need not be in memory whole: all files or none of
 /// them. NAME.raw holds 32-bit little-endian floats: the channels of one voxel after the other, x fastest,
 /// then y, then z; NAME.json says so, with size, place and recipe. (NumPy reads it with

@@ -12,7 +12,7 @@ import tempfile
 CORE = ["base", "image", "color", "job", "io", "math", "network", "match", "analysis", "volume", "generator", "render", "tools", "methods", "session"]
 # From the cellar to the roof: a folder of ui/ knows only those before it.
 UI = [
-    "common", "picture", "runs", "viewers", "paint", "exemplar", "inspector", "ports", "jobs", "results", "log", "maps", "export",
+    "common", "picture", "runs", "viewers", "paint", "exemplar", "inspector", "ports", "jobs", "scene", "results", "log", "maps", "export",
     "compare", "lattice", "blend", "plots", "volume", "material", "session", "window",
 ]
 ORDERS = {"core": CORE, "ui": UI}

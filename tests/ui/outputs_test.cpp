@@ -17,7 +17,8 @@
 #include "ui/plots/figures_panel.h"
 #include "ui/runs/result_text.h"
 #include "ui/viewers/image_viewer.h"
-#include "ui/volume/slice_panel.h"
+#include "ui/volume/slice_view.h"
+#include "ui/volume/volume_page.h"
 #include "ui/window/drop_targets.h"
 
 #include <QAction>
@@ -51,35 +52,37 @@ private Q_SLOTS:
 
     void cleanupTestCase() { m_window.reset(); }
 
-    void aVolumeIsShownByASliceInATabOfItsOwn() {
-        auto* panel = child<SlicePanel>(*m_window, "slicePanel");
-        QVERIFY2(!m_window->results()->pageOffered(panel), "quilting makes none");
+    void aVolumeIsShownInATabOfItsOwn() {
+        auto* page = child<VolumePage>(*m_window, "volumePage");
+        QVERIFY2(!m_window->results()->pageOffered(page), "quilting makes none");
         run("solid-noise");
-        QVERIFY(m_window->results()->pageOffered(panel));
-        m_window->results()->showPage(panel);
-        QTRY_VERIFY(!panel->busy());
-        QVERIFY2(panel->viewer()->picture(), qPrintable(panel->message()));
-        QCOMPARE(m_window->results()->currentViewer(), panel->viewer());
+        QVERIFY(m_window->results()->pageOffered(page));
+        m_window->results()->showPage(page);
+        const SliceView& xy = *page->slice(Axis::Z);
+        QTRY_VERIFY2(!xy.busy(), qPrintable(page->message()));
         const auto volume = m_window->desk()->result()->synthesis.outputs.first<VolumeSource>("volume");
+        QCOMPARE(page->volumes().front().volume.source, volume);
+        QVERIFY(page->volumes().front().volume.recipe.find("solid-noise") != std::string::npos);
         TestContext context;
-        QVERIFY(samePixels(panel->viewer()->picture()->values(),
-                           slice(*volume, panel->plane(), panel->pictureSize(), context)));
+        QVERIFY(samePixels(
+            xy.tile(0, 0)->values->values(),
+            slice(*volume, axisPlane(Axis::Z, {0, 0, page->place()->cross().z()}), {64, 64}, context)));
         if (const QString folder = qEnvironmentVariable("TEXLOOM_LOOK"); !folder.isEmpty())
             m_window->grab().save(folder + QStringLiteral("/volume.png"));
     }
 
     void theVolumeOfAStoredResultIsShownToo() {
-        auto* panel = child<SlicePanel>(*m_window, "slicePanel");
+        auto* page = child<VolumePage>(*m_window, "volumePage");
         run("solid-noise");
         const std::string key = m_window->desk()->last().key;
         run("quilting");
-        QVERIFY(!m_window->results()->pageOffered(panel));
+        QVERIFY(!m_window->results()->pageOffered(page));
         ResultHistory* const history = m_window->desk()->history();
         history->waitForDisk();
         QCoreApplication::processEvents();
         history->setMemoryBudget(0);
         m_window->desk()->show(key);
-        QTRY_VERIFY(m_window->results()->pageOffered(panel));
+        QTRY_VERIFY(m_window->results()->pageOffered(page));
         const auto volume = m_window->desk()->result()->synthesis.outputs.first<VolumeSource>("volume");
         QVERIFY2(volume->bounds(), "it was read back");
         history->setMemoryBudget(ResultStore::kMemoryBudget);

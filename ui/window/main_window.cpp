@@ -96,8 +96,9 @@ MainWindow::MainWindow(QWidget* parent)
         zoom->follow(m_results->viewer(tab));
     connect(m_results, &ResultView::tabShown, zoom, &ZoomBox::refresh);
     statusBar()->addPermanentWidget(zoom);
-    new RunDisplay(m_desk, {m_results, m_figures, m_runPanel, m_messages}, this);
+    m_display = new RunDisplay(m_desk, {m_results, m_figures, m_runPanel, m_messages}, this);
     new RunNotice(m_desk, this);
+    connectSolids();
     auto* offers = new ResultOffers(m_desk, m_store, m_results, m_actions.repeat, this);
     connect(offers, &ResultOffers::runWanted, this, &MainWindow::runLike);
     new Hovers(m_desk, m_store, {m_results, m_exemplars, m_comparisons->view(), readout}, this);

@@ -42,6 +42,7 @@ class MethodHint;
 class ResultExport;
 class ResultInputs;
 class ResultView;
+class RunDisplay;
 class RunPanel;
 class RunRecovery;
 class StartPage;
@@ -125,6 +126,8 @@ private:
     void offerToPutBack(const std::vector<std::string>& keys, const QString& sentence);
     void connectLattice();
     void connectTools();
+    void connectSolids();
+    QMenu* makeSolidMenu();
     std::vector<NamedImage> images() const;
     std::vector<NamedImage> earlierResults();
     void restoreLayout();
@@ -179,6 +182,7 @@ private:
     Tries* m_tries;
     QStackedWidget* m_centre = nullptr;
     StartPage* m_start = nullptr;
+    RunDisplay* m_display = nullptr;
     ResultView* m_results = nullptr;
     ExemplarEditor* m_editor = nullptr;
     DropTargets* m_drop = nullptr;

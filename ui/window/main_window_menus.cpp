@@ -89,6 +89,7 @@ QMenu* MainWindow::makeSynthesisMenu() {
     synthesis->addSeparator();
     synthesis->addActions({m_tries->allAction(), m_tries->someAction(), m_tries->sweepAction()});
     synthesis->addMenu(m_tries->exampleMenu());
+    synthesis->addMenu(makeSolidMenu());
     synthesis->addSeparator();
     synthesis->addMenu(makePresetMenu());
     synthesis->addAction(m_actions.resetParameters);

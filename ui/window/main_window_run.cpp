@@ -15,8 +15,10 @@
 #include "ui/runs/quick_run.h"
 #include "ui/session/document.h"
 #include "ui/session/undo_history.h"
+#include "ui/volume/volume_page.h"
 #include "ui/window/main_window.h"
 #include "ui/window/result_export.h"
+#include "ui/window/run_display.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -80,7 +82,8 @@ void MainWindow::usePreset(const Preset& preset) {
 }
 
 void MainWindow::exemplarsChanged() {
-    const bool any = !m_store->entries().empty() || m_desk->result();
+    const bool any = !m_store->entries().empty() || m_desk->result() ||
+                     (m_display != nullptr && !m_display->volumes()->empty());
     if (m_centre->currentWidget() != m_editor || m_store->entries().empty())
         m_centre->setCurrentIndex(any ? 1 : 0);
     const UndoHistory::Pause pause(m_undo);

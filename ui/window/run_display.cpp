@@ -1,18 +1,21 @@
 #include "ui/window/run_display.h"
 
 #include "core/base/text.h"
+#include "core/generator/generator_source.h"
 #include "ui/common/message_bar.h"
 #include "ui/common/text.h"
 #include "ui/jobs/run_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/material/material_page.h"
 #include "ui/plots/figures_panel.h"
-#include "ui/volume/slice_panel.h"
+#include "ui/volume/volume_page.h"
 
 #include <QDesktopServices>
 #include <QUrl>
 
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace texloom::ui {
 
@@ -24,28 +27,51 @@ QString titleOf(const Result& result) {
     return QStringLiteral("%1 · %2").arg(labelOf(plan), QString::fromStdString(durationText(result.seconds)));
 }
 
-/// The first volume that a run made; null if none.
-std::shared_ptr<const VolumeSource> volumeOf(const Result& result) {
-    const Assets& outputs = result.synthesis.outputs;
-    for (const auto& [port, assets] : outputs.byPort())
-        if (auto volume = outputs.first<VolumeSource>(port))
-            return volume;
-    return nullptr;
+/// The title of an output, with its number where there are several.
+QString nameOf(const Result& result, const std::string& port, std::size_t number) {
+    const Port* const declared = result.plan.steps.back().method->info().output(port);
+    const QString title = declared != nullptr ? translated(declared->title) : QString::fromStdString(port);
+    return number == 0 ? title : RunDisplay::tr("%1 %2").arg(title).arg(number + 1);
+}
+
+/// All volumes that a run made. Generators come first: theirs has no end, also where the store kept a box.
+std::vector<NamedVolume> volumesOf(const Result& result) {
+    const std::string recipe = result.plan.recipe.toJson(".");
+    std::vector<NamedVolume> solids, volumes;
+    for (const auto& [port, assets] : result.synthesis.outputs.byPort())
+        for (std::size_t i = 0; i < assets.size(); ++i)
+            if (const auto* volume = std::get_if<std::shared_ptr<const VolumeSource>>(&assets[i]))
+                volumes.push_back({nameOf(result, port, i), {*volume, recipe}});
+            else if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&assets[i]);
+                     model != nullptr && (*model)->kind == kSolidGenerator)
+                solids.push_back(
+                    {nameOf(result, port, i), {solidOf(**model, result.plan.request.seed), recipe}});
+    if (!solids.empty()) // the same once more
+        std::erase_if(volumes, [](const NamedVolume& volume) {
+            return dynamic_cast<const GeneratorSource*>(volume.volume.source.get()) != nullptr;
+        });
+    solids.insert(solids.end(), std::make_move_iterator(volumes.begin()),
+                  std::make_move_iterator(volumes.end()));
+    return solids;
 }
 
 } // namespace
 
 RunDisplay::RunDisplay(RunDesk* desk, const Places& places, QObject* parent)
-    : QObject(parent), m_desk(desk), m_to(places), m_volume(new SlicePanel(places.results)),
+    : QObject(parent), m_desk(desk), m_to(places), m_volume(new VolumePage(places.results)),
       m_material(new MaterialPage(places.results)) {
     m_to.results->addPage(m_material, tr("Material"),
                           tr("The result and its maps lit, on a shape or a mesh of your own."));
-    connect(m_material, &MaterialPage::saved, this, [this](const QString& folder) {
+    const auto saySaved = [this](const QString& folder) {
         m_to.messages->say(MessageBar::Kind::Information, tr("Written to %1.").arg(folder), tr("Open folder"),
                            [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
-    });
+    };
+    connect(m_material, &MaterialPage::saved, this, saySaved);
+    connect(m_volume, &VolumePage::saved, this, saySaved);
+    connect(m_volume, &VolumePage::changed, this,
+            [this] { m_to.results->setPageOffered(m_volume, !m_volume->empty()); });
     m_to.results->addPage(m_volume, tr("Volume"),
-                          tr("A slice of the volume that the result has: any plane, at any place."));
+                          tr("The volume of the result: slices at any place, a block cut open, a mesh."));
     m_to.results->setPageOffered(m_volume, false);
     connectPanel();
     connect(m_desk, &RunDesk::watching, this, &RunDisplay::announce);
@@ -106,12 +132,7 @@ void RunDisplay::showResult(const ShownResult& shown) {
         notes += translated(note);
     m_to.results->setNotes(notes);
     m_to.figures->setResult(shown.result);
-    showVolume(volumeOf(*shown.result));
-}
-
-void RunDisplay::showVolume(std::shared_ptr<const VolumeSource> volume) {
-    m_to.results->setPageOffered(m_volume, volume != nullptr);
-    m_volume->setSource(std::move(volume));
+    m_volume->setVolumes(volumesOf(*shown.result));
 }
 
 void RunDisplay::clear() {
@@ -121,7 +142,7 @@ void RunDisplay::clear() {
     m_to.results->setTitle({});
     m_to.results->setNotes({});
     m_to.figures->setResult(nullptr);
-    showVolume(nullptr);
+    m_volume->setVolumes({});
 }
 
 void RunDisplay::sayAwaited() {
