@@ -1,4 +1,5 @@
 #include "core/io/image_file.h"
+#include "core/io/map_file.h"
 #include "tests/cli/program.h"
 #include "tests/support/lattices.h"
 #include "tests/support/temporary_folder.h"

@@ -33,6 +33,7 @@ ImageViewer::ImageViewer(QWidget* parent)
     : QWidget(parent), m_navigator(new Navigator(this)), m_scope(new Scope(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    connect(m_navigator, &Navigator::placeWanted, this, &ImageViewer::centreOn);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
@@ -62,7 +63,7 @@ void ImageViewer::setPicture(std::shared_ptr<const DisplayPicture> picture) {
 }
 
 void ImageViewer::placeOverlays() {
-    m_navigator->follow();
+    m_navigator->follow(m_repeat ? nullptr : m_picture, m_view);
     const int line = fontMetrics().height();
     m_scope->resize(std::min(line * 16, width() - line), std::min(line * 8, height() - line));
     m_scope->move(width() - m_scope->width() - line / 2, line / 2);
@@ -76,7 +77,7 @@ void ImageViewer::toggleNavigator() {
     Navigator::setWanted(!Navigator::wanted());
     for (QWidget* widget : QApplication::allWidgets())
         if (auto* navigator = qobject_cast<Navigator*>(widget))
-            navigator->follow();
+            navigator->settle();
 }
 
 void ImageViewer::setPlaceholder(const QString& text) {

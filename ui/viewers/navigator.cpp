@@ -1,13 +1,12 @@
 #include "ui/viewers/navigator.h"
 
-#include "ui/viewers/image_viewer.h"
-
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 
 namespace texloom::ui {
 
@@ -19,7 +18,7 @@ constexpr int kLeastOfViewer = 3; ///< a viewer that is not so many times as lar
 
 } // namespace
 
-Navigator::Navigator(ImageViewer* viewer) : QWidget(viewer), m_viewer(viewer) {
+Navigator::Navigator(QWidget* viewer) : QWidget(viewer), m_viewer(viewer) {
     setObjectName(QStringLiteral("navigator"));
     setCursor(Qt::OpenHandCursor);
     setToolTip(tr("The whole picture. Drag the frame to look elsewhere; N shows and hides this."));
@@ -34,14 +33,19 @@ void Navigator::setWanted(bool wanted) {
     QSettings().setValue(kWanted, wanted);
 }
 
-void Navigator::follow() {
-    const auto& picture = m_viewer->picture();
+void Navigator::follow(std::shared_ptr<const DisplayPicture> picture, const ViewTransform& view) {
+    m_picture = std::move(picture);
+    m_view = view;
+    settle();
+}
+
+void Navigator::settle() {
     const int longest = fontMetrics().height() * kLines;
     const bool roomy = std::min(m_viewer->width(), m_viewer->height()) >= kLeastOfViewer * longest / 2;
-    if (!picture || m_viewer->repeats() || !roomy || !wanted())
+    if (!m_picture || !roomy || !wanted())
         return hide();
-    const Size size = picture->size();
-    const QRectF shown(m_viewer->view().origin(), QSizeF(size.width, size.height) * m_viewer->view().scale());
+    const Size size = m_picture->size();
+    const QRectF shown(m_view.origin(), QSizeF(size.width, size.height) * m_view.scale());
     const QRectF all = QRectF(m_viewer->rect()).adjusted(-1, -1, 1, 1);
     if (all.contains(shown))
         return hide();
@@ -55,21 +59,20 @@ void Navigator::follow() {
 }
 
 QRectF Navigator::frame() const {
-    const Size size = m_viewer->picture()->size();
+    const Size size = m_picture->size();
     const double scale = static_cast<double>(width()) / size.width;
-    const QPointF from = m_viewer->view().toImage({0, 0}) * scale;
-    const QPointF to = m_viewer->view().toImage(QPointF(m_viewer->width(), m_viewer->height())) * scale;
+    const QPointF from = m_view.toImage({0, 0}) * scale;
+    const QPointF to = m_view.toImage(QPointF(m_viewer->width(), m_viewer->height())) * scale;
     return QRectF(from, to).intersected(QRectF(rect()));
 }
 
 void Navigator::paintEvent(QPaintEvent*) {
-    const auto& picture = m_viewer->picture();
-    if (!picture)
+    if (!m_picture)
         return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const double scale = static_cast<double>(width()) / picture->size().width * devicePixelRatioF();
-    painter.drawImage(rect(), picture->levelFor(scale));
+    const double scale = static_cast<double>(width()) / m_picture->size().width * devicePixelRatioF();
+    painter.drawImage(rect(), m_picture->levelFor(scale));
     const QRectF part = frame();
     QPainterPath outside;
     outside.addRect(rect());
@@ -94,8 +97,8 @@ void Navigator::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Navigator::moveTo(QPointF point) {
-    const double scale = static_cast<double>(m_viewer->picture()->size().width) / width();
-    m_viewer->centreOn(point * scale);
+    const double scale = static_cast<double>(m_picture->size().width) / width();
+    Q_EMIT placeWanted(point * scale);
 }
 
 } // namespace texloom::ui
