@@ -5600,6 +5600,238 @@
         <source>{} does not cover the output, so its patches were first laid out by image quilting; give an initial image for a layout of your own.</source>
         <translation>{} deckt die Ausgabe nicht ab, daher wurden seine Patches zuerst durch Bild-Quilting angeordnet; für eine eigene Anordnung ein Startbild angeben.</translation>
     </message>
+    <message>
+        <source>128 px</source>
+        <translation>128 px</translation>
+    </message>
+    <message>
+        <source>256 px</source>
+        <translation>256 px</translation>
+    </message>
+    <message>
+        <source>64 px</source>
+        <translation>64 px</translation>
+    </message>
+    <message>
+        <source>A scale of {} voxels for a unit of the mesh is none; it must be more than 0.</source>
+        <translation>Ein Maßstab von {} Voxeln je Einheit des Netzes ist keiner; er muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>A trained generator to make the texture with, or to train further.</source>
+        <translation>Ein trainierter Generator, der die Textur macht oder weiter trainiert wird.</translation>
+    </message>
+    <message>
+        <source>An exemplar with a longer one is scaled down to this, and features with it: larger keeps more detail and takes much longer to learn.</source>
+        <translation>Eine Vorlage mit einer längeren wird darauf verkleinert, und ihre Merkmale mit ihr: Größer bewahrt mehr Einzelheiten und lernt sich viel langsamer.</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Stapel</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beides</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Ein Netz wird gefärbt</translation>
+    </message>
+    <message>
+        <source>Compare by</source>
+        <translation>Vergleichen nach</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Abnahme</translation>
+    </message>
+    <message>
+        <source>Decay every</source>
+        <translation>Abnahme alle</translation>
+    </message>
+    <message>
+        <source>Even gradients</source>
+        <translation>Gradienten ausgleichen</translation>
+    </message>
+    <message>
+        <source>Feature maps that each scale adds, 8 as published: more hold more of the texture, and take longer by their square.</source>
+        <translation>Merkmalskarten, die jede Stufe hinzufügt, veröffentlicht 8: Mehr fassen mehr von der Textur und brauchen im Quadrat länger.</translation>
+    </message>
+    <message>
+        <source>Figure 4.3 of Gutierrez&apos; thesis: the same noise through the generator after more and more iterations. First colours, then soft shapes, then edges and detail; the curve of the loss is under Figures.</source>
+        <translation>Abbildung 4.3 der Dissertation von Gutierrez: dasselbe Rauschen durch den Generator nach immer mehr Durchläufen. Erst Farben, dann weiche Formen, dann Kanten und Einzelheiten; die Kurve des Verlusts steht unter Kennzahlen.</translation>
+    </message>
+    <message>
+        <source>Figures 4.4 and 4.5 of Gutierrez&apos; thesis: the rate falls by 0.8 now and then, in batches of one or four samples. See the curve of the loss under Figures.</source>
+        <translation>Abbildungen 4.4 und 4.5 der Dissertation von Gutierrez: Die Rate fällt ab und zu auf das 0,8-Fache, in Stapeln von einer oder vier Proben. Die Kurve des Verlusts steht unter Kennzahlen.</translation>
+    </message>
+    <message>
+        <source>Figures 4.6 to 4.9 of Gutierrez&apos; thesis in small: the exemplar learned at three sizes, the descriptor&apos;s pooling by mean and by maximum, and gradients as they are or evened out over its taps.</source>
+        <translation>Abbildungen 4.6 bis 4.9 der Dissertation von Gutierrez im Kleinen: die Vorlage in drei Größen gelernt, der Deskriptor mit Mittelwert- und mit Maximum-Pooling, und Gradienten, wie sie sind oder über seine Abgriffe ausgeglichen.</translation>
+    </message>
+    <message>
+        <source>Gives the gradient at each tap of the descriptor the same norm, so that all have their say, whatever their loss.</source>
+        <translation>Gibt dem Gradienten an jedem Abgriff des Deskriptors dieselbe Norm, damit alle mitreden, wie groß ihr Verlust auch sei.</translation>
+    </message>
+    <message>
+        <source>Goes on training the generator that is given; else it only makes the texture, at once.</source>
+        <translation>Trainiert den gegebenen Generator weiter; sonst macht er nur sofort die Textur.</translation>
+    </message>
+    <message>
+        <source>Gradients</source>
+        <translation>Gradienten</translation>
+    </message>
+    <message>
+        <source>Halvings</source>
+        <translation>Halbierungen</translation>
+    </message>
+    <message>
+        <source>How far each step goes at the beginning. Too large, and the loss jumps; too small, and it falls slowly.</source>
+        <translation>Wie weit jeder Schritt am Anfang geht. Zu groß, und der Verlust springt; zu klein, und er fällt langsam.</translation>
+    </message>
+    <message>
+        <source>How often the generator&apos;s noise is halved in size: each scale more lets features be twice as large.</source>
+        <translation>Wie oft das Rauschen des Generators auf die halbe Größe gebracht wird: Mit jeder Stufe mehr dürfen Merkmale doppelt so groß sein.</translation>
+    </message>
+    <message>
+        <source>It has rows {:.0f} px apart, so methods that keep rows come first.</source>
+        <translation>Es hat Reihen im Abstand von {:.0f} px; deshalb stehen Verfahren vorn, die Reihen erhalten.</translation>
+    </message>
+    <message>
+        <source>It is grain without objects, alike beyond no more than {:.0f} px, so methods that keep statistics come first.</source>
+        <translation>Es ist Korn ohne Gegenstände, über höchstens {:.0f} px hinweg ähnlich; deshalb stehen Verfahren vorn, die Statistik erhalten.</translation>
+    </message>
+    <message>
+        <source>It is made of things about {:.0f} px in size that do not repeat, so methods that join copied pieces come first.</source>
+        <translation>Es besteht aus Dingen von etwa {:.0f} px, die sich nicht wiederholen; deshalb stehen Verfahren vorn, die kopierte Stücke verbinden.</translation>
+    </message>
+    <message>
+        <source>It repeats itself every {:.0f} px, so methods that follow a lattice come first.</source>
+        <translation>Es wiederholt sich alle {:.0f} px; deshalb stehen Verfahren vorn, die einem Gitter folgen.</translation>
+    </message>
+    <message>
+        <source>Iterations after which the learning rate falls; 0 for a tenth of them all.</source>
+        <translation>Durchläufe, nach denen die Lernrate fällt; 0 für ein Zehntel von allen.</translation>
+    </message>
+    <message>
+        <source>Its shapes reach over {:.0f} px of {} × {} px, so methods that keep large pieces come first.</source>
+        <translation>Seine Formen reichen über {:.0f} px von {} × {} px; deshalb stehen Verfahren vorn, die große Stücke erhalten.</translation>
+    </message>
+    <message>
+        <source>Making the texture</source>
+        <translation>Textur wird gemacht</translation>
+    </message>
+    <message>
+        <source>Noise channels</source>
+        <translation>Rauschkanäle</translation>
+    </message>
+    <message>
+        <source>Of the random numbers that each scale begins with.</source>
+        <translation>Der Zufallszahlen, mit denen jede Stufe beginnt.</translation>
+    </message>
+    <message>
+        <source>Of the textures that are made and compared in training: larger ones say more of large features, and take longer.</source>
+        <translation>Der Texturen, die beim Training gemacht und verglichen werden: Größere sagen mehr über große Merkmale und brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Randfortsetzung</translation>
+    </message>
+    <message>
+        <source>Samples in one iteration: more make each step surer and longer.</source>
+        <translation>Proben in einem Durchlauf: Mehr machen jeden Schritt sicherer und länger.</translation>
+    </message>
+    <message>
+        <source>Samples of {} px are too small for the network, which needs {} px a side.</source>
+        <translation>Proben von {} px sind zu klein für das Netz, das {} px je Seite braucht.</translation>
+    </message>
+    <message>
+        <source>Side of samples</source>
+        <translation>Seite der Proben</translation>
+    </message>
+    <message>
+        <source>Texture network</source>
+        <translation>Texturnetz</translation>
+    </message>
+    <message>
+        <source>Texture network, as published</source>
+        <translation>Texturnetz, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Texture network: learning rate and batch</source>
+        <translation>Texturnetz: Lernrate und Stapel</translation>
+    </message>
+    <message>
+        <source>Texture network: resolution, pooling, gradients</source>
+        <translation>Texturnetz: Auflösung, Pooling, Gradienten</translation>
+    </message>
+    <message>
+        <source>Texture network: what training does</source>
+        <translation>Texturnetz: was Training bewirkt</translation>
+    </message>
+    <message>
+        <source>The box of {} has {} voxels, and one file holds up to {}; write several boxes, which fit together.</source>
+        <translation>Der Quader von {} hat {} Voxel, und eine Datei fasst bis zu {}; schreiben Sie mehrere Quader, die zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>The exemplar has {} channels with its maps; a generator makes at most {}.</source>
+        <translation>Die Vorlage hat mit ihren Karten {} Kanäle; ein Generator macht höchstens {}.</translation>
+    </message>
+    <message>
+        <source>The generator makes {} channels, and the exemplar has {}.</source>
+        <translation>Der Generator macht {} Kanäle, und die Vorlage hat {}.</translation>
+    </message>
+    <message>
+        <source>The mesh has no face that could be coloured; choose another one.</source>
+        <translation>Das Netz hat keine Fläche, die gefärbt werden könnte; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>There is neither an exemplar to learn from nor a trained generator to make a texture with.</source>
+        <translation>Es gibt weder eine Vorlage, von der zu lernen wäre, noch einen trainierten Generator, der eine Textur macht.</translation>
+    </message>
+    <message>
+        <source>There is no generator to train further: give one, or train anew.</source>
+        <translation>Es gibt keinen Generator, der weiter zu trainieren wäre: einen angeben oder neu trainieren.</translation>
+    </message>
+    <message>
+        <source>Train further</source>
+        <translation>Weiter trainieren</translation>
+    </message>
+    <message>
+        <source>Training ended after {} of {} iterations, since the next gave values that are no numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
+        <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
+    </message>
+    <message>
+        <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
+        <translation>Trainiert ein kleines Netz, bis das, was es aus Rauschen macht, wie die Vorlage aussieht; danach macht es sofort Texturen jeder Größe. Für Muster ohne strenge Ordnung.</translation>
+    </message>
+    <message>
+        <source>Ulyanov et al. as Gutierrez trains them: plain Gram matrices of 256 px, circular padding, batches of four and 5,000 iterations, with the rate falling by 0.8; give it their VGG-19 as its descriptor. Takes hours.</source>
+        <translation>Ulyanov u. a., wie Gutierrez sie trainiert: einfache Gram-Matrizen von 256 px, kreisförmige Randfortsetzung, Viererstapel und 5.000 Durchläufe, wobei die Rate auf das 0,8-Fache fällt; als Deskriptor ihr VGG-19 angeben. Dauert Stunden.</translation>
+    </message>
+    <message>
+        <source>What of samples and exemplar is compared: the feature maps of a descriptor, the distribution of small patches, which makes edges sharper, or both.</source>
+        <translation>Was von Proben und Vorlage verglichen wird: die Merkmalskarten eines Deskriptors, die Verteilung kleiner Ausschnitte, die Kanten schärfer macht, oder beides.</translation>
+    </message>
+    <message>
+        <source>What samples find beyond their edges in training: more of an endless texture, or their other end, as published. Either generator makes any part of any size, and wraps.</source>
+        <translation>Was Proben beim Training jenseits ihrer Ränder finden: mehr von einer endlosen Textur oder, wie veröffentlicht, ihr anderes Ende. Beide Generatoren machen jeden Teil in jeder Größe und schließen sich.</translation>
+    </message>
+    <message>
+        <source>What the learning rate is multiplied by each time that it falls.</source>
+        <translation>Womit die Lernrate jedes Mal multipliziert wird, wenn sie fällt.</translation>
+    </message>
+    <message>
+        <source>What was learned, under half a megabyte: given to this method, it makes any size and any part of the texture without training.</source>
+        <translation>Was gelernt wurde, unter einem halben Megabyte: Diesem Verfahren gegeben, macht es jede Größe und jeden Teil der Textur ohne Training.</translation>
+    </message>
+    <message>
+        <source>Writing a box</source>
+        <translation>Ein Quader wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Ein Schnitt wird geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -5940,6 +6172,22 @@
         <source>Write the result to the folder and in the way of the last export, without asking</source>
         <translation>Das Ergebnis ohne Rückfrage in den Ordner und auf die Art des letzten Exports schreiben</translation>
     </message>
+    <message>
+        <source>&amp;Navigator</source>
+        <translation>&amp;Navigator</translation>
+    </message>
+    <message>
+        <source>Show the whole picture small where a part of it is shown, or hide it</source>
+        <translation>Das ganze Bild klein zeigen, wo ein Teil davon zu sehen ist, oder es verbergen</translation>
+    </message>
+    <message>
+        <source>H&amp;istogram, waveform</source>
+        <translation>H&amp;istogramm, Wellenform</translation>
+    </message>
+    <message>
+        <source>Show the histogram of the picture, then its waveform, then neither</source>
+        <translation>Das Histogramm des Bildes zeigen, dann seine Wellenform, dann keines von beiden</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::AnalogyView</name>
@@ -6105,6 +6353,33 @@
     <message>
         <source>Show the re&amp;gion’s outline</source>
         <translation>Umriss des &amp;Bereichs zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::BoxDialog</name>
+    <message>
+        <source>Box of voxels</source>
+        <translation>Quader aus Voxeln</translation>
+    </message>
+    <message>
+        <source>First voxel</source>
+        <translation>Erstes Voxel</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>First voxel along %1</source>
+        <translation>Erstes Voxel entlang %1</translation>
+    </message>
+    <message>
+        <source>Voxels along %1</source>
+        <translation>Voxel entlang %1</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
     </message>
 </context>
 <context>
@@ -7630,6 +7905,10 @@ Ziehen Sie ein Bild hierher.</translation>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>In %1 sticht kein Gitter hervor (Sicherheit %2). Wählen Sie unten eines, ziehen Sie die Vektoren auf das, was Sie sehen, oder entzerren Sie die Vorlage zuerst (Strg+D), wo sie schräg gesehen ist; wenn sich nichts wiederholt, passen Verfahren ohne Gitter, etwa Bild-Quilting.</translation>
     </message>
+    <message>
+        <source>Set by hand: %1 agrees with itself by %2 at the multiples of these vectors; by %3 at those of the best that was found.</source>
+        <translation>Von Hand gesetzt: %1 stimmt an den Vielfachen dieser Vektoren zu %2 mit sich überein; an denen des besten gefundenen zu %3.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::LayerDialog</name>
@@ -7941,6 +8220,26 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>The session was saved by Texloom %1; this is %2, so results may differ.</source>
         <translation>Die Sitzung wurde von Texloom %1 gespeichert; dies ist %2, daher können Ergebnisse abweichen.</translation>
+    </message>
+    <message>
+        <source>S&amp;olids</source>
+        <translation>K&amp;örper</translation>
+    </message>
+    <message>
+        <source>A generator that was trained already: look at it in the Volume tab.</source>
+        <translation>Ein Generator, der schon trainiert ist: im Reiter Volumen zu sehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a solid…</source>
+        <translation>Körper ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Solid to look at</source>
+        <translation>Körper zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Generators and volumes (*.safetensors *.json);;Slices of a volume (*.png *.tif *.exr)</source>
+        <translation>Generatoren und Volumen (*.safetensors *.json);;Schnitte eines Volumens (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -8285,6 +8584,17 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::MethodHint</name>
+    <message>
+        <source>Methods that suit the exemplar</source>
+        <translation>Verfahren, die zur Vorlage passen</translation>
+    </message>
+    <message>
+        <source>Try first: %1. %2</source>
+        <translation>Zuerst versuchen: %1. %2</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::MethodsDialog</name>
     <message>
         <source>At a &amp;preview&apos;s size, not at %1 px</source>
@@ -8344,6 +8654,13 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&amp;Go on without them</source>
         <translation>&amp;Ohne sie fortfahren</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Navigator</name>
+    <message>
+        <source>The whole picture. Drag the frame to look elsewhere; N shows and hides this.</source>
+        <translation>Das ganze Bild. Den Rahmen ziehen, um anderswo hinzusehen; N zeigt und verbirgt es.</translation>
     </message>
 </context>
 <context>
@@ -9389,10 +9706,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>A slice of the volume that the result has: any plane, at any place.</source>
-        <translation>Ein Schnitt durch das Volumen, das zum Ergebnis gehört: jede Ebene, an jeder Stelle.</translation>
-    </message>
-    <message>
         <source>There is no picture yet that could be kept; the run ends as soon as there is one.</source>
         <translation>Noch gibt es kein Bild, das behalten werden könnte; der Vorgang endet, sobald eines da ist.</translation>
     </message>
@@ -9419,6 +9732,29 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The volume of the result: slices at any place, a block cut open, a mesh.</source>
+        <translation>Das Volumen des Ergebnisses: Schnitte an jeder Stelle, ein aufgeschnittener Block, ein Netz.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunNotice</name>
+    <message>
+        <source>Finished</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -9485,6 +9821,17 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>&amp;Later</source>
         <translation>&amp;Später</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Scope</name>
+    <message>
+        <source>Histogram, 0 to 255</source>
+        <translation>Histogramm, 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Waveform: red, green, blue</source>
+        <translation>Wellenform: Rot, Grün, Blau</translation>
     </message>
 </context>
 <context>
@@ -9603,34 +9950,61 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
-    <name>texloom::ui::SlicePanel</name>
+    <name>texloom::ui::SliceView</name>
+    <message>
+        <source>Slice square to %1</source>
+        <translation>Schnitt senkrecht zu %1</translation>
+    </message>
+    <message>
+        <source>Oblique slice</source>
+        <translation>Schräger Schnitt</translation>
+    </message>
+    <message>
+        <source>Oblique · %1°, %2°</source>
+        <translation>Schräg · %1°, %2°</translation>
+    </message>
     <message>
         <source>There is no volume to look at.</source>
         <translation>Es gibt kein Volumen zu sehen.</translation>
     </message>
     <message>
-        <source>Making the slice…</source>
-        <translation>Der Schnitt entsteht …</translation>
+        <source>Making it…</source>
+        <translation>Wird gemacht …</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidPanel</name>
+    <message>
+        <source>Block with a part cut away</source>
+        <translation>Block mit einem weggeschnittenen Teil</translation>
     </message>
     <message>
-        <source>The axis that the slice is square to while it is not turned</source>
-        <translation>Die Achse, zu der der Schnitt senkrecht steht, solange er nicht gedreht ist</translation>
+        <source>Drag to turn it, with Ctrl to move the cut, which goes through the crosshair; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Ziehen dreht ihn, mit Strg verschiebt es den Schnitt, der durch das Fadenkreuz geht; das Rad kommt näher. Ein Doppelklick gibt ihm allen Platz.</translation>
     </message>
     <message>
-        <source>Square to z</source>
-        <translation>Senkrecht zu z</translation>
+        <source>Mesh with the volume&apos;s colours</source>
+        <translation>Netz mit den Farben des Volumens</translation>
     </message>
     <message>
-        <source>Square to y</source>
-        <translation>Senkrecht zu y</translation>
+        <source>Drag to turn it, with Ctrl to move the volume in the mesh; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Ziehen dreht es, mit Strg verschiebt es das Volumen im Netz; das Rad kommt näher. Ein Doppelklick gibt ihm allen Platz.</translation>
     </message>
     <message>
-        <source>Square to x</source>
-        <translation>Senkrecht zu x</translation>
+        <source>Oblique slice</source>
+        <translation>Schräger Schnitt</translation>
     </message>
     <message>
-        <source>The voxel in the middle of the picture</source>
-        <translation>Das Voxel in der Mitte des Bildes</translation>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>What the fourth view shows</source>
+        <translation>Was die vierte Ansicht zeigt</translation>
     </message>
     <message>
         <source>How far the slice is turned about the picture&apos;s vertical</source>
@@ -9641,28 +10015,8 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Wie weit der Schnitt um die Waagrechte des Bildes gekippt ist</translation>
     </message>
     <message>
-        <source>Width and height of the picture</source>
-        <translation>Breite und Höhe des Bildes</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Slice</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Middle x</source>
-        <translation>Mitte x</translation>
-    </message>
-    <message>
-        <source>Middle y</source>
-        <translation>Mitte y</translation>
-    </message>
-    <message>
-        <source>Middle z</source>
-        <translation>Mitte z</translation>
+        <source>Cuts at 45° between x and z</source>
+        <translation>Schneidet bei 45° zwischen x und z</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -9673,8 +10027,107 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Neigung</translation>
     </message>
     <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Beyond x</source>
+        <translation>Jenseits x</translation>
+    </message>
+    <message>
+        <source>Above y</source>
+        <translation>Über y</translation>
+    </message>
+    <message>
+        <source>Before z</source>
+        <translation>Vor z</translation>
+    </message>
+    <message>
+        <source>What is cut away at the crosshair</source>
+        <translation>Was am Fadenkreuz weggeschnitten ist</translation>
+    </message>
+    <message>
+        <source>Voxels along the block&apos;s sides</source>
+        <translation>Voxel entlang der Seiten des Blocks</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
         <source>Side</source>
         <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>The surface; it needs no places in a texture</source>
+        <translation>Die Fläche; sie braucht keine Orte in einer Textur</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Voxels along the mesh&apos;s longest side: more of them are smaller</source>
+        <translation>Voxel entlang der längsten Seite des Netzes: mehr davon sind kleiner</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about x</source>
+        <translation>Wie weit das Volumen um x gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about y</source>
+        <translation>Wie weit das Volumen um y gedreht ist</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about z</source>
+        <translation>Wie weit das Volumen um z gedreht ist</translation>
+    </message>
+    <message>
+        <source>Mesh to show the volume on</source>
+        <translation>Netz, das das Volumen zeigt</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb)</source>
+        <translation>Netze (*.obj *.ply *.gltf *.glb)</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidView</name>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Es gibt kein Volumen zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -10022,6 +10475,101 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::VolumePage</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>The voxel under the crosshair</source>
+        <translation>Das Voxel unter dem Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>Alle Ansichten</translation>
+    </message>
+    <message>
+        <source>Gives each view its part of the room again</source>
+        <translation>Gibt jeder Ansicht wieder ihren Platz</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Click to bring the crosshair here; drag its lines to move it, and the rest to move along. The wheel zooms, with Ctrl it steps through the volume, like Page Up and Page Down. Double click gives it all the room.</source>
+        <translation>Ein Klick bringt das Fadenkreuz hierher; an seinen Linien gezogen bewegt es sich, sonst der Schnitt. Das Rad vergrößert, mit Strg geht es durch das Volumen, wie Bild auf und Bild ab. Ein Doppelklick gibt ihm allen Platz.</translation>
+    </message>
+    <message>
+        <source>Drag to move along, with Shift to turn the slice; a click brings the crosshair here. Double click gives it all the room.</source>
+        <translation>Ziehen bewegt den Schnitt, mit Umschalt dreht es ihn; ein Klick bringt das Fadenkreuz hierher. Ein Doppelklick gibt ihm allen Platz.</translation>
+    </message>
+    <message>
+        <source>Slice as it is seen…</source>
+        <translation>Schnitt, wie er zu sehen ist …</translation>
+    </message>
+    <message>
+        <source>Box of voxels…</source>
+        <translation>Quader aus Voxeln …</translation>
+    </message>
+    <message>
+        <source>Mesh with colours…</source>
+        <translation>Netz mit Farben …</translation>
+    </message>
+    <message>
+        <source>Save the slice %1</source>
+        <translation>Den Schnitt %1 speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation>Bilder (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Save a box of voxels</source>
+        <translation>Einen Quader aus Voxeln speichern</translation>
+    </message>
+    <message>
+        <source>Raw numbers and JSON (*.json);;Numbered slices (*.png *.tif *.exr)</source>
+        <translation>Rohe Zahlen und JSON (*.json);;Nummerierte Schnitte (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet: choose one in the fourth view, under Mesh.</source>
+        <translation>Es gibt noch kein Netz: wählen Sie eines in der vierten Ansicht, unter Netz.</translation>
+    </message>
+    <message>
+        <source>Mesh with colours</source>
+        <translation>Netz mit Farben</translation>
+    </message>
+    <message>
+        <source>Voxels from one vertex to the next, at most (0 leaves the mesh as it is):</source>
+        <translation>Voxel von einer Ecke zur nächsten, höchstens (0 lässt das Netz, wie es ist):</translation>
+    </message>
+    <message>
+        <source>Save the mesh with its colours</source>
+        <translation>Das Netz mit seinen Farben speichern</translation>
+    </message>
+    <message>
+        <source>Meshes with colours (*.ply *.obj *.glb)</source>
+        <translation>Netze mit Farben (*.ply *.obj *.glb)</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Ein Schnitt wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing a box of voxels</source>
+        <translation>Ein Quader aus Voxeln wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Ein Netz wird gefärbt</translation>
+    </message>
+    <message>
+        <source>There is no volume to save anything of.</source>
+        <translation>Es gibt kein Volumen, von dem etwas zu speichern wäre.</translation>
     </message>
 </context>
 <context>

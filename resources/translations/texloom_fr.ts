@@ -5600,6 +5600,238 @@
         <source>{} does not cover the output, so its patches were first laid out by image quilting; give an initial image for a layout of your own.</source>
         <translation>{} ne couvre pas la sortie ; ses patchs ont donc d’abord été disposés par quilting d’images ; donnez une image de départ pour une disposition de votre choix.</translation>
     </message>
+    <message>
+        <source>128 px</source>
+        <translation>128 px</translation>
+    </message>
+    <message>
+        <source>256 px</source>
+        <translation>256 px</translation>
+    </message>
+    <message>
+        <source>64 px</source>
+        <translation>64 px</translation>
+    </message>
+    <message>
+        <source>A scale of {} voxels for a unit of the mesh is none; it must be more than 0.</source>
+        <translation>Une échelle de {} voxels par unité du maillage n’en est pas une ; elle doit être supérieure à 0.</translation>
+    </message>
+    <message>
+        <source>A trained generator to make the texture with, or to train further.</source>
+        <translation>Un générateur entraîné qui fait la texture, ou à entraîner davantage.</translation>
+    </message>
+    <message>
+        <source>An exemplar with a longer one is scaled down to this, and features with it: larger keeps more detail and takes much longer to learn.</source>
+        <translation>Un exemple qui en a un plus long est réduit à cette taille, et ses motifs avec lui : plus grand garde plus de détails et s’apprend bien plus lentement.</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Lot</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Coloration d’un maillage</translation>
+    </message>
+    <message>
+        <source>Compare by</source>
+        <translation>Comparer par</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Décroissance</translation>
+    </message>
+    <message>
+        <source>Decay every</source>
+        <translation>Décroissance tous les</translation>
+    </message>
+    <message>
+        <source>Even gradients</source>
+        <translation>Équilibrer les gradients</translation>
+    </message>
+    <message>
+        <source>Feature maps that each scale adds, 8 as published: more hold more of the texture, and take longer by their square.</source>
+        <translation>Cartes de caractéristiques que chaque échelle ajoute, 8 dans la publication : davantage retiennent plus de la texture et prennent un temps qui croît comme leur carré.</translation>
+    </message>
+    <message>
+        <source>Figure 4.3 of Gutierrez&apos; thesis: the same noise through the generator after more and more iterations. First colours, then soft shapes, then edges and detail; the curve of the loss is under Figures.</source>
+        <translation>Figure 4.3 de la thèse de Gutierrez : le même bruit à travers le générateur après de plus en plus d’itérations. D’abord les couleurs, puis des formes douces, puis les contours et les détails ; la courbe de la perte est sous Mesures.</translation>
+    </message>
+    <message>
+        <source>Figures 4.4 and 4.5 of Gutierrez&apos; thesis: the rate falls by 0.8 now and then, in batches of one or four samples. See the curve of the loss under Figures.</source>
+        <translation>Figures 4.4 et 4.5 de la thèse de Gutierrez : le taux baisse de temps en temps d’un facteur 0,8, par lots d’un ou de quatre échantillons. Voir la courbe de la perte sous Mesures.</translation>
+    </message>
+    <message>
+        <source>Figures 4.6 to 4.9 of Gutierrez&apos; thesis in small: the exemplar learned at three sizes, the descriptor&apos;s pooling by mean and by maximum, and gradients as they are or evened out over its taps.</source>
+        <translation>Figures 4.6 à 4.9 de la thèse de Gutierrez en petit : l’exemple appris en trois tailles, le mise en commun du descripteur par moyenne et par maximum, et les gradients tels quels ou équilibrés entre ses prises.</translation>
+    </message>
+    <message>
+        <source>Gives the gradient at each tap of the descriptor the same norm, so that all have their say, whatever their loss.</source>
+        <translation>Donne au gradient de chaque prise du descripteur la même norme, pour que toutes comptent, quelle que soit leur perte.</translation>
+    </message>
+    <message>
+        <source>Goes on training the generator that is given; else it only makes the texture, at once.</source>
+        <translation>Continue d’entraîner le générateur donné ; sinon il fait seulement la texture, aussitôt.</translation>
+    </message>
+    <message>
+        <source>Gradients</source>
+        <translation>Gradients</translation>
+    </message>
+    <message>
+        <source>Halvings</source>
+        <translation>Divisions par deux</translation>
+    </message>
+    <message>
+        <source>How far each step goes at the beginning. Too large, and the loss jumps; too small, and it falls slowly.</source>
+        <translation>Longueur de chaque pas au début. Trop grand, la perte fait des sauts ; trop petit, elle baisse lentement.</translation>
+    </message>
+    <message>
+        <source>How often the generator&apos;s noise is halved in size: each scale more lets features be twice as large.</source>
+        <translation>Combien de fois la taille du bruit du générateur est divisée par deux : chaque échelle de plus permet des motifs deux fois plus grands.</translation>
+    </message>
+    <message>
+        <source>It has rows {:.0f} px apart, so methods that keep rows come first.</source>
+        <translation>Elle a des rangées distantes de {:.0f} px ; les méthodes qui gardent les rangées viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>It is grain without objects, alike beyond no more than {:.0f} px, so methods that keep statistics come first.</source>
+        <translation>C&apos;est du grain sans objets, semblable sur {:.0f} px au plus ; les méthodes qui gardent les statistiques viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>It is made of things about {:.0f} px in size that do not repeat, so methods that join copied pieces come first.</source>
+        <translation>Elle est faite de choses d&apos;environ {:.0f} px qui ne se répètent pas ; les méthodes qui assemblent des morceaux copiés viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>It repeats itself every {:.0f} px, so methods that follow a lattice come first.</source>
+        <translation>Elle se répète tous les {:.0f} px ; les méthodes qui suivent un réseau viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>Iterations after which the learning rate falls; 0 for a tenth of them all.</source>
+        <translation>Itérations après lesquelles le taux d’apprentissage baisse ; 0 pour un dixième du total.</translation>
+    </message>
+    <message>
+        <source>Its shapes reach over {:.0f} px of {} × {} px, so methods that keep large pieces come first.</source>
+        <translation>Ses formes s&apos;étendent sur {:.0f} px de {} × {} px ; les méthodes qui gardent de grands morceaux viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>Making the texture</source>
+        <translation>Création de la texture</translation>
+    </message>
+    <message>
+        <source>Noise channels</source>
+        <translation>Canaux de bruit</translation>
+    </message>
+    <message>
+        <source>Of the random numbers that each scale begins with.</source>
+        <translation>Des nombres aléatoires par lesquels commence chaque échelle.</translation>
+    </message>
+    <message>
+        <source>Of the textures that are made and compared in training: larger ones say more of large features, and take longer.</source>
+        <translation>Des textures faites et comparées pendant l’entraînement : plus grandes, elles en disent plus sur les grands motifs et prennent plus de temps.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Remplissage des bords</translation>
+    </message>
+    <message>
+        <source>Samples in one iteration: more make each step surer and longer.</source>
+        <translation>Échantillons par itération : davantage rendent chaque pas plus sûr et plus long.</translation>
+    </message>
+    <message>
+        <source>Samples of {} px are too small for the network, which needs {} px a side.</source>
+        <translation>Des échantillons de {} px sont trop petits pour le réseau, qui demande {} px de côté.</translation>
+    </message>
+    <message>
+        <source>Side of samples</source>
+        <translation>Côté des échantillons</translation>
+    </message>
+    <message>
+        <source>Texture network</source>
+        <translation>Réseau de texture</translation>
+    </message>
+    <message>
+        <source>Texture network, as published</source>
+        <translation>Réseau de texture, comme publié</translation>
+    </message>
+    <message>
+        <source>Texture network: learning rate and batch</source>
+        <translation>Réseau de texture : taux d’apprentissage et lot</translation>
+    </message>
+    <message>
+        <source>Texture network: resolution, pooling, gradients</source>
+        <translation>Réseau de texture : résolution, mise en commun, gradients</translation>
+    </message>
+    <message>
+        <source>Texture network: what training does</source>
+        <translation>Réseau de texture : ce que fait l’entraînement</translation>
+    </message>
+    <message>
+        <source>The box of {} has {} voxels, and one file holds up to {}; write several boxes, which fit together.</source>
+        <translation>La boîte de {} a {} voxels, et un fichier en contient jusqu’à {} ; écrivez plusieurs boîtes, qui se raccordent.</translation>
+    </message>
+    <message>
+        <source>The exemplar has {} channels with its maps; a generator makes at most {}.</source>
+        <translation>L’exemple a {} canaux avec ses cartes ; un générateur en fait au plus {}.</translation>
+    </message>
+    <message>
+        <source>The generator makes {} channels, and the exemplar has {}.</source>
+        <translation>Le générateur fait {} canaux, et l’exemple en a {}.</translation>
+    </message>
+    <message>
+        <source>The mesh has no face that could be coloured; choose another one.</source>
+        <translation>Le maillage n’a aucune face à colorer ; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>There is neither an exemplar to learn from nor a trained generator to make a texture with.</source>
+        <translation>Il n’y a ni exemple dont apprendre, ni générateur entraîné pour faire une texture.</translation>
+    </message>
+    <message>
+        <source>There is no generator to train further: give one, or train anew.</source>
+        <translation>Il n’y a pas de générateur à entraîner davantage : en donner un, ou entraîner de nouveau.</translation>
+    </message>
+    <message>
+        <source>Train further</source>
+        <translation>Entraîner davantage</translation>
+    </message>
+    <message>
+        <source>Training ended after {} of {} iterations, since the next gave values that are no numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
+        <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
+    </message>
+    <message>
+        <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
+        <translation>Entraîne un petit réseau jusqu’à ce que ce qu’il fait du bruit ressemble à l’exemple ; entraîné, il fait aussitôt des textures de toute taille. Pour des motifs sans ordre strict.</translation>
+    </message>
+    <message>
+        <source>Ulyanov et al. as Gutierrez trains them: plain Gram matrices of 256 px, circular padding, batches of four and 5,000 iterations, with the rate falling by 0.8; give it their VGG-19 as its descriptor. Takes hours.</source>
+        <translation>Ulyanov et al. comme Gutierrez les entraîne : de simples matrices de Gram de 256 px, remplissage circulaire, lots de quatre et 5 000 itérations, le taux baissant d’un facteur 0,8 ; donner leur VGG-19 comme descripteur. Prend des heures.</translation>
+    </message>
+    <message>
+        <source>What of samples and exemplar is compared: the feature maps of a descriptor, the distribution of small patches, which makes edges sharper, or both.</source>
+        <translation>Ce qui est comparé des échantillons et de l’exemple : les cartes de caractéristiques d’un descripteur, la distribution de petits morceaux, qui rend les contours plus nets, ou les deux.</translation>
+    </message>
+    <message>
+        <source>What samples find beyond their edges in training: more of an endless texture, or their other end, as published. Either generator makes any part of any size, and wraps.</source>
+        <translation>Ce que les échantillons trouvent au-delà de leurs bords pendant l’entraînement : la suite d’une texture sans fin, ou leur autre bout, comme publié. L’un et l’autre générateur fait toute partie de toute taille, et se raccorde.</translation>
+    </message>
+    <message>
+        <source>What the learning rate is multiplied by each time that it falls.</source>
+        <translation>Ce par quoi le taux d’apprentissage est multiplié chaque fois qu’il baisse.</translation>
+    </message>
+    <message>
+        <source>What was learned, under half a megabyte: given to this method, it makes any size and any part of the texture without training.</source>
+        <translation>Ce qui a été appris, moins d’un demi-mégaoctet : donné à cette méthode, cela fait toute taille et toute partie de la texture sans entraînement.</translation>
+    </message>
+    <message>
+        <source>Writing a box</source>
+        <translation>Écriture d’une boîte</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Écriture d’une coupe</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -5940,6 +6172,22 @@
         <source>Write the result to the folder and in the way of the last export, without asking</source>
         <translation>Écrire le résultat dans le dossier et de la façon du dernier export, sans demander</translation>
     </message>
+    <message>
+        <source>&amp;Navigator</source>
+        <translation>&amp;Navigateur</translation>
+    </message>
+    <message>
+        <source>Show the whole picture small where a part of it is shown, or hide it</source>
+        <translation>Montrer toute l&apos;image en petit là où l&apos;on n&apos;en voit qu&apos;une partie, ou la cacher</translation>
+    </message>
+    <message>
+        <source>H&amp;istogram, waveform</source>
+        <translation>H&amp;istogramme, forme d&apos;onde</translation>
+    </message>
+    <message>
+        <source>Show the histogram of the picture, then its waveform, then neither</source>
+        <translation>Montrer l&apos;histogramme de l&apos;image, puis sa forme d&apos;onde, puis aucun des deux</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::AnalogyView</name>
@@ -6105,6 +6353,33 @@
     <message>
         <source>Show the re&amp;gion’s outline</source>
         <translation>Montrer le contour de la ré&amp;gion</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::BoxDialog</name>
+    <message>
+        <source>Box of voxels</source>
+        <translation>Boîte de voxels</translation>
+    </message>
+    <message>
+        <source>First voxel</source>
+        <translation>Premier voxel</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxels</translation>
+    </message>
+    <message>
+        <source>First voxel along %1</source>
+        <translation>Premier voxel le long de %1</translation>
+    </message>
+    <message>
+        <source>Voxels along %1</source>
+        <translation>Voxels le long de %1</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 voxels</translation>
     </message>
 </context>
 <context>
@@ -7630,6 +7905,10 @@ Déposez une image ici.</translation>
         <source>No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not repeat, methods without a lattice suit it, such as image quilting.</source>
         <translation>Aucun réseau ne ressort dans %1 (confiance %2). Choisissez-en un ci-dessous, glissez les vecteurs sur ce que vous voyez, ou redressez d’abord l’échantillon (Ctrl+D) s’il est vu de biais ; s’il ne se répète pas, les méthodes sans réseau conviennent, comme le quilting d’images.</translation>
     </message>
+    <message>
+        <source>Set by hand: %1 agrees with itself by %2 at the multiples of these vectors; by %3 at those of the best that was found.</source>
+        <translation>Placé à la main : %1 concorde avec elle-même à %2 aux multiples de ces vecteurs ; à %3 à ceux du meilleur trouvé.</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::LayerDialog</name>
@@ -7941,6 +8220,26 @@ Déposez une image ici.</translation>
     <message>
         <source>The session was saved by Texloom %1; this is %2, so results may differ.</source>
         <translation>La session a été enregistrée par Texloom %1 ; ceci est %2, les résultats peuvent donc différer.</translation>
+    </message>
+    <message>
+        <source>S&amp;olids</source>
+        <translation>S&amp;olides</translation>
+    </message>
+    <message>
+        <source>A generator that was trained already: look at it in the Volume tab.</source>
+        <translation>Un générateur déjà entraîné : à voir dans l’onglet Volume.</translation>
+    </message>
+    <message>
+        <source>&amp;Open a solid…</source>
+        <translation>&amp;Ouvrir un solide…</translation>
+    </message>
+    <message>
+        <source>Solid to look at</source>
+        <translation>Solide à regarder</translation>
+    </message>
+    <message>
+        <source>Generators and volumes (*.safetensors *.json);;Slices of a volume (*.png *.tif *.exr)</source>
+        <translation>Générateurs et volumes (*.safetensors *.json);;Coupes d’un volume (*.png *.tif *.exr)</translation>
     </message>
 </context>
 <context>
@@ -8285,6 +8584,17 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::MethodHint</name>
+    <message>
+        <source>Methods that suit the exemplar</source>
+        <translation>Méthodes qui conviennent à l&apos;exemple</translation>
+    </message>
+    <message>
+        <source>Try first: %1. %2</source>
+        <translation>À essayer d&apos;abord : %1. %2</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::MethodsDialog</name>
     <message>
         <source>At a &amp;preview&apos;s size, not at %1 px</source>
@@ -8344,6 +8654,13 @@ Déposez une image ici.</translation>
     <message>
         <source>&amp;Go on without them</source>
         <translation>Continuer &amp;sans eux</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Navigator</name>
+    <message>
+        <source>The whole picture. Drag the frame to look elsewhere; N shows and hides this.</source>
+        <translation>Toute l&apos;image. Déplacez le cadre pour regarder ailleurs ; N la montre et la cache.</translation>
     </message>
 </context>
 <context>
@@ -9389,10 +9706,6 @@ Déposez une image ici.</translation>
         <translation>Volume</translation>
     </message>
     <message>
-        <source>A slice of the volume that the result has: any plane, at any place.</source>
-        <translation>Une coupe du volume qui accompagne le résultat : tout plan, à tout endroit.</translation>
-    </message>
-    <message>
         <source>There is no picture yet that could be kept; the run ends as soon as there is one.</source>
         <translation>Il n’y a pas encore d’image à garder ; le calcul se termine dès qu’il y en a une.</translation>
     </message>
@@ -9419,6 +9732,29 @@ Déposez une image ici.</translation>
     <message>
         <source>Open folder</source>
         <translation>Ouvrir le dossier</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The volume of the result: slices at any place, a block cut open, a mesh.</source>
+        <translation>Le volume du résultat : des coupes n’importe où, un bloc ouvert, un maillage.</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::RunNotice</name>
+    <message>
+        <source>Finished</source>
+        <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échec</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -9485,6 +9821,17 @@ Déposez une image ici.</translation>
     <message>
         <source>&amp;Later</source>
         <translation>Plus &amp;tard</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::Scope</name>
+    <message>
+        <source>Histogram, 0 to 255</source>
+        <translation>Histogramme, 0 à 255</translation>
+    </message>
+    <message>
+        <source>Waveform: red, green, blue</source>
+        <translation>Forme d&apos;onde : rouge, vert, bleu</translation>
     </message>
 </context>
 <context>
@@ -9603,34 +9950,61 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
-    <name>texloom::ui::SlicePanel</name>
+    <name>texloom::ui::SliceView</name>
+    <message>
+        <source>Slice square to %1</source>
+        <translation>Coupe perpendiculaire à %1</translation>
+    </message>
+    <message>
+        <source>Oblique slice</source>
+        <translation>Coupe oblique</translation>
+    </message>
+    <message>
+        <source>Oblique · %1°, %2°</source>
+        <translation>Oblique · %1°, %2°</translation>
+    </message>
     <message>
         <source>There is no volume to look at.</source>
-        <translation>Il n’y a pas de volume à regarder.</translation>
+        <translation>Il n’y a aucun volume à voir.</translation>
     </message>
     <message>
-        <source>Making the slice…</source>
-        <translation>Calcul de la coupe…</translation>
+        <source>Making it…</source>
+        <translation>En préparation…</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidPanel</name>
+    <message>
+        <source>Block with a part cut away</source>
+        <translation>Bloc dont une partie est coupée</translation>
     </message>
     <message>
-        <source>The axis that the slice is square to while it is not turned</source>
-        <translation>L’axe auquel la coupe est perpendiculaire tant qu’elle n’est pas tournée</translation>
+        <source>Drag to turn it, with Ctrl to move the cut, which goes through the crosshair; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Glisser le tourne, avec Ctrl déplace la coupe, qui passe par le réticule ; la molette rapproche. Un double clic lui donne toute la place.</translation>
     </message>
     <message>
-        <source>Square to z</source>
-        <translation>Perpendiculaire à z</translation>
+        <source>Mesh with the volume&apos;s colours</source>
+        <translation>Maillage aux couleurs du volume</translation>
     </message>
     <message>
-        <source>Square to y</source>
-        <translation>Perpendiculaire à y</translation>
+        <source>Drag to turn it, with Ctrl to move the volume in the mesh; the wheel comes nearer. Double click gives it all the room.</source>
+        <translation>Glisser le tourne, avec Ctrl déplace le volume dans le maillage ; la molette rapproche. Un double clic lui donne toute la place.</translation>
     </message>
     <message>
-        <source>Square to x</source>
-        <translation>Perpendiculaire à x</translation>
+        <source>Oblique slice</source>
+        <translation>Coupe oblique</translation>
     </message>
     <message>
-        <source>The voxel in the middle of the picture</source>
-        <translation>Le voxel au milieu de l’image</translation>
+        <source>Block</source>
+        <translation>Bloc</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>What the fourth view shows</source>
+        <translation>Ce que montre la quatrième vue</translation>
     </message>
     <message>
         <source>How far the slice is turned about the picture&apos;s vertical</source>
@@ -9638,31 +10012,11 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>How far the slice is turned about the picture&apos;s horizontal</source>
-        <translation>De combien la coupe est inclinée autour de l’horizontale de l’image</translation>
+        <translation>De combien la coupe est tournée autour de l’horizontale de l’image</translation>
     </message>
     <message>
-        <source>Width and height of the picture</source>
-        <translation>Largeur et hauteur de l’image</translation>
-    </message>
-    <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
-        <source>Slice</source>
-        <translation>Coupe</translation>
-    </message>
-    <message>
-        <source>Middle x</source>
-        <translation>Milieu x</translation>
-    </message>
-    <message>
-        <source>Middle y</source>
-        <translation>Milieu y</translation>
-    </message>
-    <message>
-        <source>Middle z</source>
-        <translation>Milieu z</translation>
+        <source>Cuts at 45° between x and z</source>
+        <translation>Coupe à 45° entre x et z</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -9673,8 +10027,107 @@ Déposez une image ici.</translation>
         <translation>Inclinaison</translation>
     </message>
     <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Coin</translation>
+    </message>
+    <message>
+        <source>Beyond x</source>
+        <translation>Au-delà de x</translation>
+    </message>
+    <message>
+        <source>Above y</source>
+        <translation>Au-dessus de y</translation>
+    </message>
+    <message>
+        <source>Before z</source>
+        <translation>Devant z</translation>
+    </message>
+    <message>
+        <source>What is cut away at the crosshair</source>
+        <translation>Ce qui est coupé au réticule</translation>
+    </message>
+    <message>
+        <source>Voxels along the block&apos;s sides</source>
+        <translation>Voxels le long des côtés du bloc</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
         <source>Side</source>
         <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Cube</source>
+        <translation>Cube</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>D’un fichier…</translation>
+    </message>
+    <message>
+        <source>The surface; it needs no places in a texture</source>
+        <translation>La surface ; elle n’a pas besoin de places dans une texture</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Voxels along the mesh&apos;s longest side: more of them are smaller</source>
+        <translation>Voxels le long du plus grand côté du maillage : plus il y en a, plus ils sont petits</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about x</source>
+        <translation>De combien le volume est tourné autour de x</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about y</source>
+        <translation>De combien le volume est tourné autour de y</translation>
+    </message>
+    <message>
+        <source>How far the volume is turned about z</source>
+        <translation>De combien le volume est tourné autour de z</translation>
+    </message>
+    <message>
+        <source>Mesh to show the volume on</source>
+        <translation>Maillage sur lequel montrer le volume</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.ply *.gltf *.glb)</source>
+        <translation>Maillages (*.obj *.ply *.gltf *.glb)</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::SolidView</name>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin en cours…</translation>
+    </message>
+    <message>
+        <source>There is no volume to look at.</source>
+        <translation>Il n’y a aucun volume à voir.</translation>
     </message>
 </context>
 <context>
@@ -10022,6 +10475,101 @@ Déposez une image ici.</translation>
     <message>
         <source>n = %1 px</source>
         <translation>n = %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::VolumePage</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>The voxel under the crosshair</source>
+        <translation>Le voxel sous le réticule</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>Toutes les vues</translation>
+    </message>
+    <message>
+        <source>Gives each view its part of the room again</source>
+        <translation>Rend à chaque vue sa part de la place</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Click to bring the crosshair here; drag its lines to move it, and the rest to move along. The wheel zooms, with Ctrl it steps through the volume, like Page Up and Page Down. Double click gives it all the room.</source>
+        <translation>Un clic amène le réticule ici ; glisser ses lignes le déplace, glisser le reste fait défiler. La molette agrandit, avec Ctrl elle parcourt le volume, comme Page préc. et Page suiv. Un double clic lui donne toute la place.</translation>
+    </message>
+    <message>
+        <source>Drag to move along, with Shift to turn the slice; a click brings the crosshair here. Double click gives it all the room.</source>
+        <translation>Glisser fait défiler, avec Maj tourne la coupe ; un clic amène le réticule ici. Un double clic lui donne toute la place.</translation>
+    </message>
+    <message>
+        <source>Slice as it is seen…</source>
+        <translation>La coupe telle qu’on la voit…</translation>
+    </message>
+    <message>
+        <source>Box of voxels…</source>
+        <translation>Boîte de voxels…</translation>
+    </message>
+    <message>
+        <source>Mesh with colours…</source>
+        <translation>Maillage en couleurs…</translation>
+    </message>
+    <message>
+        <source>Save the slice %1</source>
+        <translation>Enregistrer la coupe %1</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.exr)</source>
+        <translation>Images (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>Save a box of voxels</source>
+        <translation>Enregistrer une boîte de voxels</translation>
+    </message>
+    <message>
+        <source>Raw numbers and JSON (*.json);;Numbered slices (*.png *.tif *.exr)</source>
+        <translation>Nombres bruts et JSON (*.json);;Coupes numérotées (*.png *.tif *.exr)</translation>
+    </message>
+    <message>
+        <source>There is no mesh yet: choose one in the fourth view, under Mesh.</source>
+        <translation>Il n’y a pas encore de maillage : choisissez-en un dans la quatrième vue, sous Maillage.</translation>
+    </message>
+    <message>
+        <source>Mesh with colours</source>
+        <translation>Maillage en couleurs</translation>
+    </message>
+    <message>
+        <source>Voxels from one vertex to the next, at most (0 leaves the mesh as it is):</source>
+        <translation>Voxels d’un sommet au suivant, au plus (0 laisse le maillage tel quel) :</translation>
+    </message>
+    <message>
+        <source>Save the mesh with its colours</source>
+        <translation>Enregistrer le maillage avec ses couleurs</translation>
+    </message>
+    <message>
+        <source>Meshes with colours (*.ply *.obj *.glb)</source>
+        <translation>Maillages en couleurs (*.ply *.obj *.glb)</translation>
+    </message>
+    <message>
+        <source>Writing a slice</source>
+        <translation>Écriture d’une coupe</translation>
+    </message>
+    <message>
+        <source>Writing a box of voxels</source>
+        <translation>Écriture d’une boîte de voxels</translation>
+    </message>
+    <message>
+        <source>Colouring a mesh</source>
+        <translation>Coloration d’un maillage</translation>
+    </message>
+    <message>
+        <source>There is no volume to save anything of.</source>
+        <translation>Il n’y a aucun volume dont enregistrer quelque chose.</translation>
     </message>
 </context>
 <context>
