@@ -2,6 +2,7 @@
 #include "core/render/microfacets.h"
 #include "core/render/render.h"
 #include "core/render/visibility.h"
+#include "tests/core/render/straight_on.h"
 #include "tests/support/textures.h"
 
 #include <Eigen/Geometry>
@@ -51,13 +52,6 @@ Image picture(const RenderMesh& mesh, const Material& material, const Environmen
     return onThreads(threads, [&](JobContext& context) {
         return rendered(mesh, MaterialTexture(material), light, look, size, context);
     });
-}
-
-Look straightOn() {
-    Look look;
-    look.camera.turn = look.camera.rise = 0;
-    look.backdrop = Backdrop::Nothing;
-    return look;
 }
 
 /// The mean over all that is covered.

@@ -1,4 +1,5 @@
 #include "core/render/solid.h"
+#include "tests/core/render/straight_on.h"
 #include "tests/support/volumes.h"
 
 #include <Eigen/Geometry>
@@ -30,10 +31,8 @@ Environment white(JobContext& context) {
     return Environment(panorama, context);
 }
 
-Look straightOn() {
-    Look look;
-    look.camera.turn = look.camera.rise = 0;
-    look.backdrop = Backdrop::Nothing;
+Look coloursStraightOn() {
+    Look look = straightOn();
     look.shown = Shown::Color;
     return look;
 }
@@ -93,8 +92,8 @@ TEST(CarvedBlock, CutsAtTheEndsLeaveAllOrNothingOfASide) {
 }
 
 TEST(SolidPicture, ABlockHasTheColoursOfItsVoxels) {
-    const Image seen =
-        picture(carvedBlock(sidesOf(kBlock), CutAway::Nothing, {0, 0, 0}), placementIn(kBlock), straightOn());
+    const Image seen = picture(carvedBlock(sidesOf(kBlock), CutAway::Nothing, {0, 0, 0}), placementIn(kBlock),
+                               coloursStraightOn());
     // The face in front is at z = 0, x to the right and y down.
     EXPECT_NEAR(seen(32, 32, 0), 0.5, 0.03);
     EXPECT_NEAR(seen(32, 32, 1), 0.5, 0.03);
@@ -107,7 +106,7 @@ TEST(SolidPicture, ABlockHasTheColoursOfItsVoxels) {
 TEST(SolidPicture, TheCutShowsTheSliceThroughItsPoint) {
     const Vector3f cut(0.5F, 0.5F, 0.25F); // z from the viewer's side: three quarters of the way
     const Image seen =
-        picture(carvedBlock(sidesOf(kBlock), CutAway::Z, cut), placementIn(kBlock), straightOn());
+        picture(carvedBlock(sidesOf(kBlock), CutAway::Z, cut), placementIn(kBlock), coloursStraightOn());
     EXPECT_NEAR(seen(32, 32, 2), 0.75, 1e-4);
 }
 
@@ -116,13 +115,13 @@ TEST(SolidPicture, AMeshIsColouredWithoutPlacesInATexture) {
     SolidPlacement placement;
     placement.scale = 32;
     placement.offset = {32, 32, 32};
-    const Image seen = picture(sphere, placement, straightOn());
+    const Image seen = picture(sphere, placement, coloursStraightOn());
     EXPECT_NEAR(seen(32, 32, 2), 1, 0.03) << "its front is at z = 1";
     EXPECT_GT(seen(44, 32, 0), seen(20, 32, 0) + 0.3F);
     EXPECT_LT(seen(32, 44, 1), seen(32, 20, 1) - 0.3F) << "y points up in space";
     for (auto& uv : sphere.mesh.uvs)
         uv = {0.5F, 0.5F};
-    const Image again = picture(sphere, placement, straightOn());
+    const Image again = picture(sphere, placement, coloursStraightOn());
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             ASSERT_EQ(seen(x, y, 0), again(x, y, 0));
@@ -145,20 +144,20 @@ TEST(SolidPicture, WhatIsNotThereInTimeIsGreyAndSaid) {
     const auto solid = ramps();
     const RenderMesh mesh = carvedBlock(sidesOf(kBlock), CutAway::Nothing, {0, 0, 0});
     const Environment light = white(context);
-    const SolidPicture early = rendered(mesh, *solid, placementIn(kBlock), light, straightOn(), {16, 16},
-                                        std::chrono::milliseconds(-1), context);
+    const SolidPicture early = rendered(mesh, *solid, placementIn(kBlock), light, coloursStraightOn(),
+                                        {16, 16}, std::chrono::milliseconds(-1), context);
     EXPECT_FALSE(early.whole);
     EXPECT_EQ(early.image(8, 8, 0), early.image(8, 8, 2));
-    EXPECT_TRUE(
-        rendered(mesh, *solid, placementIn(kBlock), light, straightOn(), {16, 16}, std::nullopt, context)
-            .whole);
+    EXPECT_TRUE(rendered(mesh, *solid, placementIn(kBlock), light, coloursStraightOn(), {16, 16},
+                         std::nullopt, context)
+                    .whole);
 }
 
 TEST(SolidPicture, AWhiteSolidInWhiteLightIsWhite) {
     TestContext context;
     const BlockCache solid(
         std::make_shared<FunctionSource>([](std::int64_t, std::int64_t, std::int64_t, int) { return 1.0; }));
-    Look look = straightOn();
+    Look look = coloursStraightOn();
     look.shown = Shown::Lit;
     const SolidPicture lit = rendered(renderMesh(BasicShape::Sphere), solid, {}, white(context), look,
                                       {64, 64}, std::nullopt, context);
