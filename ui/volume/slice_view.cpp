@@ -130,9 +130,14 @@ Vector2d SliceView::middle() const {
     return {here.right.dot(m_cursor->middle()), here.down.dot(m_cursor->middle())};
 }
 
+/// Where what is in the middle lies: in the middle of a pixel, also of a widget with an even number of them.
+QPointF SliceView::centre() const {
+    return QPointF(rect().center()) + QPointF(0.5, 0.5);
+}
+
 Vector3d SliceView::spaceAt(QPointF point) const {
-    const Vector2d at =
-        middle() + Vector2d(point.x() - width() / 2.0, point.y() - height() / 2.0) / m_cursor->zoom();
+    const QPointF from = point - centre();
+    const Vector2d at = middle() + Vector2d(from.x(), from.y()) / m_cursor->zoom();
     return plane().at(at.x(), at.y());
 }
 
@@ -140,7 +145,7 @@ QPointF SliceView::placeOf(const Vector3d& space) const {
     const Plane here = plane();
     const Vector3d from = space - here.origin;
     const Vector2d at = m_cursor->zoom() * (Vector2d(here.right.dot(from), here.down.dot(from)) - middle());
-    return {at.x() + width() / 2.0, at.y() + height() / 2.0};
+    return centre() + QPointF(at.x(), at.y());
 }
 
 std::pair<Plane, Size> SliceView::seen() const {
@@ -168,7 +173,7 @@ const SliceView::Tile* SliceView::tile(int i, int j, int step) const {
 std::vector<SliceView::Place> SliceView::wanted() const {
     const int step = this->step();
     const double side = static_cast<double>(kTile) * step;
-    const Vector2d half(width() / 2.0 / m_cursor->zoom(), height() / 2.0 / m_cursor->zoom());
+    const Vector2d half = Vector2d(width() / 2.0 + 1, height() / 2.0 + 1) / m_cursor->zoom();
     const Vector2d first = ((middle() - half).array() + 0.5) / side,
                    last = ((middle() + half).array() + 0.5) / side;
     const Plane here = plane();
@@ -283,13 +288,14 @@ void SliceView::forgetUnseen() {
 QRect SliceView::rectOf(const Place& place) const {
     const auto [step, i, j] = place;
     const double side = static_cast<double>(kTile) * step, zoom = m_cursor->zoom();
-    const Vector2d centre = middle();
-    const auto at = [&](std::int64_t number, double from, int length) {
-        const double widget = zoom * (side * static_cast<double>(number) - step / 2.0 - from) + length / 2.0;
+    const Vector2d from = middle();
+    const QPointF centre = this->centre();
+    const auto at = [&](std::int64_t number, double first, double middle) {
+        const double widget = zoom * (side * static_cast<double>(number) - step / 2.0 - first) + middle;
         return static_cast<int>(std::lround(std::clamp(widget, -1e6, 1e6)));
     };
-    const QPoint first(at(i, centre.x(), width()), at(j, centre.y(), height()));
-    const QPoint beyond(at(i + 1, centre.x(), width()), at(j + 1, centre.y(), height()));
+    const QPoint first(at(i, from.x(), centre.x()), at(j, from.y(), centre.y()));
+    const QPoint beyond(at(i + 1, from.x(), centre.x()), at(j + 1, from.y(), centre.y()));
     return {first, beyond - QPoint(1, 1)};
 }
 

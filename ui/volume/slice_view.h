@@ -46,7 +46,8 @@ public:
     Plane plane() const;
     /// "XY · z = −3".
     QString title() const;
-    /// The point in space under a point of the widget, and back.
+    /// The point in space under a point of the widget, and back: voxels at a whole zoom lie over whole
+    /// pixels.
     Eigen::Vector3d spaceAt(QPointF point) const;
     QPointF placeOf(const Eigen::Vector3d& space) const;
     /// The plane whose pixels are what is seen, a pixel each voxel, and their number.
@@ -99,6 +100,8 @@ private:
 
     std::int64_t slice() const;
     Eigen::Vector2d middle() const;
+    QPointF centre() const;
+    QPointF pointOf(const QSinglePointEvent& event) const;
     std::vector<Place> wanted() const;
     std::vector<Place> missing() const;
     void planeChanged();

@@ -1,10 +1,10 @@
 #include "ui/volume/slice_view.h"
 
-#include <Eigen/Geometry>
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -40,6 +40,11 @@ bool SliceView::event(QEvent* event) {
     return QWidget::event(event);
 }
 
+/// The middle of the pixel that the mouse is at, not its corner.
+QPointF SliceView::pointOf(const QSinglePointEvent& event) const {
+    return event.position() + QPointF(0.5, 0.5) / devicePixelRatioF();
+}
+
 SliceView::Drag SliceView::gripAt(QPointF point) const {
     if (!m_axis)
         return Drag::View;
@@ -58,7 +63,7 @@ void SliceView::showGrip(QPointF point) {
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event) {
-    m_dragPoint = event->position();
+    m_dragPoint = pointOf(*event);
     if (!m_axis && event->button() == Qt::LeftButton && event->modifiers() & Qt::ShiftModifier)
         m_drag = Drag::Turn;
     else if (event->button() == Qt::MiddleButton)
@@ -68,22 +73,22 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
-    tellHovered(event->position());
+    tellHovered(pointOf(*event));
     if (m_drag == Drag::None)
-        return showGrip(event->position());
-    const QPointF moved = event->position() - m_dragPoint;
+        return showGrip(pointOf(*event));
+    const QPointF moved = pointOf(*event) - m_dragPoint;
     constexpr double kStill = 3; // a hand is not quite still while it clicks
     if (m_drag == Drag::Press && moved.manhattanLength() <= kStill)
         return;
     if (m_drag == Drag::Press)
         m_drag = Drag::View;
-    m_dragPoint = event->position();
+    m_dragPoint = pointOf(*event);
     if (m_drag == Drag::View)
         return moveView(-moved);
     if (m_drag == Drag::Turn)
         return m_cursor->setAngles(m_cursor->turn() + kDragTurn * moved.x(),
                                    m_cursor->tilt() + kDragTurn * moved.y());
-    QPointF to = event->position();
+    QPointF to = pointOf(*event);
     if (m_drag == Drag::Across)
         to.setY(placeOf(m_cursor->cross()).y());
     if (m_drag == Drag::Down)
@@ -93,14 +98,14 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
     if (m_drag == Drag::Press) {
-        const Vector3d to = spaceAt(event->position());
+        const Vector3d to = spaceAt(pointOf(*event));
         if (!m_axis) // what is seen stays where it is
             m_shift -= Eigen::Vector2d(plane().right.dot(to - m_cursor->cross()),
                                        plane().down.dot(to - m_cursor->cross()));
         m_cursor->setCross(to);
     }
     m_drag = Drag::None;
-    showGrip(event->position());
+    showGrip(pointOf(*event));
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -140,7 +145,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     if (event->modifiers() & Qt::ControlModifier)
         step(static_cast<int>(-std::copysign(std::ceil(std::abs(notches)), notches)));
     else
-        zoomAt(event->position(), std::pow(kKeyZoom, notches));
+        zoomAt(pointOf(*event), std::pow(kKeyZoom, notches));
     event->accept();
 }
 
@@ -159,7 +164,7 @@ void SliceView::zoomAt(QPointF point, double factor) {
     const double before = m_cursor->zoom();
     m_cursor->setZoom(before * factor);
     const double grown = m_cursor->zoom() / before;
-    moveView((point - QPointF(width() / 2.0, height() / 2.0)) * (grown - 1));
+    moveView((point - centre()) * (grown - 1));
 }
 
 void SliceView::step(int voxels) {
@@ -184,7 +189,6 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
                                        m_cursor->tilt() + kKeyTurn * down);
         return moveView(kKeyPan * QPointF(right, down));
     }
-    const QPointF centre(width() / 2.0, height() / 2.0);
     switch (event->key()) {
     case Qt::Key_PageUp:
         return step(control ? -kPage : -1);
@@ -192,9 +196,9 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
         return step(control ? kPage : 1);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        return zoomAt(centre, kKeyZoom);
+        return zoomAt(centre(), kKeyZoom);
     case Qt::Key_Minus:
-        return zoomAt(centre, 1 / kKeyZoom);
+        return zoomAt(centre(), 1 / kKeyZoom);
     case Qt::Key_1:
         return m_cursor->setZoom(1 / devicePixelRatioF());
     case Qt::Key_F:

@@ -152,10 +152,16 @@ void VolumePage::connectViews() {
     connect(m_solid, &SolidPanel::failed, this, &VolumePage::fail);
     for (SliceView* view : {m_slices[0], m_slices[1], m_slices[2], m_solid->oblique()}) {
         connect(view, &SliceView::failed, this, &VolumePage::fail);
-        connect(view, &SliceView::hovered, this, &VolumePage::showPlace);
-        connect(view, &SliceView::unhovered, this, &VolumePage::showCross);
+        connect(view, &SliceView::hovered, this, [this](const Vector3d& space, const QString& values) {
+            m_hovering = true;
+            showPlace(space, values);
+        });
+        connect(view, &SliceView::unhovered, this, [this] {
+            m_hovering = false;
+            showCross();
+        });
         connect(view, &SliceView::shown, this, [this] {
-            if (!underMouse())
+            if (!m_hovering)
                 showCross();
         });
     }

@@ -98,6 +98,7 @@ private:
     std::vector<NamedVolume> m_choice;
     std::optional<NamedVolume> m_ofFile;
     SourceWithRecipe m_shown;
+    bool m_hovering = false; ///< the mouse is at a place in a slice
     QLabel* m_choiceLabel;
     QComboBox* m_choiceBox;
     std::array<QSpinBox*, 3> m_coordinates;
