@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks the layout of all sources with clang-format, and core, ui and app with clang-tidy.
-# --format-only leaves out clang-tidy; --turn NUMBER has it look at a part, and at what changed in the last days; --fix
+# --format-only leaves out clang-tidy; --turn NUMBER has it look at a part, and at what changed in the last hours; --fix
 # lays the sources out instead of checking anything.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

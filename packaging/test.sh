@@ -16,7 +16,7 @@ usage() {
   echo "  --method ID   only what tests this method, such as quilting; no style checks"
   echo "  --quick       leave out clang-tidy and the slow tests"
   echo "  --sanitizers  also build and test all of the core with each sanitizer"
-  echo "  --turn        clang-tidy looks at a part of the sources, and at what changed in the last days; one part of"
+  echo "  --turn        clang-tidy looks at a part of the sources, and at what changed in the last hours; one part of"
   echo "                the core is built and tested with one sanitizer: others each day, or number TEXLOOM_TURN"
 }
 

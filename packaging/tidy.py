@@ -4,7 +4,7 @@
 Most of clang-tidy's time goes into headers. So sources of one room are looked at together, as one text; where
 that text has a flaw, or names that clash, each half is looked at again, down to single files, whose flaws are shown.
 
-With a number as second argument it looks at a part only: the rooms whose turn it is, and what changed in the last days.
+With a number as second argument it looks at a part only: the rooms whose turn it is, and what changed in the last hours.
 """
 import collections
 import concurrent.futures
@@ -23,7 +23,7 @@ BUILD = ROOT / "build/dev"
 TIDY = BUILD / "tidy"
 GROUP = 24
 TURNS = 4
-RECENT = "3 days ago"
+RECENT = "12 hours ago"
 GCC_ONLY = ("-Winvalid-pch", "-Werror", "-fpch-preprocess", "-mno-direct-extern-access")
 Source = collections.namedtuple("Source", "path arguments stamp")
 
@@ -70,7 +70,7 @@ def sources():
 
 
 def recent():
-    """Stems of the files that commits of the last days changed; none where there is no history."""
+    """Stems of the files that commits of the last hours changed; none where there is no history."""
     log = subprocess.run(["git", "-c", f"safe.directory={ROOT}", "log", f"--since={RECENT}", "--name-only", "--format="],
                          cwd=ROOT, capture_output=True, text=True).stdout
     return {(ROOT / line).with_suffix("") for line in log.splitlines() if line}
