@@ -181,8 +181,10 @@ struct ReliefRun : SampleRun {
     explicit ReliefRun(const std::string& method) {
         input.steps.front() = {method, {}};
         const Image height(input.exemplars.front().image.image->view().channelRange(0, 1));
-        writeImage(folder / "bark_height.png", height, {Depth::Bits16});
-        writeImage(folder / "bark_normal.png", normalsFromHeight(height, 4), {Depth::Bits16});
+        WriteOptions write;
+        write.depth = Depth::Bits16;
+        writeImage(folder / "bark_height.png", height, write);
+        writeImage(folder / "bark_normal.png", normalsFromHeight(height, 4), write);
         for (const char* name : {"bark_height.png", "bark_normal.png"})
             input.exemplars.front().companions.push_back(loadData(folder / name));
     }
