@@ -29,9 +29,9 @@ Message reasonFor(const TextureCharacter& character, const KindShares& kinds) {
                        character.period);
     if (most == kinds.grain)
         return message(
-            "It is grain without objects, alike beyond no more than {:.0f} px, so methods that keep "
-            "statistics come first.",
-            character.longest);
+            "It is grain without objects larger than about {:.0f} px, so methods that keep statistics "
+            "come first.",
+            2 * character.longest);
     if (most == kinds.large)
         return message(
             "Its shapes reach over {:.0f} px of {} × {} px, so methods that keep large pieces come "

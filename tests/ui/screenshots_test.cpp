@@ -1,5 +1,6 @@
 #include "core/session/run/checkpoint_file.h"
 #include "core/tools/edits.h"
+#include "tests/support/volumes.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/blend/blend_window.h"
 #include "ui/common/appearance.h"
@@ -25,6 +26,9 @@
 #include "ui/plots/variance_dialog.h"
 #include "ui/session/document.h"
 #include "ui/session/missing_files_dialog.h"
+#include "ui/volume/slice_view.h"
+#include "ui/volume/solid_panel.h"
+#include "ui/volume/volume_page.h"
 #include "ui/window/drop_targets.h"
 
 #include <QAction>
@@ -83,6 +87,7 @@ private Q_SLOTS:
         showCompare(window);
         showMaps(window);
         showLattice(window);
+        showVolume();
         showFigures(window);
         showTools(window);
         showManyRuns(window);
@@ -307,6 +312,30 @@ private:
                                  20'000);
         shoot(window, "copies-of-a-pixel");
         Q_EMIT exemplar->unhovered();
+    }
+
+    static void showVolume() {
+        VolumePage page;
+        page.resize(1000, 620);
+        page.show();
+        const auto rings = std::make_shared<test::FunctionSource>(
+            [](std::int64_t x, std::int64_t y, std::int64_t z, int c) {
+                const double far =
+                    std::hypot(static_cast<double>(x) + 8 * std::sin(static_cast<double>(z) / 30),
+                               static_cast<double>(y));
+                return (0.35 - 0.09 * c) * (1.2 + std::sin(far / 4) * std::cos(static_cast<double>(z) / 50));
+            },
+            3);
+        page.setVolumes({{QStringLiteral("Rings"), {rings, {}}}});
+        for (const auto& [view, name] :
+             {std::pair(SolidPanel::Oblique, "volume-oblique"), std::pair(SolidPanel::Block, "volume-block"),
+              std::pair(SolidPanel::OnMesh, "volume-mesh")}) {
+            page.solid()->setView(view);
+            for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+                QTRY_VERIFY_WITH_TIMEOUT(!page.slice(axis)->busy(), 30'000);
+            QTest::qWait(1500); // until what is drawn in space has come to rest
+            shoot(page, name);
+        }
     }
 
     static void showLattice(MainWindow& window) {

@@ -1,5 +1,6 @@
 #include "ui/compare/grid_run.h"
 
+#include "core/base/text.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
@@ -73,6 +74,12 @@ void GridRun::start(std::vector<GridEntry> entries, std::vector<CompareItem> fir
 
 void GridRun::showAndQueue(std::vector<Planned> planned, std::vector<CompareItem> first,
                            const GridLayout& layout) {
+    for (Planned& run : planned)
+        if (run.plan && run.seconds > layout.longest) {
+            run.refusal = tr("Would take about %1: choose the method and run it by itself.")
+                              .arg(QString::fromStdString(durationText(run.seconds)));
+            run.plan.reset();
+        }
     std::vector<CompareItem> items = std::move(first);
     const std::size_t before = items.size();
     for (const Planned& run : planned)

@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,9 +26,11 @@ struct GridEntry {
 
 /// How the runs of a grid are made and shown.
 struct GridLayout {
-    QString heading;            ///< of the grid's contact sheet: what all of them share
-    int columns = 0;            ///< 0 for a grid about as wide as high
-    bool quick = true;          ///< whether these are previews at a small size
+    QString heading;   ///< of the grid's contact sheet: what all of them share
+    int columns = 0;   ///< 0 for a grid about as wide as high
+    bool quick = true; ///< whether these are previews at a small size
+    /// Seconds from which on a run is not made, and its cell says so.
+    double longest = std::numeric_limits<double>::infinity();
     bool cheapestFirst = false; ///< whether the quickest run is made first, rather than the first entry's
 };
 

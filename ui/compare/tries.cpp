@@ -16,11 +16,14 @@
 #include <QAction>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace texloom::ui {
 
 namespace {
+
+constexpr double kLongest = 60; ///< seconds that one of all methods may take
 
 /// "Patch size 16 px · Seed 2".
 QString labelOf(const SweepCell& cell) {
@@ -85,7 +88,7 @@ Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons
             [this](const QString& title, const std::vector<GridEntry>& entries,
                    const std::vector<CompareItem>& first) {
                 m_comparisons->leaveFor();
-                m_grid->start(entries, first, {title, 0, false, false});
+                m_grid->start(entries, first, {title, 0, false});
             });
 }
 
@@ -107,19 +110,20 @@ void Tries::tryAll() {
     std::erase_if(ids, [](const std::string& id) { // which take minutes, and whose result is no picture
         return findMethod(id).info().category == Category::Solids;
     });
-    tryMethods(ids, true);
+    tryMethods(ids, true, kLongest);
 }
 
 void Tries::trySome() {
     auto* dialog = new MethodsDialog(sizeText(m_input().size), m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog] { tryMethods(dialog->chosen(), dialog->quick()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        tryMethods(dialog->chosen(), dialog->quick(), std::numeric_limits<double>::infinity());
+    });
     dialog->open();
 }
 
 /// One run with each method on the exemplar that is looked at, with its defaults.
-void Tries::tryMethods(const std::vector<std::string>& ids, bool quick) {
+void Tries::tryMethods(const std::vector<std::string>& ids, bool quick, double longest) {
     const ExemplarEntry* const current = m_store->current();
     if (current == nullptr)
         return;
@@ -146,7 +150,8 @@ void Tries::tryMethods(const std::vector<std::string>& ids, bool quick) {
                                 .arg(QString::fromStdString(current->file().name()))
                                 .arg(asked.seed)
                                 .arg(sizeText(asked.size));
-    m_grid->start(std::move(entries), m_comparisons->exemplarItems({current->id}), {heading, 0, quick, true});
+    m_grid->start(std::move(entries), m_comparisons->exemplarItems({current->id}),
+                  {heading, 0, quick, longest, true});
 }
 
 void Tries::startSweep() {
@@ -161,7 +166,7 @@ void Tries::startSweep() {
         }
         m_comparisons->leaveFor();
         const QString heading = entries.empty() ? QString() : headingOf(entries.front().input);
-        m_grid->start(std::move(entries), {}, {heading, dialog->columns(), dialog->quick(), false});
+        m_grid->start(std::move(entries), {}, {heading, dialog->columns(), dialog->quick()});
     });
     dialog->open();
 }

@@ -53,7 +53,8 @@ Q_SIGNALS:
 
 private:
     void trySome();
-    void tryMethods(const std::vector<std::string>& ids, bool quick);
+    /// @param longest seconds that one of them may take.
+    void tryMethods(const std::vector<std::string>& ids, bool quick, double longest);
     void startSweep();
 
     RunDesk* m_desk;

@@ -41,7 +41,7 @@ void Navigator::follow(std::shared_ptr<const DisplayPicture> picture, const View
 
 void Navigator::settle() {
     const int longest = fontMetrics().height() * kLines;
-    const bool roomy = std::min(m_viewer->width(), m_viewer->height()) >= kLeastOfViewer * longest / 2;
+    const bool roomy = std::min(m_viewer->width(), m_viewer->height()) >= kLeastOfViewer * longest;
     if (!m_picture || !roomy || !wanted())
         return hide();
     const Size size = m_picture->size();

@@ -4,6 +4,7 @@
 #include "core/job/memory.h"
 #include "core/session/run/edited_exemplar.h"
 #include "core/session/run/exemplar_use.h"
+#include "core/session/run/older_recipes.h"
 #include "core/session/run/run.h"
 
 #include <algorithm>
@@ -442,6 +443,8 @@ RunExemplar loadFiles(const RecipeExemplar& entry, const std::vector<RecipeStep>
 RunInput loadRecipe(const Recipe& recipe, const std::function<void(const std::filesystem::path&)>& changed) {
     RunInput input;
     input.steps = recipe.steps;
+    if (!recipe.version.empty()) // those written by hand leave out what is to have its default
+        completeOlder(input.steps);
     for (const RecipeStep& step : input.steps)
         findMethod(step.method).resolved(step.parameters, {});
     input.size = recipe.size;
