@@ -5697,10 +5697,6 @@
         <translation>Es hat Reihen im Abstand von {:.0f} px; deshalb stehen Verfahren vorn, die Reihen erhalten.</translation>
     </message>
     <message>
-        <source>It is grain without objects, alike beyond no more than {:.0f} px, so methods that keep statistics come first.</source>
-        <translation>Es ist Korn ohne Gegenstände, über höchstens {:.0f} px hinweg ähnlich; deshalb stehen Verfahren vorn, die Statistik erhalten.</translation>
-    </message>
-    <message>
         <source>It is made of things about {:.0f} px in size that do not repeat, so methods that join copied pieces come first.</source>
         <translation>Es besteht aus Dingen von etwa {:.0f} px, die sich nicht wiederholen; deshalb stehen Verfahren vorn, die kopierte Stücke verbinden.</translation>
     </message>
@@ -5831,6 +5827,10 @@
     <message>
         <source>Writing a slice</source>
         <translation>Ein Schnitt wird geschrieben</translation>
+    </message>
+    <message>
+        <source>It is grain without objects larger than about {:.0f} px, so methods that keep statistics come first.</source>
+        <translation>Es ist Korn ohne Gegenstände über etwa {:.0f} px; deshalb stehen Verfahren vorn, die Statistik erhalten.</translation>
     </message>
 </context>
 <context>
@@ -7555,6 +7555,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Would take about %1: choose the method and run it by itself.</source>
+        <translation>Würde etwa %1 dauern: das Verfahren wählen und für sich ausführen.</translation>
     </message>
 </context>
 <context>

@@ -5697,10 +5697,6 @@
         <translation>Elle a des rangées distantes de {:.0f} px ; les méthodes qui gardent les rangées viennent donc en premier.</translation>
     </message>
     <message>
-        <source>It is grain without objects, alike beyond no more than {:.0f} px, so methods that keep statistics come first.</source>
-        <translation>C&apos;est du grain sans objets, semblable sur {:.0f} px au plus ; les méthodes qui gardent les statistiques viennent donc en premier.</translation>
-    </message>
-    <message>
         <source>It is made of things about {:.0f} px in size that do not repeat, so methods that join copied pieces come first.</source>
         <translation>Elle est faite de choses d&apos;environ {:.0f} px qui ne se répètent pas ; les méthodes qui assemblent des morceaux copiés viennent donc en premier.</translation>
     </message>
@@ -5831,6 +5827,10 @@
     <message>
         <source>Writing a slice</source>
         <translation>Écriture d’une coupe</translation>
+    </message>
+    <message>
+        <source>It is grain without objects larger than about {:.0f} px, so methods that keep statistics come first.</source>
+        <translation>C&apos;est du grain sans objets de plus de {:.0f} px environ ; les méthodes qui gardent les statistiques viennent donc en premier.</translation>
     </message>
 </context>
 <context>
@@ -7555,6 +7555,10 @@ Déposez une image ici.</translation>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Would take about %1: choose the method and run it by itself.</source>
+        <translation>Prendrait environ %1 : choisissez la méthode et lancez-la seule.</translation>
     </message>
 </context>
 <context>
