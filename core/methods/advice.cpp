@@ -29,18 +29,17 @@ Message reasonFor(const TextureCharacter& character, const KindShares& kinds) {
                        character.period);
     if (most == kinds.grain)
         return message(
-            "It is grain without objects larger than about {:.0f} px, so methods that keep statistics "
-            "come first.",
-            2 * character.longest);
+            "It is grain, alike over no more than {:.0f} px, so methods that keep statistics come first.",
+            character.longest);
     if (most == kinds.large)
         return message(
             "Its shapes reach over {:.0f} px of {} × {} px, so methods that keep large pieces come "
             "first.",
             character.longest, character.size.width, character.size.height);
     return message(
-        "It is made of things about {:.0f} px in size that do not repeat, so methods that join copied "
-        "pieces come first.",
-        2 * character.longest);
+        "It is alike over about {:.0f} px and does not repeat, so methods that join copied pieces come "
+        "first.",
+        character.longest);
 }
 
 } // namespace

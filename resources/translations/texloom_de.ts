@@ -5697,10 +5697,6 @@
         <translation>Es hat Reihen im Abstand von {:.0f} px; deshalb stehen Verfahren vorn, die Reihen erhalten.</translation>
     </message>
     <message>
-        <source>It is made of things about {:.0f} px in size that do not repeat, so methods that join copied pieces come first.</source>
-        <translation>Es besteht aus Dingen von etwa {:.0f} px, die sich nicht wiederholen; deshalb stehen Verfahren vorn, die kopierte Stücke verbinden.</translation>
-    </message>
-    <message>
         <source>It repeats itself every {:.0f} px, so methods that follow a lattice come first.</source>
         <translation>Es wiederholt sich alle {:.0f} px; deshalb stehen Verfahren vorn, die einem Gitter folgen.</translation>
     </message>
@@ -5829,8 +5825,12 @@
         <translation>Ein Schnitt wird geschrieben</translation>
     </message>
     <message>
-        <source>It is grain without objects larger than about {:.0f} px, so methods that keep statistics come first.</source>
-        <translation>Es ist Korn ohne Gegenstände über etwa {:.0f} px; deshalb stehen Verfahren vorn, die Statistik erhalten.</translation>
+        <source>It is alike over about {:.0f} px and does not repeat, so methods that join copied pieces come first.</source>
+        <translation>Es ist über etwa {:.0f} px hinweg ähnlich und wiederholt sich nicht; deshalb stehen Verfahren vorn, die kopierte Stücke verbinden.</translation>
+    </message>
+    <message>
+        <source>It is grain, alike over no more than {:.0f} px, so methods that keep statistics come first.</source>
+        <translation>Es ist Korn, über höchstens {:.0f} px hinweg ähnlich; deshalb stehen Verfahren vorn, die Statistik erhalten.</translation>
     </message>
 </context>
 <context>

@@ -5697,10 +5697,6 @@
         <translation>Elle a des rangées distantes de {:.0f} px ; les méthodes qui gardent les rangées viennent donc en premier.</translation>
     </message>
     <message>
-        <source>It is made of things about {:.0f} px in size that do not repeat, so methods that join copied pieces come first.</source>
-        <translation>Elle est faite de choses d&apos;environ {:.0f} px qui ne se répètent pas ; les méthodes qui assemblent des morceaux copiés viennent donc en premier.</translation>
-    </message>
-    <message>
         <source>It repeats itself every {:.0f} px, so methods that follow a lattice come first.</source>
         <translation>Elle se répète tous les {:.0f} px ; les méthodes qui suivent un réseau viennent donc en premier.</translation>
     </message>
@@ -5829,8 +5825,12 @@
         <translation>Écriture d’une coupe</translation>
     </message>
     <message>
-        <source>It is grain without objects larger than about {:.0f} px, so methods that keep statistics come first.</source>
-        <translation>C&apos;est du grain sans objets de plus de {:.0f} px environ ; les méthodes qui gardent les statistiques viennent donc en premier.</translation>
+        <source>It is alike over about {:.0f} px and does not repeat, so methods that join copied pieces come first.</source>
+        <translation>Elle est semblable sur {:.0f} px environ et ne se répète pas ; les méthodes qui assemblent des morceaux copiés viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>It is grain, alike over no more than {:.0f} px, so methods that keep statistics come first.</source>
+        <translation>C&apos;est du grain, semblable sur {:.0f} px au plus ; les méthodes qui gardent les statistiques viennent donc en premier.</translation>
     </message>
 </context>
 <context>

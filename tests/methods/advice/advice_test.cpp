@@ -58,8 +58,8 @@ TEST(Advice, sharesOfKindsMakeUpTheWholeAndFollowTheTexture) {
 
 TEST(Advice, theReasonNamesWhatWasMeasured) {
     EXPECT_THAT(adviceFor(character(1, 10, 0)).reason.text(), HasSubstr("every 20 px"));
-    EXPECT_THAT(adviceFor(character(0, 3, 1)).reason.text(), HasSubstr("6 px"));
-    EXPECT_THAT(adviceFor(character(0, 9, 0)).reason.text(), HasSubstr("18 px"));
+    EXPECT_THAT(adviceFor(character(0, 3, 1)).reason.text(), HasSubstr("3 px"));
+    EXPECT_THAT(adviceFor(character(0, 9, 0)).reason.text(), HasSubstr("9 px"));
     EXPECT_THAT(adviceFor(character(0, 60, 0)).reason.text(), HasSubstr("60 px of 200 × 200 px"));
     TextureCharacter rows = character(1, 10, 0);
     rows.rowsOnly = true;
