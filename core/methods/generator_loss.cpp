@@ -22,7 +22,7 @@ GeneratorLoss::GeneratorLoss(std::span<const GeneratorGoal> goals, const Descrip
         return;
     for (const GeneratorGoal& goal : goals) {
         context.check();
-        if (m_describes) {
+        if (m_describes && descriptor != nullptr) {
             const Tensor picture = tensorOf(goal.exemplar);
             const LossExemplar exemplar{&picture, 1};
             m_descriptors.push_back(std::make_unique<TextureLoss>(*descriptor, options.texture,

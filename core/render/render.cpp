@@ -44,7 +44,7 @@ public:
     /// Colour and opacity of a pixel.
     Eigen::Vector4f at(int x, int y) const {
         const Hit& hit = m_visibility.at(x, y);
-        const Eigen::Vector4f behind = m_lighting.backdrop(x, y, m_visibility.size());
+        Eigen::Vector4f behind = m_lighting.backdrop(x, y, m_visibility.size());
         if (!hit.any())
             return behind;
         Point point = pointOf(hit, x, y);

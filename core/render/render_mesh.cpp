@@ -1,5 +1,6 @@
 #include "core/render/render_mesh.h"
 
+#include "core/base/at.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 
@@ -202,7 +203,7 @@ struct Parts {
 /// The face of a part on one side of it along an axis.
 void addFace(Mesh& mesh, const Parts& parts, const std::array<int, 3>& part, std::size_t axis, int side) {
     const auto edge = [&](std::size_t along, int further) {
-        return parts.edges[along][static_cast<std::size_t>(part[along] + further)];
+        return parts.edges[along][at(part[along] + further)];
     };
     const std::size_t s = (axis + 1) % 3, t = (axis + 2) % 3;
     Vector3f corner, right = Vector3f::Zero(), down = Vector3f::Zero(), normal = Vector3f::Zero();

@@ -108,7 +108,7 @@ double Training::iteration(int number) {
             return circular ? 0 : static_cast<std::int64_t>(random.below(kFarthest, draw, axis));
         };
         const Box box{place(0), place(1), 0, {side, side, 1}};
-        const Image sample = volumePicture(
+        Image sample = volumePicture(
             m_training.trainer().forward(box, GeneratorNoise(random.bits(draw, 2), period), m_context));
         m_training.show(m_request.size, [&] { return sample; });
         Image change(sample.size(), sample.channels());
