@@ -23,6 +23,9 @@ MethodHint::MethodHint(QWidget* parent) : QLabel(parent) {
     setObjectName(QStringLiteral("methodHint"));
     setAccessibleName(tr("Methods that suit the exemplar"));
     setWordWrap(true);
+    QSizePolicy narrow(QSizePolicy::Ignored, QSizePolicy::Minimum); // it never widens the window
+    narrow.setHeightForWidth(true);
+    setSizePolicy(narrow);
     setTextFormat(Qt::RichText);
     setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     hide();

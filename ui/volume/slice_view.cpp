@@ -254,7 +254,7 @@ void SliceView::makeTiles() {
             }
             return made;
         },
-        [this, now](std::vector<std::pair<Place, Shared>> made) { take(now, std::move(made)); },
+        [this, now](const std::vector<std::pair<Place, Shared>>& made) { take(now, made); },
         [this](const QString& sentence) {
             m_patience.stop();
             m_slow = false;
@@ -263,11 +263,11 @@ void SliceView::makeTiles() {
         });
 }
 
-void SliceView::take(std::int64_t slice, std::vector<std::pair<Place, Shared>> made) {
-    for (auto& [place, tile] : made) {
+void SliceView::take(std::int64_t slice, const std::vector<std::pair<Place, Shared>>& made) {
+    for (const auto& [place, tile] : made) {
         m_shown[place] = {slice, tile};
         if (m_kept.try_emplace({slice, place}, tile).second)
-            m_order.push_back({slice, place});
+            m_order.emplace_back(slice, place);
     }
     if (m_order.size() > kMostKept) {
         const auto half = m_order.begin() + static_cast<std::ptrdiff_t>(kMostKept / 2);
@@ -287,11 +287,11 @@ void SliceView::forgetUnseen() {
 
 QRect SliceView::rectOf(const Place& place) const {
     const auto [step, i, j] = place;
-    const double side = static_cast<double>(kTile) * step, zoom = m_cursor->zoom();
+    const double side = static_cast<double>(kTile) * step, half = step / 2.0, zoom = m_cursor->zoom();
     const Vector2d from = middle();
     const QPointF centre = this->centre();
     const auto at = [&](std::int64_t number, double first, double middle) {
-        const double widget = zoom * (side * static_cast<double>(number) - step / 2.0 - first) + middle;
+        const double widget = zoom * (side * static_cast<double>(number) - half - first) + middle;
         return static_cast<int>(std::lround(std::clamp(widget, -1e6, 1e6)));
     };
     const QPoint first(at(i, from.x(), centre.x()), at(j, from.y(), centre.y()));

@@ -14,6 +14,8 @@
 #include <tuple>
 #include <vector>
 
+class QSinglePointEvent;
+
 namespace texloom::ui {
 
 /// A slice of a volume, as large as the widget and without end where the volume has none: made off the GUI
@@ -106,7 +108,7 @@ private:
     std::vector<Place> missing() const;
     void planeChanged();
     void makeTiles();
-    void take(std::int64_t slice, std::vector<std::pair<Place, Shared>> made);
+    void take(std::int64_t slice, const std::vector<std::pair<Place, Shared>>& made);
     void forgetUnseen();
     QRect rectOf(const Place& place) const;
     Drag gripAt(QPointF point) const;
