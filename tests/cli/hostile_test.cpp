@@ -70,7 +70,7 @@ TEST_F(Hostile, AFileThatHoldsLessThanItClaimsIsRefusedAtOnce) {
 
 TEST_F(Hostile, AnAnalysisTakesNoMoreThanItMay) {
     writeImage(m_folder / "a.png", blobs({1200, 1200}, 3), {});
-    refused(runCli({"analyze", "lattice", "a.png", "--memory", "220"}, m_folder.path()), "lattice");
+    refused(runCli({"analyze", "lattice", "a.png", "--memory", "220"}, m_folder.path()), "look at a (1200");
     EXPECT_EQ(runCli({"analyze", "lattice", "a.png", "--memory", "2000"}, m_folder.path()).status, 0);
 }
 

@@ -154,10 +154,10 @@ TEST_F(Cli, TakesTheLargestSeed) {
 
 TEST_F(Cli, SetsEveryParameter) {
     synth({"--set", "overlap=0.5", "--set", "tolerance=1.5", "--set", "stitch=smooth-cut", "--set",
-           "softness=2", "--set", "contrast=0.5"});
+           "softness=2", "--set", "contrast=0.5", "--set", "variety=2"});
     EXPECT_EQ(json("out.json").at("parameters"),
               Json::parse(R"({"patch": 12, "overlap": 0.5, "tolerance": 1.5, "contrast": 0.5,
-                              "stitch": "smooth-cut", "softness": 2, "radius": 0, "context": 80})"));
+                              "variety": 2.0, "stitch": "smooth-cut", "softness": 2, "radius": 0, "context": 80})"));
 }
 
 TEST_F(Cli, Wraps) {

@@ -93,9 +93,9 @@ SolidPanel::SolidPanel(VolumeCursor* cursor, QWidget* parent)
     for (QWidget* view :
          {static_cast<QWidget*>(m_oblique), static_cast<QWidget*>(m_block), static_cast<QWidget*>(m_mesh)})
         m_stack->addWidget(view);
-    auto* top = new QHBoxLayout;
+    auto* top = new QVBoxLayout;
     top->addWidget(m_views);
-    top->addWidget(m_fields, 1);
+    top->addWidget(m_fields);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(top);
