@@ -89,7 +89,7 @@ SolidPanel::SolidPanel(VolumeCursor* cursor, QWidget* parent)
     m_fields->addWidget(makeObliqueFields());
     m_fields->addWidget(makeBlockFields());
     m_fields->addWidget(makeMeshFields());
-    m_fields->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_fields->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // they never widen the window
     for (QWidget* view :
          {static_cast<QWidget*>(m_oblique), static_cast<QWidget*>(m_block), static_cast<QWidget*>(m_mesh)})
         m_stack->addWidget(view);
