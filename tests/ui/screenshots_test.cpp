@@ -159,7 +159,7 @@ private Q_SLOTS:
         again.setProcessEnvironment(environment);
         again.setProcessChannelMode(QProcess::ForwardedChannels);
         again.start(QCoreApplication::applicationFilePath(), {QStringLiteral("everyState")});
-        QVERIFY(again.waitForFinished(200'000));
+        QVERIFY(again.waitForFinished(500'000));
         QCOMPARE(again.exitCode(), 0);
     }
 
