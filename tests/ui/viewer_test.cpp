@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(std::accumulate(counts[2].begin(), counts[2].end(), 0), 7);
         const QImage waveform = waveformOf(shown, 2);
         QCOMPARE(waveform.size(), QSize(6, 256));
-        QCOMPARE(waveform.pixelColor(0, 255 - 10).alpha(), 255); // four of the left half's four pixels
+        QCOMPARE(waveform.pixelColor(0, 255 - 10).alpha(), 255);  // four of the left half's four pixels
         QCOMPARE(waveform.pixelColor(1, 255 - 200).alpha(), 128); // the root of a fourth
         QCOMPARE(waveform.pixelColor(0, 255 - 200).alpha(), 0);
         QVERIFY(waveform.pixelColor(4, 255 - 30).alpha() == 255);
