@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Checks the layout of all sources with clang-format, and core, ui and app with clang-tidy.
-# --format-only leaves out clang-tidy; --turn NUMBER has it look at a part, and at what changed in the last hours; --fix
-# lays the sources out instead of checking anything.
+# --format-only leaves out clang-tidy; --fix lays the sources out instead of checking anything.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
@@ -42,7 +41,7 @@ checkFormat() {
 checkTidy() {
   # Its commands, file by file, are all that is needed; nothing has to be built.
   [[ -f build/dev/compile_commands.json ]] || configurePreset dev || return
-  packaging/tidy.py "$clangTidy" "$@"
+  packaging/tidy.py "$clangTidy"
 }
 
 clangFormat=$(tool clang-format)
@@ -54,8 +53,7 @@ status=0
 case ${1:-} in
   --fix) sources | xargs -0 -r "$clangFormat" -i --style=file ;;
   --format-only) checkFormat || status=1 ;;
-  --turn) checkFormat || status=1; checkTidy "$2" || status=1 ;;
   "") checkFormat || status=1; checkTidy || status=1 ;;
-  *) echo "Usage: packaging/check_style.sh [--format-only | --turn NUMBER | --fix]" >&2; status=2 ;;
+  *) echo "Usage: packaging/check_style.sh [--format-only | --fix]" >&2; status=2 ;;
 esac
 exit $status

@@ -8,7 +8,6 @@ cd "$root"
 parts=(job math network match analysis io volume)
 presets=(asan tsan)
 turns=$((${#parts[@]} * ${#presets[@]}))
-today=${TEXLOOM_TURN:-$(($(date +%s) / 86400))}
 
 usage() {
   echo "Usage: packaging/test.sh [--core | --method ID] [--quick] [--sanitizers | --turn]"
@@ -16,8 +15,8 @@ usage() {
   echo "  --method ID   only what tests this method, such as quilting; no style checks"
   echo "  --quick       leave out clang-tidy and the slow tests"
   echo "  --sanitizers  also build and test all of the core with each sanitizer"
-  echo "  --turn        clang-tidy looks at a part of the sources, and at what changed in the last hours; one part of"
-  echo "                the core is built and tested with one sanitizer: others each day, or number TEXLOOM_TURN"
+  echo "  --turn        also build and test one part of the core with one sanitizer: another one each day,"
+  echo "                or number TEXLOOM_TURN of the $turns"
 }
 
 part=all
@@ -125,8 +124,6 @@ attempt "packages" installPackages
 if [[ $part != method ]]; then
   if $quick; then
     attempt "style" packaging/check_style.sh --format-only
-  elif $turn; then
-    attempt "style" packaging/check_style.sh --turn "$today"
   else
     attempt "style" packaging/check_style.sh
   fi
@@ -136,7 +133,7 @@ if $sanitizers; then
   attempt "thread sanitizer" sanitized tsan "${fixedAddresses[@]}"
 fi
 if $turn; then
-  attempt "sanitizer in turn" sanitizedPart "$today"
+  attempt "sanitizer in turn" sanitizedPart "${TEXLOOM_TURN:-$(($(date +%s) / 86400))}"
 fi
 if [[ $part == all ]]; then
   attempt "desktop entry" desktop-file-validate packaging/texloom.desktop

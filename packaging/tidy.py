@@ -3,8 +3,6 @@
 
 Most of clang-tidy's time goes into headers. So sources of one room are looked at together, as one text; where
 that text has a flaw, or names that clash, each half is looked at again, down to single files, whose flaws are shown.
-
-With a number as second argument it looks at a part only: the rooms whose turn it is, and what changed in the last hours.
 """
 import collections
 import concurrent.futures
@@ -22,8 +20,6 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/dev"
 TIDY = BUILD / "tidy"
 GROUP = 24
-TURNS = 4
-RECENT = "12 hours ago"
 GCC_ONLY = ("-Winvalid-pch", "-Werror", "-fpch-preprocess", "-mno-direct-extern-access")
 Source = collections.namedtuple("Source", "path arguments stamp")
 
@@ -67,21 +63,6 @@ def sources():
             digest.update(part.read_bytes() if part.is_file() else b"")
         found.append(Source(path, arguments, TIDY / f"{digest.hexdigest()[:32]}.stamp"))
     return sorted(found)
-
-
-def recent():
-    """Stems of the files that commits of the last hours changed; none where there is no history."""
-    log = subprocess.run(["git", "-c", f"safe.directory={ROOT}", "log", f"--since={RECENT}", "--name-only", "--format="],
-                         cwd=ROOT, capture_output=True, text=True).stdout
-    return {(ROOT / line).with_suffix("") for line in log.splitlines() if line}
-
-
-def in_turn(everything, number):
-    """The rooms whose turn `number` is, and what changed lately."""
-    def room(source):
-        return source.path.relative_to(ROOT).parts[:3]
-    chosen, changed = sorted({room(source) for source in everything})[number % TURNS::TURNS], recent()
-    return [source for source in everything if room(source) in chosen or source.path.with_suffix("") in changed]
 
 
 def groups(pending):
@@ -129,15 +110,14 @@ def check(clang_tidy, members):
     return "\n".join(filter(None, (check(clang_tidy, part) for part in (members[:half], members[half:]))))
 
 
-def main(clang_tidy, turn=None):
+def main(clang_tidy):
     TIDY.mkdir(exist_ok=True)
     everything = sources()
     stamps = {source.stamp for source in everything}
     for old in TIDY.glob("*.stamp"):
         if old not in stamps:
             old.unlink()
-    wanted = everything if turn is None else in_turn(everything, int(turn))
-    pending = [source for source in wanted if not source.stamp.exists()]
+    pending = [source for source in everything if not source.stamp.exists()]
     if pending:
         print(f"clang-tidy: {len(pending)} files", flush=True)
     failed = False
@@ -150,4 +130,4 @@ def main(clang_tidy, turn=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(sys.argv[1]))

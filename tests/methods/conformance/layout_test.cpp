@@ -46,10 +46,9 @@ Image transposed(const ImageView& image) {
 TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
     if (!method().info().canWrap())
         GTEST_SKIP() << "skipped: " << GetParam() << " does not say that it wraps";
-    const std::pair<Wrap, Size> cases[] = {{{true, false}, {151, 148}},
-                                           {{false, true}, {64, 200}},
-                                           {{true, true}, {148, 151}},
-                                           {{true, true}, {64, 200}}};
+    const std::pair<Wrap, Size> cases[] = {{{true, false}, {151, 148}}, {{false, true}, {64, 200}},
+                                           {{true, false}, {64, 200}},  {{false, true}, {151, 148}},
+                                           {{true, true}, {151, 148}},  {{true, true}, {64, 200}}};
     for (const auto& [wrap, size] : cases) {
         Request request = requestFor({64, 64}, 3, size);
         request.wrap = wrap;
