@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/io/image_file.h"
-#include "core/io/json_field.h"
 #include "core/io/map_file.h"
 #include "core/session/run/run.h"
 
@@ -89,18 +88,6 @@ PositionMap mapOf(const MapsOptions& options, const ExemplarFile& result,
     return followed(job, options.json);
 }
 
-void print(const std::vector<Figure>& figures, bool asJson) {
-    if (asJson) {
-        JsonField::Json json;
-        for (const Figure& figure : figures)
-            json[figure.name.text()] = figure.value;
-        fmt::print("{}\n", json.dump(2));
-        return;
-    }
-    for (const Figure& figure : figures)
-        fmt::print("{:50} {:8.4f}\n", figure.name.text(), figure.value);
-}
-
 void analyzeMaps(const MapsOptions& options) {
     if (!options.folder.empty()) {
         std::filesystem::create_directories(options.folder);
@@ -122,7 +109,7 @@ void analyzeMaps(const MapsOptions& options) {
     figures.insert(figures.end(), pieces.begin(), pieces.end());
     if (!options.folder.empty())
         writePictures(options, map);
-    print(figures, options.json);
+    printFigures(figures, options.json);
 }
 
 } // namespace

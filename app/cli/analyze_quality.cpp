@@ -90,7 +90,13 @@ void analyzeQuality(const QualityOptions& options) {
     if (map)
         append(figures,
                mapFigures(*map, MapKind::Exact, occurrencesOf(*map, checkInterrupt), checkInterrupt));
-    if (options.json) {
+    printFigures(figures, options.json);
+}
+
+} // namespace
+
+void printFigures(const std::vector<Figure>& figures, bool asJson) {
+    if (asJson) {
         JsonField::Json json;
         for (const Figure& figure : figures)
             json[figure.name.text()] = figure.value;
@@ -100,8 +106,6 @@ void analyzeQuality(const QualityOptions& options) {
     for (const Figure& figure : figures)
         fmt::print("{:50} {:8.4f}\n", figure.name.text(), figure.value);
 }
-
-} // namespace
 
 void checkSameChannels(const ExemplarFile& result, const ExemplarFile& exemplar) {
     if (exemplar.image->channels() != result.image->channels())
