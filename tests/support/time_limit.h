@@ -19,7 +19,21 @@ std::optional<std::chrono::milliseconds> limitNow(std::chrono::milliseconds alon
 inline constexpr const char* kTooBusy =
     "skipped: this machine is more than five times slower than alone; times say nothing on it";
 
-/// The shortest of up to three times that `measure` returns, the first within `limit` ending it: whoever else
+/// Time that passes, as this process would see it alone on the machine.
+class Stopwatch {
+public:
+    Stopwatch();
+    /// Time since it was made, but no more than all threads of this process computed meanwhile: while they do
+    /// nothing, others have the cores. A tenth of the whole counts in any case, so that waiting for nothing
+    /// shows as well.
+    std::chrono::nanoseconds alone() const;
+
+private:
+    std::chrono::steady_clock::time_point m_begun;
+    std::chrono::nanoseconds m_computed;
+};
+
+/// The shortest of up to five times that `measure` returns, the first within `limit` ending it: whoever else
 /// computes may take a core at any moment.
 std::chrono::nanoseconds shortest(std::chrono::milliseconds limit,
                                   const std::function<std::chrono::nanoseconds()>& measure);

@@ -105,7 +105,7 @@ private Q_SLOTS:
     void aShippedSweepShowsItsRunsBesideWhatTheyLearnFrom() {
         MainWindow window;
         window.show();
-        child<QAction>(window, "sweep-ashikhmin-jumps")->trigger();
+        trigger(window, "sweep-ashikhmin-jumps");
         const CompareView* const view = window.compare();
         QTRY_COMPARE(view->items().size(), 5U);
         QTRY_VERIFY(view->isVisible());
@@ -320,7 +320,7 @@ private Q_SLOTS:
         window.inspector()->output()->setOutputSize({48, 48});
         auto* const hint = window.findChild<MethodHint*>();
         QTRY_VERIFY(!hint->order().empty());
-        child<QAction>(window, "tryAll")->trigger();
+        trigger(window, "tryAll");
         CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->items().size(), triedMethods() + 1);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -367,8 +367,7 @@ private Q_SLOTS:
         window.inspector()->output()->setOutputSize({40, 40});
         JobQueue* const queue = window.desk()->queue();
         queue->setPaused(true);
-        QTRY_VERIFY(child<QAction>(window, "sweep")->isEnabled());
-        child<QAction>(window, "sweep")->trigger();
+        trigger(window, "sweep");
         auto* dialog = child<SweepDialog>(window, "sweepDialog");
         auto* values = child<QLineEdit>(*dialog, "sweepAcrossValues");
         auto* start = child<QPushButton>(*dialog, "sweepStart");

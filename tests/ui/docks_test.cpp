@@ -135,12 +135,12 @@ private Q_SLOTS:
         auto* list = child<QTreeWidget>(window, "jobList");
         QCOMPARE(list->topLevelItemCount(), 3);
         list->setCurrentItem(list->topLevelItem(2));
-        child<QAction>(window, "jobUp")->trigger();
+        trigger(window, "jobUp");
         QVERIFY((seedsOf(*queue) == std::vector<std::uint64_t>{1, 3, 2}));
         QCOMPARE(list->indexOfTopLevelItem(list->selectedItems().front()), 1);
-        child<QAction>(window, "cancelJob")->trigger();
+        trigger(window, "cancelJob");
         QCOMPARE(list->topLevelItemCount(), 2);
-        child<QAction>(window, "clearJobs")->trigger();
+        trigger(window, "clearJobs");
         QCOMPARE(list->topLevelItemCount(), 0);
         QVERIFY(queue->jobs().empty());
     }
@@ -153,8 +153,7 @@ private Q_SLOTS:
         queue->setPaused(true);
         window.inspector()->output()->setOutputSize({64, 48});
         window.inspector()->output()->setSeed(41);
-        QTRY_VERIFY(child<QAction>(window, "addToQueue")->isEnabled());
-        child<QAction>(window, "addToQueue")->trigger();
+        trigger(window, "addToQueue");
         QTRY_COMPARE(queue->waiting(), 1);
         window.inspector()->output()->setSeed(42);
         const auto before = window.desk()->result();
@@ -214,7 +213,7 @@ private Q_SLOTS:
         auto* docks = child<QDockWidget>(window, "jobDock");
         docks->setFloating(true);
         docks->hide();
-        child<QAction>(window, "resetLayout")->trigger();
+        trigger(window, "resetLayout");
         QVERIFY(!docks->isFloating());
         QVERIFY(docks->toggleViewAction()->isChecked());
     }

@@ -80,7 +80,7 @@ private Q_SLOTS:
         pixels.fill(QColor(10, 200, 30));
         QApplication::clipboard()->setImage(pixels);
         QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
-        child<QAction>(*m_window, "paste")->trigger();
+        trigger(*m_window, "paste");
         QVERIFY(opened.wait());
         const ExemplarFile& file = m_window->store()->current()->file();
         QVERIFY((file.image->size() == Size{33, 22}));
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(m_window->exemplarPanel()->width() < m_window->width() / 2);
         list->setCurrentRow(0);
         QCOMPARE(m_window->store()->current()->file().name(), std::string("one"));
-        child<QAction>(*m_window, "removeExemplar")->trigger();
+        trigger(*m_window, "removeExemplar");
         QCOMPARE(list->count(), 1);
         QVERIFY((m_window->store()->current()->file().image->size() == Size{32, 48}));
     }
@@ -227,10 +227,10 @@ private Q_SLOTS:
         QTRY_COMPARE(m_window->input(false).exemplars.back().weight, 2.5);
         auto* list = child<QListWidget>(*m_window, "exemplarList");
         QVERIFY2(list->item(1)->text().contains(QStringLiteral("2")), qPrintable(list->item(1)->text()));
-        child<QAction>(*m_window, "undo")->trigger();
+        trigger(*m_window, "undo");
         QTRY_COMPARE(m_window->input(false).exemplars.back().weight, 1.0);
         QCOMPARE(weight->value(), 1.0);
-        child<QAction>(*m_window, "redo")->trigger();
+        trigger(*m_window, "redo");
         QTRY_COMPARE(weight->value(), 2.5);
         auto* method = child<QComboBox>(*m_window, "method");
         for (const char* alike : {"patchmatch", "random-phase"}) {
@@ -261,7 +261,7 @@ private Q_SLOTS:
         QVERIFY(changed.wait());
         QCOMPARE(m_window->input(false).exemplars.front().mask.has_value(),
                  m_window->inspector()->method()->info().heedsMasks());
-        child<QAction>(*m_window, "clearExemplarMask")->trigger();
+        trigger(*m_window, "clearExemplarMask");
         QTRY_VERIFY(!m_window->input(false).exemplars.front().mask);
     }
 

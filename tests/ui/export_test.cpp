@@ -131,7 +131,7 @@ private Q_SLOTS:
     }
 
     void copyPutsTheResultOnTheClipboard() {
-        child<QAction>(*m_window, "copyResult")->trigger();
+        trigger(*m_window, "copyResult");
         const QImage copied = QApplication::clipboard()->image();
         const QImage& shown = m_window->results()->viewer(ResultView::ResultTab)->picture()->image();
         QCOMPARE(copied.convertToFormat(QImage::Format_RGB32), shown.convertToFormat(QImage::Format_RGB32));
@@ -139,7 +139,7 @@ private Q_SLOTS:
 
 private:
     ExportDialog* openDialog(const QString& folder) {
-        child<QAction>(*m_window, "export")->trigger();
+        trigger(*m_window, "export");
         ExportDialog* dialog = child<ExportDialog>(*m_window, "exportDialog");
         for (auto* opened : m_window->findChildren<ExportDialog*>())
             if (opened->isVisible())

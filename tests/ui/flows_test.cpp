@@ -120,7 +120,7 @@ private Q_SLOTS:
         QVERIFY(viewer->repeats());
 
         window.inspector()->output()->setOutputSize({72, 64});
-        child<QAction>(window, "tryAll")->trigger();
+        trigger(window, "tryAll");
         CompareView* const compare = window.compare();
         QTRY_COMPARE(compare->items().size(), triedMethods() + 1);
         QTRY_VERIFY_WITH_TIMEOUT(!compare->items()[1].key.empty(), kPatience); // the quickest comes first
@@ -164,7 +164,7 @@ private Q_SLOTS:
                 child<QCheckBox>(window, "wrapY")->isChecked()); // as the window starts
         tryFour(window);
         const CompareView* const compare = window.compare();
-        child<QAction>(window, "repeat")->trigger();
+        trigger(window, "repeat");
         for (int i = 0; i < 5; ++i)
             QVERIFY(compare->viewer(i)->repeats()); // the linked grid repeats as one
         const std::string winner = resultOf(window, "quilting");
@@ -246,12 +246,12 @@ private Q_SLOTS:
             QVERIFY(opened.wait());
             QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
             check(window);
-            child<QAction>(window, "editExemplar")->trigger();
+            trigger(window, "editExemplar");
             for (const char* mode : {"crop", "rectify", "hide"}) {
                 window.exemplarEditor()->setMode(QLatin1String(mode));
                 check(window);
             }
-            child<QAction>(window, "editExemplar")->trigger();
+            trigger(window, "editExemplar");
             for (const char* dock : {"jobDock", "logDock", "figureDock", "resultDock"}) {
                 child<QDockWidget>(window, dock)->raise();
                 check(window);
@@ -268,7 +268,7 @@ private Q_SLOTS:
         {
             MainWindow window;
             window.show();
-            child<QAction>(window, "shortcuts")->trigger();
+            trigger(window, "shortcuts");
             auto* dialog = child<QDialog>(window, "shortcutsDialog");
             auto* table = child<QTableWidget>(*dialog, "shortcutsTable");
             auto* keys = child<QKeySequenceEdit>(*dialog, "shortcutKeys");
@@ -325,7 +325,7 @@ private Q_SLOTS:
 
 private:
     static void rectify(MainWindow& window) {
-        child<QAction>(window, "editExemplar")->trigger();
+        trigger(window, "editExemplar");
         window.exemplarEditor()->setMode(QStringLiteral("rectify"));
         child<QPushButton>(window, "apply-rectify")->click();
         QTRY_COMPARE(window.store()->current()->exemplar.edits.size(), 1U);
@@ -333,7 +333,7 @@ private:
     }
 
     static void tryFour(MainWindow& window) {
-        child<QAction>(window, "trySome")->trigger();
+        trigger(window, "trySome");
         auto* dialog = child<QDialog>(window, "methodsDialog");
         auto* list = child<QListWidget>(*dialog, "triedMethods");
         const std::set<QString> ticked = {QStringLiteral("quilting"), QStringLiteral("patchmatch"),
@@ -349,8 +349,7 @@ private:
     }
 
     static void sweep(MainWindow& window) {
-        QTRY_VERIFY(child<QAction>(window, "sweep")->isEnabled());
-        child<QAction>(window, "sweep")->trigger();
+        trigger(window, "sweep");
         auto* dialog = child<QDialog>(window, "sweepDialog");
         child<QLineEdit>(*dialog, "sweepAcrossValues")->setText(QStringLiteral("10, 16"));
         child<QPushButton>(*dialog, "sweepStart")->click();
@@ -365,8 +364,7 @@ private:
     }
 
     void exportAll(MainWindow& window) {
-        QTRY_VERIFY(child<QAction>(window, "export")->isEnabled());
-        child<QAction>(window, "export")->trigger();
+        trigger(window, "export");
         auto* dialog = child<ExportDialog>(window, "exportDialog");
         child<QLineEdit>(*dialog, "exportFolder")->setText(m_folder.path());
         auto* preset = child<QComboBox>(*dialog, "exportPreset");
@@ -407,7 +405,7 @@ private:
     }
 
     static void checkDialogOf(MainWindow& window, const char* name) {
-        child<QAction>(window, name)->trigger();
+        trigger(window, name);
         settle();
         bool any = false;
         for (QWidget* dialog : QApplication::topLevelWidgets()) {

@@ -132,7 +132,7 @@ private Q_SLOTS:
         startRounds(500, 10);
         QSignalSpy finished(controller(), &RunController::finished);
         QVERIFY(child<QAction>(*m_window, "stopJob")->isEnabled());
-        child<QAction>(*m_window, "stopJob")->trigger();
+        trigger(*m_window, "stopJob");
         QVERIFY(finished.wait(kPatience));
         QVERIFY(m_window->desk()->result()->stoppedAt);
         QVERIFY(!child<QAction>(*m_window, "stopJob")->isEnabled());
@@ -148,7 +148,7 @@ private Q_SLOTS:
             started.clear();
             m_window->startRun(false);
             QVERIFY(started.wait(kPatience));
-            child<QAction>(*m_window, "stop")->trigger();
+            trigger(*m_window, "stop");
             QVERIFY(m_window->messages()->text().startsWith(QStringLiteral("There is no picture yet")));
         };
         stopAtOnce();
@@ -182,7 +182,7 @@ private Q_SLOTS:
         QVERIFY(m_window->desk()->running());
         QVERIFY2(grew.size() <= previewed.size() + 2 + clock.elapsed() / 500,
                  "no more often than pictures come");
-        child<QAction>(*m_window, "stop")->trigger();
+        trigger(*m_window, "stop");
         QVERIFY(finished.wait(kPatience));
         QTRY_VERIFY(panel->titles().contains(QStringLiteral("Numbers")));
         QVERIFY(panel->titles().contains(QStringLiteral("Round")));

@@ -34,7 +34,7 @@ bool openLattice(MainWindow& window, const QString& path) {
     window.show();
     if (!openAndFinish(window, path))
         return false;
-    child<QAction>(window, "lattice")->trigger();
+    trigger(window, "lattice");
     return QTest::qWaitFor([&] { return window.lattice()->analysis() != nullptr; }, kPatience);
 }
 

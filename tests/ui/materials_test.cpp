@@ -148,7 +148,7 @@ private Q_SLOTS:
         QVERIFY(!child<QAction>(*m_window, "deriveHeight")->isEnabled()); // there is no normal map
         for (const char* name : {"deriveNormal", "deriveRoughness", "deriveOcclusion"}) {
             const std::size_t before = companions().size();
-            child<QAction>(*m_window, name)->trigger();
+            trigger(*m_window, name);
             QTRY_COMPARE(companions().size(), before + 1);
         }
         QCOMPARE(companions()[1].role, MapRole::NormalGl);
@@ -201,7 +201,7 @@ private Q_SLOTS:
     void starsAndKeepingTakeOneKeyEach() {
         QVERIFY(openAndFinish(*m_window, write(newFolder(), QStringLiteral("felt.png"))));
         QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
-        child<QAction>(*m_window, "newSeedRun")->trigger();
+        trigger(*m_window, "newSeedRun");
         QVERIFY(finished.wait(kPatience));
         ResultHistory* const history = m_window->desk()->history();
         QTRY_COMPARE(history->rowCount(), 2);
@@ -212,7 +212,7 @@ private Q_SLOTS:
         QCOMPARE(history->index(0).data(ResultHistory::StarsRole).toInt(), 4);
         QTest::keyClick(list, Qt::Key_0);
         QCOMPARE(history->index(0).data(ResultHistory::StarsRole).toInt(), 0);
-        child<QAction>(*m_window, "keepResult")->trigger();
+        trigger(*m_window, "keepResult");
         QVERIFY(history->index(0).data(ResultHistory::PinnedRole).toBool());
         QCOMPARE(list->currentIndex().row(), 1);
         // It is shown, too.
@@ -238,13 +238,13 @@ private Q_SLOTS:
         for (const int tab : {1, 4}) { // the synthesis map, the lattice
             tabs->setCurrentIndex(tab);
             QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
-            child<QAction>(*m_window, "quick")->trigger();
+            trigger(*m_window, "quick");
             QTRY_COMPARE(tabs->currentIndex(), 0);
-            QVERIFY(finished.wait(kPatience));
+            QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty(), kPatience);
         }
         child<QAction>(*m_window, "editExemplar")->setChecked(true);
         QVERIFY(!tabs->isVisible());
-        child<QAction>(*m_window, "quick")->trigger();
+        trigger(*m_window, "quick");
         QTRY_VERIFY(tabs->isVisible());
     }
 
@@ -258,7 +258,7 @@ private Q_SLOTS:
             QCOMPARE(viewer->view().scale() * viewer->devicePixelRatioF(), percent / 100.0);
             QCOMPARE(zoom->currentText(), text);
         }
-        child<QAction>(*m_window, "actualSize")->trigger();
+        trigger(*m_window, "actualSize");
         QCOMPARE(zoom->currentText(), QStringLiteral("100 %"));
         Q_EMIT zoom->textActivated(zoom->itemText(0));
         QVERIFY(viewer->fitted());
@@ -270,7 +270,7 @@ private Q_SLOTS:
         history->setPinned(history->entries().front().key, true);
         child<QListView>(*m_window, "resultList")
             ->setCurrentIndex(child<QListView>(*m_window, "resultList")->model()->index(0, 0));
-        child<QAction>(*m_window, "removeResult")->trigger();
+        trigger(*m_window, "removeResult");
         QTRY_VERIFY(m_window->findChild<QMessageBox*>(QStringLiteral("deletePinned")) != nullptr);
         QCOMPARE(history->rowCount(), 1);
         auto* question = child<QMessageBox>(*m_window, "deletePinned");
@@ -278,7 +278,7 @@ private Q_SLOTS:
             if (question->buttonRole(button) == QMessageBox::DestructiveRole)
                 button->click();
         QCOMPARE(history->rowCount(), 0);
-        child<QAction>(*m_window, "undo")->trigger();
+        trigger(*m_window, "undo");
         QCOMPARE(history->rowCount(), 1);
     }
 
@@ -319,8 +319,7 @@ private Q_SLOTS:
         QVERIFY(next.options().depth == Depth::Half); // the source's again
         QSettings().setValue(QStringLiteral("folders/export"), folder);
         m_window->desk()->show(m_window->desk()->last().key);
-        QTRY_VERIFY(child<QAction>(*m_window, "exportAgain")->isEnabled());
-        child<QAction>(*m_window, "exportAgain")->trigger();
+        trigger(*m_window, "exportAgain");
         QTRY_VERIFY(QFile::exists(folder + QStringLiteral("/T_lamp_BC.png")));
     }
 

@@ -336,7 +336,7 @@ private:
     }
 
     ExportDialog* openDialog(const QString& folder) {
-        child<QAction>(*m_window, "export")->trigger();
+        trigger(*m_window, "export");
         ExportDialog* dialog = nullptr;
         for (auto* opened : m_window->findChildren<ExportDialog*>())
             if (opened->isVisible())

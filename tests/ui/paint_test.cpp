@@ -170,7 +170,7 @@ private Q_SLOTS:
         const InputFiles inputs = m_window->input(false).inputs;
         QVERIFY(samePixels(*inputs.at("picture").front().image(), before));
         QVERIFY((*inputs.at("known").front().image())(right / 2, bottom / 2, 0) == 0);
-        child<QAction>(*m_window, "undo")->trigger();
+        trigger(*m_window, "undo");
         QVERIFY2(m_window->input(false).inputs.empty(), "both came in one step");
     }
 
@@ -180,7 +180,7 @@ private Q_SLOTS:
         choose();
         child<QToolButton>(*m_window, "paint_known")->click();
         QVERIFY(m_window->messages()->text().startsWith(QStringLiteral("There is no picture")));
-        child<QAction>(*m_window, "compareInput")->trigger();
+        trigger(*m_window, "compareInput");
         QVERIFY(m_window->messages()->text().startsWith(QStringLiteral("There is no result")));
     }
 
@@ -481,7 +481,7 @@ private Q_SLOTS:
 
         child<QToolButton>(*m_window, "clear_guide")->click();
         QTRY_VERIFY(ofA() == nullptr);
-        child<QAction>(*m_window, "undo")->trigger();
+        trigger(*m_window, "undo");
         QTRY_VERIFY2(ofA() != nullptr, "what was cleared comes back");
         choose("quilting");
         QVERIFY2(m_window->input(false).exemplars.front().inputs.empty(), "quilting takes no A");
@@ -553,15 +553,15 @@ private Q_SLOTS:
         run();
         QVERIFY(samePixels(m_window->desk()->result()->synthesis.image.view().crop(6, 3, kPicture), picture));
         comparesWithTheBefore(*inputs.at("picture").front().image());
-        child<QAction>(*m_window, "undo")->trigger();
+        trigger(*m_window, "undo");
         QVERIFY2(!m_window->input(false).inputs.contains("known"), "all of it was one step");
 
         choose("efros-leung");
-        child<QAction>(*m_window, "extendCanvas")->trigger();
+        trigger(*m_window, "extendCanvas");
         QTRY_VERIFY(m_window->findChild<ExtendDialog*>() != nullptr);
         m_window->findChild<ExtendDialog*>()->reject();
         choose("random-phase");
-        child<QAction>(*m_window, "extendCanvas")->trigger();
+        trigger(*m_window, "extendCanvas");
         QVERIFY2(m_window->messages()->text().contains(QStringLiteral("Efros–Leung")),
                  "it says which methods complete pictures");
     }
@@ -624,7 +624,7 @@ private:
     }
 
     void comparesWithTheBefore(const Image& picture) {
-        child<QAction>(*m_window, "compareInput")->trigger();
+        trigger(*m_window, "compareInput");
         const CompareView* const view = m_window->compare();
         QTRY_COMPARE(view->mode(), CompareMode::Wipe);
         QCOMPARE(view->items().size(), 2U);

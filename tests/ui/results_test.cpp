@@ -244,7 +244,7 @@ private Q_SLOTS:
         click(1);
         QTRY_COMPARE(window.desk()->last().key, first);
         QVERIFY(window.results()->viewer(ResultView::ResultTab)->isVisible());
-        child<QAction>(window, "renameResult")->trigger();
+        trigger(window, "renameResult");
         auto* editor = list->viewport()->findChild<QLineEdit*>();
         QVERIFY(editor != nullptr);
         QTest::keyClicks(editor, QStringLiteral("red"));
@@ -343,7 +343,7 @@ private Q_SLOTS:
 
         auto* list = child<QListView>(window, "resultList");
         list->selectAll();
-        child<QAction>(window, "resultDifference")->trigger();
+        trigger(window, "resultDifference");
         auto* table = child<QTableWidget>(window, "differenceTable");
         QStringList rows;
         for (int row = 0; row < table->rowCount(); ++row)
@@ -367,7 +367,7 @@ private Q_SLOTS:
     void limitsAreStatedAndSettable() {
         MainWindow window;
         window.show();
-        child<QAction>(window, "resultLimits")->trigger();
+        trigger(window, "resultLimits");
         auto* dialog = child<LimitsDialog>(window, "limitsDialog");
         child<QDoubleSpinBox>(*dialog, "memoryLimit")->setValue(0.5);
         dialog->accept();

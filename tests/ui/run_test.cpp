@@ -128,10 +128,9 @@ private Q_SLOTS:
         const ImageViewer* const result = window.results()->viewer(ResultView::ResultTab);
         QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         for (const char* place : {"showSynthesisMap", "lattice", "editExemplar", "compareGrid"}) {
-            child<QAction>(window, place)->trigger();
+            trigger(window, place);
             QTRY_VERIFY2(!result->isVisible(), place);
-            QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
-            child<QAction>(window, "run")->trigger();
+            trigger(window, "run");
             QVERIFY(finished.wait(kPatience));
             QVERIFY2(result->isVisible(), place);
         }
@@ -177,7 +176,7 @@ private Q_SLOTS:
         window.startRun(false);
         QVERIFY(previewed.wait(kPatience));
         QVERIFY(child<QAction>(window, "stop")->isEnabled());
-        child<QAction>(window, "stop")->trigger();
+        trigger(window, "stop");
         QVERIFY(finished.wait(kPatience));
         QVERIFY(!window.desk()->running());
         const ImageViewer* viewer = window.results()->viewer(ResultView::ResultTab);
@@ -201,7 +200,7 @@ private Q_SLOTS:
         QVERIFY(previewed.wait(kPatience));
         QElapsedTimer clock;
         clock.start();
-        child<QAction>(window, "cancelRun")->trigger();
+        trigger(window, "cancelRun");
         QVERIFY(cancelled.wait());
         QVERIFY(inTime(clock.elapsed(), 500ms));
         QVERIFY(!window.desk()->running());
@@ -229,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_exemplar));
         window.inspector()->setValues({{"patch", 500}});
         QTRY_VERIFY(!child<QAction>(window, "quick")->isEnabled());
-        child<QAction>(window, "shortcuts")->trigger();
+        trigger(window, "shortcuts");
         auto* table = child<QTableWidget>(*child<QDialog>(window, "shortcutsDialog"), "shortcutsTable");
         for (int row = 0; row < table->rowCount(); ++row)
             QVERIFY2(!table->item(row, 1)->text().contains(QStringLiteral("500 px")),
@@ -290,7 +289,7 @@ private Q_SLOTS:
         QVERIFY(changed.wait());
         QCOMPARE(queue->waiting(), 1);
         QVERIFY((queue->current()->plan.request.size == Size{2048, 2048}));
-        child<QAction>(window, "cancelRun")->trigger();
+        trigger(window, "cancelRun");
         QVERIFY(finished.wait(kPatience));
         QVERIFY((window.desk()->result()->plan.request.size == Size{64, 64}));
     }
@@ -357,12 +356,10 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_exemplar));
         QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         const std::uint64_t seed = window.inspector()->output()->seed();
-        QTRY_VERIFY(child<QAction>(window, "run")->isEnabled());
-        child<QAction>(window, "run")->trigger();
+        trigger(window, "run");
         QVERIFY(finished.wait(kPatience));
         QCOMPARE(window.desk()->result()->plan.request.seed, seed);
-        QTRY_VERIFY(child<QAction>(window, "newSeedRun")->isEnabled());
-        child<QAction>(window, "newSeedRun")->trigger();
+        trigger(window, "newSeedRun");
         QVERIFY(finished.wait(kPatience));
         QVERIFY(window.desk()->result()->plan.request.seed != seed);
         QCOMPARE(window.desk()->result()->plan.request.seed, window.inspector()->output()->seed());

@@ -115,7 +115,7 @@ private Q_SLOTS:
         shoot(window, "figures-live");
         child<QDockWidget>(window, "jobDock")->raise();
         shoot(window, "jobs");
-        child<QAction>(window, "stop")->trigger();
+        trigger(window, "stop");
         QVERIFY(finished.wait(60'000));
         child<QDockWidget>(window, "resultDock")->raise();
         workers().waitForDone();
@@ -197,9 +197,9 @@ private:
         Q_EMIT window.results()->viewer(ResultView::ResultTab)->hovered({200, 100});
         window.inspector()->rows().front()->editor()->setFocus();
         shoot(window, "result");
-        child<QAction>(window, "repeat")->trigger();
+        trigger(window, "repeat");
         shoot(window, "repeated");
-        child<QAction>(window, "repeat")->trigger();
+        trigger(window, "repeat");
         window.results()->setTab(ResultView::SynthesisTab);
         shoot(window, "synthesis-map");
         window.results()->setTab(ResultView::PositionTab);
@@ -241,19 +241,19 @@ private:
                                           Qt::EditRole);
         window.desk()->history()->setPinned(history->entries().back().key, true);
         window.resultPanel()->select(keys);
-        child<QAction>(window, "compareResults")->trigger();
+        trigger(window, "compareResults");
         QTRY_COMPARE(compare->pictures(), static_cast<int>(keys.size()) + 1);
         shoot(window, "compare-grid");
-        child<QAction>(window, "compareWipe")->trigger();
+        trigger(window, "compareWipe");
         window.compare()->single()->setAngle(30);
         window.compare()->single()->setFocus();
         shoot(window, "compare-wipe");
-        child<QAction>(window, "compareDifference")->trigger();
+        trigger(window, "compareDifference");
         QTRY_VERIFY(!compare->bar()->said().isEmpty());
         shoot(window, "compare-difference");
-        child<QAction>(window, "compareGrid")->trigger();
+        trigger(window, "compareGrid");
         window.resultPanel()->select({keys[0], keys[1]});
-        child<QAction>(window, "resultDifference")->trigger();
+        trigger(window, "resultDifference");
         auto* dialog = child<QDialog>(window, "differenceDialog");
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
         shoot(*dialog, "differences");
@@ -261,12 +261,12 @@ private:
     }
 
     static void showManyRuns(MainWindow& window) {
-        child<QAction>(window, "sweep")->trigger();
+        trigger(window, "sweep");
         auto* dialog = child<QDialog>(window, "sweepDialog");
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
         shoot(*dialog, "sweep");
         dialog->reject();
-        child<QAction>(window, "trySome")->trigger();
+        trigger(window, "trySome");
         auto* some = child<QDialog>(window, "methodsDialog");
         QVERIFY(QTest::qWaitForWindowExposed(some));
         shoot(*some, "try-some");
@@ -275,7 +275,7 @@ private:
         window.inspector()->output()->setOutputSize({128, 128});
         JobQueue* const queue = window.desk()->queue();
         child<QDockWidget>(window, "jobDock")->raise();
-        child<QAction>(window, "tryAll")->trigger();
+        trigger(window, "tryAll");
         QTRY_VERIFY(queue->waiting() > 0);
         QTRY_VERIFY_WITH_TIMEOUT(queue->waiting() <= 3, 120'000);
         shoot(window, "try-all");
@@ -342,7 +342,7 @@ private:
         QSignalSpy opened(window.store(), &ExemplarStore::opened);
         window.openFiles({bundledNamed(QStringLiteral("solar_cells"))});
         QVERIFY(opened.wait());
-        child<QAction>(window, "lattice")->trigger();
+        trigger(window, "lattice");
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
         window.lattice()->canvas()->setHandle(LatticeCanvas::Handle::First);
         shoot(window, "lattice");
@@ -389,7 +389,7 @@ private:
         QSignalSpy opened(window.store(), &ExemplarStore::opened);
         window.openFiles({bundledNamed(QStringLiteral("soil_clods"))});
         QVERIFY(opened.wait());
-        child<QAction>(window, "blend")->trigger();
+        trigger(window, "blend");
         auto* blend = child<BlendWindow>(window, "blendWindow");
         QTRY_VERIFY(!blend->message().isEmpty());
         shoot(*blend, "blend-sizes-differ");
@@ -407,7 +407,7 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(!blend->blending(), 60'000);
         shoot(*blend, "blend-wide-band");
         blend->close();
-        child<QAction>(window, "variance")->trigger();
+        trigger(window, "variance");
         auto* variance = child<VarianceDialog>(window, "varianceDialog");
         shoot(*variance, "variance-empty");
         child<QLineEdit>(*variance, "varianceNeighbours")->setText(QStringLiteral("5, 10, 30, 50"));
@@ -415,7 +415,7 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(!variance->computing(), 60'000);
         shoot(*variance, "variance");
         variance->close();
-        child<QAction>(window, "stress")->trigger();
+        trigger(window, "stress");
         auto* stress = child<StressDialog>(window, "stressDialog");
         child<QSpinBox>(*stress, "stressRounds")->setValue(3);
         stress->start();
@@ -428,7 +428,7 @@ private:
     static void showEditing(MainWindow& window) {
         ExemplarEditor* const editor = window.exemplarEditor();
         const int id = window.store()->current()->id;
-        child<QAction>(window, "editExemplar")->trigger();
+        trigger(window, "editExemplar");
         editor->setMode(QStringLiteral("crop"));
         shoot(window, "edit-crop");
         editor->setMode(QStringLiteral("rectify"));
@@ -449,7 +449,7 @@ private:
         targets->open(DropTargets::Dragged::Files, true, window.inspector()->output()->ports());
         shoot(window, "drop-targets");
         targets->hide();
-        child<QAction>(window, "editExemplar")->trigger();
+        trigger(window, "editExemplar");
         window.store()->setEdits(id, {}, {});
         window.store()->clearMask(id);
         QTRY_VERIFY(!window.store()->current()->exemplar.mask);
@@ -480,13 +480,13 @@ private:
     }
 
     static void showExport(MainWindow& window) {
-        child<QAction>(window, "export")->trigger();
+        trigger(window, "export");
         auto* dialog = window.findChild<ExportDialog*>();
         QVERIFY(dialog != nullptr);
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
         shoot(*dialog, "export");
         dialog->reject();
-        child<QAction>(window, "shortcuts")->trigger();
+        trigger(window, "shortcuts");
         auto* keys = child<QDialog>(window, "shortcutsDialog");
         QVERIFY(QTest::qWaitForWindowExposed(keys));
         shoot(*keys, "shortcuts");

@@ -77,7 +77,7 @@ private Q_SLOTS:
 
     void editsShowAndAreUndone() {
         openBark(true);
-        child<QAction>(*m_window, "editExemplar")->trigger();
+        trigger(*m_window, "editExemplar");
         auto* editor = m_window->exemplarEditor();
         QVERIFY(editor->isVisible());
         child<QToolButton>(*editor, "mode-crop")->click();
@@ -96,18 +96,18 @@ private Q_SLOTS:
         QVERIFY(m_window->input(false).exemplars.front().image.image ==
                 m_window->store()->current()->file().image);
         for (int i = 0; i < 3; ++i) {
-            child<QAction>(*m_window, "undo")->trigger();
+            trigger(*m_window, "undo");
             QTRY_COMPARE(m_window->store()->current()->exemplar.edits.size(),
                          static_cast<std::size_t>(2 - i));
         }
         QVERIFY((current() == Size{64, 48}));
-        child<QAction>(*m_window, "redo")->trigger();
+        trigger(*m_window, "redo");
         QTRY_VERIFY((current() == Size{50, 40}));
     }
 
     void everyToolIsUsedFromThePageAndUndone() {
         openBark(true);
-        child<QAction>(*m_window, "editExemplar")->trigger();
+        trigger(*m_window, "editExemplar");
         auto* editor = m_window->exemplarEditor();
         const Size whole = current();
         for (const Tool& tool : tools()) {
@@ -128,7 +128,7 @@ private Q_SLOTS:
             QVERIFY2(&toolOf(made.edits.front()) == &tool, qPrintable(id));
             QVERIFY(made.companions.front().image->size() == made.image.image->size());
             QCOMPARE(child<QListWidget>(*editor, "editList")->count(), 1);
-            child<QAction>(*m_window, "undo")->trigger();
+            trigger(*m_window, "undo");
             QTRY_VERIFY2(m_window->store()->current()->exemplar.edits.empty(), qPrintable(id));
             QVERIFY(current() == whole);
         }
@@ -136,7 +136,7 @@ private Q_SLOTS:
 
     void aCornerIsDraggedOrMovedByKeys() {
         openBark(false);
-        child<QAction>(*m_window, "editExemplar")->trigger();
+        trigger(*m_window, "editExemplar");
         auto* editor = m_window->exemplarEditor();
         EditCanvas* const canvas = editor->canvas();
         editor->setMode(QStringLiteral("rectify"));
@@ -160,7 +160,7 @@ private Q_SLOTS:
 
     void lightAndAngleAreOneStepEach() {
         openBark(false);
-        child<QAction>(*m_window, "editExemplar")->trigger();
+        trigger(*m_window, "editExemplar");
         auto* editor = m_window->exemplarEditor();
         const int steps = m_window->undoHistory()->stack()->count();
         child<QGroupBox>(*editor, "tool-flatten")->setChecked(true);
@@ -181,7 +181,7 @@ private Q_SLOTS:
 
     void aPaintedMaskIsNeverCopied() {
         openBark(false);
-        child<QAction>(*m_window, "editExemplar")->trigger();
+        trigger(*m_window, "editExemplar");
         auto* editor = m_window->exemplarEditor();
         editor->setMode(QStringLiteral("hide"));
         editor->canvas()->setBrushSize(24);
@@ -203,8 +203,8 @@ private Q_SLOTS:
         for (int y = 0; y < map.height(); ++y)
             for (int x = 0; x < map.width(); ++x)
                 QVERIFY(mask(map.at(x, y).x, map.at(x, y).y, 0) != 0);
-        child<QAction>(*m_window, "undo")->trigger(); // the patch
-        child<QAction>(*m_window, "undo")->trigger();
+        trigger(*m_window, "undo"); // the patch
+        trigger(*m_window, "undo");
         QTRY_VERIFY(!m_window->store()->current()->exemplar.mask);
     }
 
@@ -270,7 +270,7 @@ private Q_SLOTS:
         const QString first = method->currentText();
         method->setCurrentIndex(method->count() - 1);
         QVERIFY(child<QAction>(*m_window, "export")->isEnabled());
-        child<QAction>(*m_window, "newSession")->trigger();
+        trigger(*m_window, "newSession");
         QTRY_VERIFY(child<QWidget>(*m_window, "startPage")->isVisible());
         QVERIFY(m_window->store()->entries().empty());
         QVERIFY(!m_window->desk()->result() &&
@@ -357,7 +357,7 @@ private Q_SLOTS:
         QVERIFY(m_window->messages()->text().contains(QStringLiteral("already")));
         child<QPushButton>(*m_window, "messageAction")->click();
         m_window->inspector()->resetAll();
-        child<QAction>(*menu, "own-preset-fine-bark")->trigger();
+        trigger(*menu, "own-preset-fine-bark");
         QVERIFY(m_window->inspector()->changedValues() == (Values{{"patch", 11}}));
         const QString file = m_folder->filePath(QStringLiteral("coarse.json"));
         menu->exportTo(file, QStringLiteral("Coarse"));
@@ -393,7 +393,7 @@ private Q_SLOTS:
         QVERIFY(undo->text().contains(QStringLiteral("Leave exemplar out")));
         undo->trigger();
         QVERIFY(store->current()->checked);
-        child<QAction>(*m_window, "redo")->trigger();
+        trigger(*m_window, "redo");
         QVERIFY(!store->current()->checked);
     }
 

@@ -8,6 +8,7 @@
 #include "ui/common/text.h"
 
 #include <QAccessible>
+#include <QAction>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
@@ -59,6 +60,14 @@ bool openAndFinish(MainWindow& window, const QString& path) {
     QSignalSpy finished(window.desk()->controller(), &RunController::finished);
     window.openFiles({path});
     return finished.wait(60'000);
+}
+
+void trigger(const QObject& parent, const char* name) {
+    auto* const action = child<QAction>(parent, name);
+    constexpr int kPatience = 60'000;
+    if (!QTest::qWaitFor([action] { return action->isEnabled(); }, kPatience))
+        qFatal("%s stays disabled", name);
+    action->trigger();
 }
 
 std::size_t triedMethods() {

@@ -51,6 +51,10 @@ template <class Widget> Widget* child(const QObject& parent, const char* name) {
     return found;
 }
 
+/// Does what the action of this name does, once it can be done: what is offered may follow from work in the
+/// background. The test ends if it cannot within a minute.
+void trigger(const QObject& parent, const char* name);
+
 } // namespace texloom::ui
 
 /// The main() of a file with one test class.

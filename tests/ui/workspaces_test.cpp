@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(openAndFinish(window, m_grain));
         const ImageViewer* copies = window.results()->viewer(ResultView::CopiesTab);
         QVERIFY(!copies->picture());
-        child<QAction>(window, "showCopies")->trigger();
+        trigger(window, "showCopies");
         QTRY_VERIFY(copies->picture());
         QVERIFY(samePixels(copies->picture()->values(),
                            copiedRegionsPicture(window.desk()->result()->synthesis.map)));
@@ -286,7 +286,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(openAndFinish(window, m_bricks));
         QTRY_VERIFY(!window.desk()->history()->entries().empty());
-        child<QAction>(window, "blend")->trigger();
+        trigger(window, "blend");
         auto* blend = child<BlendWindow>(window, "blendWindow");
         auto* first = child<QComboBox>(*blend, "blendFirst");
         // The newest: those of other tests may have other sizes.
