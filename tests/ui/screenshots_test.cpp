@@ -152,7 +152,7 @@ private Q_SLOTS:
 
     void twiceAsManyPixels() {
         if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
-            QSKIP("this is the enlarged run");
+            QSKIP("skipped: QT_SCALE_FACTOR is set, so that every window is enlarged already");
         QProcess again;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
