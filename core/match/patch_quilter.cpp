@@ -27,7 +27,7 @@ PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const Quil
       m_search(
           exemplars, options.patch, [&context] { context.check(); }, options.contrast),
       m_canvas(options.size, options.wrap, exemplars.front().image.channels, options.patch, options.overlap),
-      m_map(m_canvas.image().size(), sizesOf(exemplars)),
+      m_map(options.traced ? PositionMap(m_canvas.image().size(), sizesOf(exemplars)) : PositionMap()),
       m_sources(static_cast<std::size_t>(m_canvas.grid().count())),
       m_cutCosts(static_cast<std::size_t>(m_canvas.grid().count()), 0.0) {
     if (options.stitch != PatchStitch::Cut && options.stitch != PatchStitch::SmoothCut)
@@ -148,7 +148,8 @@ void PatchQuilter::place(int index) {
         m_stitcher->shares(cell.overlap, weight);
         m_canvas.place(cell, joined);
     }
-    trace(cell, source, weight);
+    if (m_options.traced)
+        trace(cell, source, weight);
 }
 
 Quilt PatchQuilter::run(double weight, Order order) {
@@ -158,7 +159,7 @@ Quilt PatchQuilter::run(double weight, Order order) {
         m_canvas.fill(*m_options.initial);
     m_context.stage(0.95 * weight, TR("Placing patches"));
     const auto body = [this](int index) { place(index); };
-    const auto show = [this] { m_context.preview(m_canvas.image(), &m_map); };
+    const auto show = [this] { m_context.preview(m_canvas.image(), m_options.traced ? &m_map : nullptr); };
     const int count = m_canvas.grid().count();
     if (order == Order::Wavefront)
         m_canvas.grow(m_context, body, show);
@@ -167,7 +168,8 @@ Quilt PatchQuilter::run(double weight, Order order) {
             body(index);
     Quilt quilt;
     quilt.image = m_canvas.take();
-    m_map.shrink(m_options.size);
+    if (m_options.traced)
+        m_map.shrink(m_options.size);
     quilt.map = std::move(m_map);
     quilt.patches = count;
     if (cuts())

@@ -38,12 +38,13 @@ struct QuiltOptions {
     /// An image of the output's size that whole patches are compared with, or none.
     const Image* initial = nullptr;
     const QuiltGuide* guide = nullptr;
+    bool traced = true; ///< whether the map is wanted
 };
 
 /// What a PatchQuilter makes.
 struct Quilt {
     Image image;
-    PositionMap map; ///< exact where cuts are sharp, or patches hide what they overlap
+    PositionMap map; ///< exact where cuts are sharp, or patches hide what they overlap; empty if not wanted
     int patches = 0;
     std::optional<double> meanCutError; ///< where patches are cut
 };

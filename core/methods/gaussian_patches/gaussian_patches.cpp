@@ -56,6 +56,7 @@ QuiltOptions layoutOptions(const Request& request, const Settings& settings) {
         options.patch = settings.patch;
     options.overlap = overlapFor(options.patch, kLayoutOverlap);
     options.tolerance = kLayoutTolerance;
+    options.traced = false;
     options.contrast = 1;
     options.variety = 0.5;
     return options;
@@ -125,8 +126,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     if (laysOut(request, settings)) {
         const QuiltOptions options = layoutOptions(request, settings);
         const Estimate quilt = growthEstimate(request, options.patch, options.overlap, threads, true);
-        need.bytes += quilt.bytes + PatchQuilter::mapBytesFor(request.size, options.patch) +
-                      Image::bytesFor(request.size, request.channels());
+        need.bytes += quilt.bytes + Image::bytesFor(request.size, request.channels());
         need.seconds += quilt.seconds;
     }
     return need;

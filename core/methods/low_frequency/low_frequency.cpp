@@ -14,7 +14,8 @@ namespace texloom::low_frequency {
 
 namespace {
 
-constexpr double kOverlap = 0.25, kTolerance = 0.1;
+/// As image quilting has them by default.
+constexpr double kOverlap = 0.25, kTolerance = 0.1, kContrast = 1, kVariety = 0.5;
 
 /// The torus on which the low band is drawn.
 Size torusFor(const Request& request) {
@@ -39,6 +40,9 @@ QuiltOptions quiltOptions(const Request& request, const Settings& settings) {
     options.patch = settings.patch;
     options.overlap = overlapFor(settings.patch, kOverlap);
     options.tolerance = kTolerance;
+    options.contrast = kContrast;
+    options.variety = kVariety;
+    options.traced = false;
     return options;
 }
 
@@ -82,8 +86,8 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
     need.seconds = pixels * (3e-8 + request.channels() * (2e-8 + (spot ? 2e-9 : 1e-9) * std::log2(pixels)));
     if (quilts(request)) {
         const Estimate quilt = growthEstimate(quiltRequest(request), settings.patch,
-                                              overlapFor(settings.patch, kOverlap), threads, false);
-        need.bytes += quilt.bytes + PatchQuilter::mapBytesFor(torus, settings.patch);
+                                              overlapFor(settings.patch, kOverlap), threads, true);
+        need.bytes += quilt.bytes;
         need.seconds += quilt.seconds;
     }
     need.bytes += need.bytes / 16; // plans, threads and what the allocator keeps back
@@ -136,7 +140,7 @@ const Method self = method<Settings>(
      field(&Settings::patch, "patch", TR("Detail patch"))
          .range(4, 256)
          .unit("px")
-         .scaled(0.16)
+         .scaled(0.2)
          .group(TR("Advanced"))
          .help(TR("Where the output has another size and there is no initial image, detail is quilted from "
                   "patches of this side: larger keeps larger structures whole."))},
