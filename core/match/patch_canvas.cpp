@@ -19,14 +19,16 @@ Size PatchCanvas::visible(const PatchCell& cell) const {
     return {std::min(m_patch, left.width), std::min(m_patch, left.height)};
 }
 
-void PatchCanvas::fill(const ImageView& image) {
-    for (int c = 0; c < m_image.channels(); ++c)
-        for (int y = 0; y < m_image.height(); ++y) {
-            float* row = m_image.plane(c).row(y);
+void PatchCanvas::fill(const ImageView& image, JobContext& context) {
+    const int straight = std::min(image.width, m_image.width());
+    context.parallel(0, m_image.height(), [&](int y) {
+        for (int c = 0; c < m_image.channels(); ++c) {
             const float* from = image.plane(c).row(mirrored(y, image.height));
-            for (int x = 0; x < m_image.width(); ++x)
-                row[x] = from[mirrored(x, image.width)];
+            float* row = std::copy_n(from, straight, m_image.plane(c).row(y));
+            for (int x = straight; x < m_image.width(); ++x)
+                *row++ = from[mirrored(x, image.width)];
         }
+    });
 }
 
 void PatchCanvas::read(const PatchCell& cell, Image& patch) const {

@@ -24,7 +24,7 @@ public:
     Size visible(const PatchCell& cell) const;
 
     /// Fills the canvas from an image, mirrored beyond its borders as often as needed.
-    void fill(const ImageView& image);
+    void fill(const ImageView& image, JobContext& context);
     /// Copies a patch's part of the canvas, across the border where the output wraps.
     void read(const PatchCell& cell, Image& patch) const;
     /// Places a patch: weight × old + (1 − weight) × fresh, where weights of 0 and 1 copy bit for bit.

@@ -39,7 +39,7 @@ PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const Quil
         Guide{PatchSearch(guide.exemplars, options.patch, [&context] { context.check(); }),
               PatchCanvas(options.size, options.wrap, guide.output.channels, options.patch, options.overlap),
               guide.weight});
-    m_guide->canvas.fill(guide.output);
+    m_guide->canvas.fill(guide.output, context);
 }
 
 void PatchQuilter::prepareExemplars() {
@@ -156,7 +156,7 @@ Quilt PatchQuilter::run(double weight, Order order) {
     m_context.stage(0.05 * weight, TR("Preparing the exemplar"));
     prepareExemplars();
     if (m_options.initial)
-        m_canvas.fill(*m_options.initial);
+        m_canvas.fill(*m_options.initial, m_context);
     m_context.stage(0.95 * weight, TR("Placing patches"));
     const auto body = [this](int index) { place(index); };
     const auto show = [this] { m_context.preview(m_canvas.image(), m_options.traced ? &m_map : nullptr); };

@@ -71,7 +71,7 @@ public:
           m_settings(settings),
           m_guide(request.size, request.wrap, request.channels(), settings.patch, settings.overlapPixels()) {
         if (request.initial())
-            m_guide.fill(*request.initial());
+            m_guide.fill(*request.initial(), context);
         else
             layOutExemplar();
     }

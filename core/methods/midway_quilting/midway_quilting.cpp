@@ -30,7 +30,7 @@ public:
               PatchStitcher(PatchStitch::Midway, settings.patch, {settings.propagation, settings.color})),
           m_settings(settings), m_guided(request.initial() != nullptr) {
         if (m_guided)
-            canvas().fill(*request.initial());
+            canvas().fill(*request.initial(), context);
     }
 
 private:

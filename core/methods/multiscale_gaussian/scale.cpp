@@ -59,8 +59,8 @@ ScaleSampler::ScaleSampler(const std::vector<ExemplarScales>& exemplars, int sca
         settings.contrast);
     m_lowSearch->prepare(Footprint::filled(patchSize()));
     m_low.emplace(size, wrap, low.channels(), settings.patch, settings.overlapPixels());
-    m_low->fill(low);
-    canvas().fill(low);
+    m_low->fill(low, context);
+    canvas().fill(low, context);
     for (const ExemplarScales& scales : exemplars)
         m_high.push_back(scales[static_cast<std::size_t>(scale)].high);
 }
