@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace texloom::test {
 namespace {
 
@@ -135,6 +137,27 @@ TEST_F(Regions, GiveTheTileSetToOtherProgramsWithItsCompanions) {
                                                   [edge[2].get<std::size_t>()][edge[3].get<std::size_t>()],
                   i);
     }
+}
+
+TEST_F(Regions, AnSTMapLaysOutAnotherMapAsTheImage) {
+    const Ended ended =
+        runCli({"synth", "anamorphosis", "tiles.png", "-o", "out.png", "--size", "96x90", "--set",
+                "kind=turbulence", "--set", "amplitude=0.4", "--save", "stmap=st.exr"},
+               m_folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    ASSERT_EQ(runCli({"apply", "st.exr", "tiles.png", "-o", "again.png"}, m_folder.path()).status, 0);
+    const Image out = image("out.png"), again = image("again.png"), before = image("tiles.png");
+    const auto apart = [&](const Image& other) {
+        double squares = 0;
+        for (int y = 0; y < out.height(); ++y)
+            for (int x = 0; x < out.width(); ++x)
+                squares +=
+                    std::pow(static_cast<double>(out(x, y, 1)) - static_cast<double>(other(x, y, 1)), 2);
+        return std::sqrt(squares / static_cast<double>(out.size().area()));
+    };
+    ASSERT_EQ(again.size(), out.size());
+    EXPECT_LT(apart(again), 1.0 / 255);
+    EXPECT_GT(apart(Image(before.view())), 10.0 / 255);
 }
 
 TEST_F(Regions, NotesSayWhatTheMethodDecided) {
