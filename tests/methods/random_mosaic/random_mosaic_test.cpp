@@ -189,8 +189,9 @@ TEST(RandomMosaic, levellingSolvesItsEquationAndKeepsTheMean) {
     }
 }
 
-TEST(RandomMosaic, whatWrapsIsLevelledRoundTheBorderToo) {
-    // On a torus each step has its wanted height plus what the solution lacks, whose divergence is nil.
+TEST(RandomMosaic, whatWrapsIsLevelledOnATorus) {
+    // Each step, over the border too, has its wanted height plus what the solution lacks, whose divergence is
+    // nil.
     const Image exemplar = blobs({96, 80}, 1);
     const Request request = requestFor(exemplar, {96, 80}, {true, true});
     const Synthesis raw = made(request, with("both", "none", 16));
@@ -224,7 +225,7 @@ TEST(RandomMosaic, whatWrapsIsLevelledRoundTheBorderToo) {
             ASSERT_NEAR(divergence, 0, 1e-5) << x << ", " << y;
             border = std::max(border, x == 95 ? std::abs(lacks(x, y, 1, 0)) : 0);
         }
-    EXPECT_GT(border, 1e-4); // there is a joint at the border that had to be levelled
+    EXPECT_GT(border, 1e-4); // what levels joints goes on over the border
 }
 
 /// Mean squared step across joints: left to right, where the exemplar does not go on.
