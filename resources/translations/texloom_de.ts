@@ -5837,8 +5837,8 @@
         <translation>Cohen und andere 2003: 16, 81 und 256 Kacheln aus zwei, drei und vier Farben je Achse, dann die 8 eines kompakten Satzes. Was ins Auge fällt, kehrt umso seltener wieder, je mehr Kacheln es gibt.</translation>
     </message>
     <message>
-        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of sand and soil together, and a chaos mosaic of ballast, each three times.</source>
-        <translation>Abbildungen 5.36 bis 5.41 aus Raads Dissertation an freien Vorlagen: Streifen von Fels, Metall und Holz in neuer Folge, dann Quadrate von Fels und Metall, Quadrate von Sand und Erde zusammen und ein Chaos-Mosaik von Schotter, jeweils dreimal.</translation>
+        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
+        <translation>Abbildungen 5.36 bis 5.41 aus Raads Dissertation an freien Vorlagen: Streifen von Fels, Metall und Holz in neuer Folge, dann Quadrate von Fels und Metall, Quadrate zweier Vorlagen zusammen und ein Chaos-Mosaik von Schotter, jeweils dreimal.</translation>
     </message>
     <message>
         <source>Figures 5.43 and 5.44 of Raad&apos;s thesis on free exemplars: of two images, each pixel gets the stronger gradient. The first gives its colours, the second its marks; with free borders, as printed, shades may drift.</source>

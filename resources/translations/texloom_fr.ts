@@ -5837,8 +5837,8 @@
         <translation>Cohen et autres 2003 : 16, 81 et 256 tuiles de deux, trois et quatre couleurs par axe, puis les 8 d’un jeu compact. Ce qui saute aux yeux revient d’autant moins qu’il y a plus de tuiles.</translation>
     </message>
     <message>
-        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of sand and soil together, and a chaos mosaic of ballast, each three times.</source>
-        <translation>Figures 5.36 à 5.41 de la thèse de Raad sur des exemples libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, carrés de sable et de terre ensemble, et une mosaïque chaotique de ballast, trois fois chacun.</translation>
+        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
+        <translation>Figures 5.36 à 5.41 de la thèse de Raad sur des exemples libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, carrés de deux exemples ensemble, et une mosaïque chaotique de ballast, trois fois chacun.</translation>
     </message>
     <message>
         <source>Figures 5.43 and 5.44 of Raad&apos;s thesis on free exemplars: of two images, each pixel gets the stronger gradient. The first gives its colours, the second its marks; with free borders, as printed, shades may drift.</source>
