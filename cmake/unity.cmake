@@ -1,11 +1,12 @@
 # texloom_unity_groups(target source…): in a build that compiles several sources as one, those of a folder go together, so
-# that a file that is new or edited costs its folder and no other. Folders of more than eight sources are divided by a
-# hash of the file's name.
+# that a file that is new or edited costs its folder and no other. Methods and tools, whose folders hold few sources and
+# have a namespace each, share theirs. More than twelve sources are divided by a hash of the file's name.
 function(texloom_unity_groups target)
   set(_folders "")
   foreach(_source IN LISTS ARGN)
     cmake_path(GET _source PARENT_PATH _folder)
     cmake_path(RELATIVE_PATH _folder BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    string(REGEX REPLACE "^(methods|tools)/.*" "\\1/each" _folder "${_folder}")
     string(MAKE_C_IDENTIFIER "${_folder}" _folder)
     list(APPEND _folders ${_folder})
     list(APPEND _sources_of_${_folder} ${_source})
@@ -13,7 +14,7 @@ function(texloom_unity_groups target)
   list(REMOVE_DUPLICATES _folders)
   foreach(_folder IN LISTS _folders)
     list(LENGTH _sources_of_${_folder} _count)
-    math(EXPR _groups "(${_count} + 7) / 8")
+    math(EXPR _groups "(${_count} + 11) / 12")
     foreach(_source IN LISTS _sources_of_${_folder})
       cmake_path(GET _source FILENAME _name)
       string(MD5 _hash ${_name})

@@ -13,15 +13,8 @@ namespace texloom {
 
 namespace {
 
-/// Of larger images the middle counts.
-constexpr int kMostSide = 512;
 /// Squares whose use is counted, as a share of the exemplar's shorter side.
 constexpr int kSquares = 8;
-
-ImageView middle(const ImageView& image) {
-    const Size size{std::min(image.width, kMostSide), std::min(image.height, kMostSide)};
-    return image.crop((image.width - size.width) / 2, (image.height - size.height) / 2, size);
-}
 
 /// Variance of a sample about its channel's mean, the mean over channels and images.
 double varianceOf(std::span<const ImageView> images, const std::function<void()>& check) {
@@ -74,6 +67,12 @@ double squareSum(const Image& image, int x, int y, int side) {
 
 } // namespace
 
+ImageView middlePart(const ImageView& image) {
+    constexpr int kMostSide = 512;
+    const Size size{std::min(image.width, kMostSide), std::min(image.height, kMostSide)};
+    return image.crop((image.width - size.width) / 2, (image.height - size.height) / 2, size);
+}
+
 double contrastKept(const ImageView& result, std::span<const ImageView> exemplars,
                     const std::function<void()>& check) {
     const double wanted = varianceOf(exemplars, check);
@@ -115,11 +114,11 @@ double mostUsedShare(const std::vector<Image>& occurrences) {
 
 double correlationApart(const ImageView& result, std::span<const ImageView> exemplars,
                         const std::function<void()>& check) {
-    const Correlation own = autocorrelation(middle(result), check);
+    const Correlation own = autocorrelation(middlePart(result), check);
     std::vector<Correlation> theirs;
     int reach = own.size().shorterSide() / 2;
     for (const ImageView& exemplar : exemplars) {
-        theirs.push_back(autocorrelation(middle(exemplar), check));
+        theirs.push_back(autocorrelation(middlePart(exemplar), check));
         reach = std::min(reach, theirs.back().size().shorterSide() / 2);
     }
     double squares = 0, count = 0;
@@ -140,7 +139,7 @@ double correlationApart(const ImageView& result, std::span<const ImageView> exem
 double latticeKept(const ImageView& result, const ImageView& exemplar, const Lattice& lattice,
                    const std::function<void()>& check) {
     const auto correlationIn = [&](const ImageView& image) {
-        const Correlation gamma = autocorrelation(middle(image), check);
+        const Correlation gamma = autocorrelation(middlePart(image), check);
         return rated(CorrelationPeaks(gamma, check), lattice).correlation;
     };
     const double wanted = correlationIn(exemplar);

@@ -14,6 +14,9 @@ namespace texloom {
 /// piece that grew over all of it, and an order that was lost. `check` is called every few milliseconds and
 /// may throw; images have the same number of channels.
 
+/// The part of an image that is looked at for what repeats: the middle 512 px of larger ones.
+ImageView middlePart(const ImageView& image);
+
 /// Standard deviation of the result's pixels about their channel's mean relative to the exemplars': 1 where
 /// contrast was kept, less where it faded; 1 for exemplars of one colour.
 double contrastKept(
@@ -36,13 +39,13 @@ double mostUsedShare(const std::vector<Image>& occurrences);
 
 /// Root mean square difference of the autocorrelations γ of a result and its exemplars (the mean of theirs),
 /// over displacements up to half of the shortest side: 0 where what lies at a distance is as alike as in the
-/// exemplar. Of larger images the middle 512 px count.
+/// exemplar. Of each image the middle part counts.
 double correlationApart(
     const ImageView& result, std::span<const ImageView> exemplars,
     const std::function<void()>& check = [] {});
 
 /// Mean γ of the result at the multiples of an exemplar's lattice relative to the exemplar's: 1 where the
-/// pattern runs on, 0 where it is lost; at least 0. Of larger images the middle 512 px count.
+/// pattern runs on, 0 where it is lost; at least 0. Of each image the middle part counts.
 double latticeKept(
     const ImageView& result, const ImageView& exemplar, const Lattice& lattice,
     const std::function<void()>& check = [] {});

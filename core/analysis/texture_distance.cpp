@@ -16,7 +16,7 @@ constexpr int kPatch = 8;
 constexpr int kPatches = 2048;
 constexpr int kPixels = 1 << 16;
 constexpr int kBins = 64;
-constexpr int kDirections = 32;
+constexpr int kSlices = 32;
 /// Patches are compared in at most this many channels.
 constexpr int kChannels = 4;
 /// Patches that the principal axes are learnt from.
@@ -27,19 +27,19 @@ constexpr int kBlock = 128;
 constexpr std::uint64_t kSeed = 1;
 
 /// One of several images, drawn by area, and a place in it where a square of `side` px begins.
-struct Place {
+struct DrawnPlace {
     const ImageView* image;
     int x, y;
 };
 
-class Places {
+class DrawnPlaces {
 public:
-    Places(std::span<const ImageView> images, std::uint32_t stream)
+    DrawnPlaces(std::span<const ImageView> images, std::uint32_t stream)
         : m_images(images), m_random(kSeed, stream) {
         for (const ImageView& image : images)
             m_pixels += image.size().area();
     }
-    Place place(int number, int side) const {
+    DrawnPlace place(int number, int side) const {
         auto n = static_cast<std::int64_t>(m_random.uniform(number, 0) * static_cast<double>(m_pixels));
         const ImageView* image = m_images.data();
         for (; n >= image->size().area(); ++image)
@@ -66,7 +66,7 @@ struct Samples {
     const float* patch(int number) const { return values.data() + at(number) * at(dimension); }
 };
 
-void readPatch(const Place& place, int patch, int scale, int channels, float* to) {
+void readPatch(const DrawnPlace& place, int patch, int scale, int channels, float* to) {
     for (int c = 0; c < channels; ++c)
         for (int y = 0; y < patch; ++y)
             for (int x = 0; x < patch; ++x, ++to) {
@@ -85,7 +85,7 @@ Samples samplePatches(std::span<const ImageView> images, int patch, int scale, J
     const int channels = std::min(images.front().channels, kChannels);
     Samples samples{patch * patch * channels, {}};
     samples.values.resize(at(kPatches) * at(samples.dimension));
-    const Places places(images, static_cast<std::uint32_t>(scale));
+    const DrawnPlaces places(images, static_cast<std::uint32_t>(scale));
     context.parallel(0, kPatches / kBlock, [&](int block) {
         for (int n = block * kBlock; n < (block + 1) * kBlock; ++n)
             readPatch(places.place(n, patch * scale), patch, scale, channels,
@@ -139,9 +139,9 @@ double histogramDistance(std::vector<float> exemplar, const std::vector<float>& 
 std::vector<float> samplePixels(std::span<const ImageView> images, int channel) {
     std::vector<float> values;
     values.reserve(kPixels);
-    const Places places(images, 0);
+    const DrawnPlaces places(images, 0);
     for (int n = 0; n < kPixels; ++n) {
-        const Place place = places.place(n, 1);
+        const DrawnPlace place = places.place(n, 1);
         values.push_back((*place.image)(place.x, place.y, channel));
     }
     return values;
@@ -189,8 +189,8 @@ std::vector<float> direction(int number, int dimension) {
 }
 
 double slicedWasserstein(const Samples& a, const Samples& b, JobContext& context) {
-    std::vector<double> distances(kDirections);
-    context.parallel(0, kDirections, [&](int number) {
+    std::vector<double> distances(kSlices);
+    context.parallel(0, kSlices, [&](int number) {
         const std::vector<float> axis = direction(number, a.dimension);
         std::vector<float> first = projected(a, axis), second = projected(b, axis);
         std::sort(first.begin(), first.end());
@@ -203,7 +203,7 @@ double slicedWasserstein(const Samples& a, const Samples& b, JobContext& context
     double sum = 0;
     for (const double distance : distances)
         sum += distance;
-    return sum / kDirections;
+    return sum / kSlices;
 }
 
 double deviation(const Samples& samples) {

@@ -65,7 +65,7 @@ public:
         FftBuffer<float> patch;                              ///< one channel, zero outside Q
         std::vector<FftBuffer<std::complex<float>>> spectra; ///< one per channel
         FftBuffer<float> distances;                          ///< see distanceRow()
-        std::vector<float> rowMinima;                        ///< smallest distance of each row
+        std::vector<float> rowMinima;                        ///< no distance in a row is smaller
     };
 
     /// @param mask one channel of the exemplar's size, or {}: patches with a pixel where it is 0 are at

@@ -1,5 +1,7 @@
 #include "core/match/patch_search.h"
 
+#include "core/base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -143,29 +145,32 @@ void PatchSearch::discourage(const PatchPosition& used, double weight, Scratch& 
     for (int x = left; x < right; ++x)
         shared.push_back(static_cast<float>(m_patch - std::abs(x - used.x)));
     const auto count = static_cast<std::ptrdiff_t>(shared.size());
+    const float* const columns = shared.data(); // a plain pointer, so that the loop vectorises
     for (int y = top; y < bottom; ++y) {
-        float* const row = m_distances[e].distanceRow(scratch[e], y);
-        float* const from = row + left;
+        float* const from = m_distances[e].distanceRow(scratch[e], y) + left;
         const auto share =
             static_cast<float>(weight * (m_patch - std::abs(y - used.y)) / (1.0 * m_patch * m_patch));
-        float& minimum = scratch[e].rowMinima[static_cast<std::size_t>(y)];
-        const float least = minimum; // a copy, and a plain pointer, so that the loop vectorises
-        const float* const columns = shared.data();
-        int nearest = 0; // whether one of those that move away was the nearest
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            nearest |= from[i] <= least ? 1 : 0;
+        for (std::ptrdiff_t i = 0; i < count; ++i)
             from[i] *= 1 + share * columns[i];
-        }
-        if (nearest != 0)
-            minimum = *std::min_element(row, row + positions.width);
     }
 }
 
+float PatchSearch::smallest(const Scratch& scratch) const {
+    float found = HUGE_VALF;
+    for (std::size_t e = 0; e < m_distances.size(); ++e) {
+        const Size positions = m_distances[e].positions();
+        for (int y = 0; y < positions.height; ++y) {
+            if (scratch[e].rowMinima[at(y)] >= found)
+                continue;
+            const float* row = m_distances[e].distanceRow(scratch[e], y);
+            found = std::min(found, *std::min_element(row, row + positions.width));
+        }
+    }
+    return found;
+}
+
 std::vector<PatchPosition> PatchSearch::within(double tolerance, const Scratch& scratch) const {
-    float nearest = HUGE_VALF;
-    for (const PatchDistances::Scratch& one : scratch)
-        nearest = std::min(nearest, *std::min_element(one.rowMinima.begin(), one.rowMinima.end()));
-    const float limit = nearest * static_cast<float>(1 + tolerance);
+    const float limit = smallest(scratch) * static_cast<float>(1 + tolerance);
     std::vector<PatchPosition> candidates;
     for (std::size_t e = 0; e < m_distances.size(); ++e) {
         const Size positions = m_distances[e].positions();

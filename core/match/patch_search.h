@@ -70,6 +70,7 @@ public:
     std::vector<PatchPosition> nearest(int count, const Scratch& scratch) const;
 
 private:
+    float smallest(const Scratch& scratch) const;
     double weightOf(const PatchPosition& position) const {
         return m_exemplars[static_cast<std::size_t>(position.exemplar)].weight;
     }

@@ -38,7 +38,7 @@ template <class Settings> Param descriptorField(DescriptorChoice Settings::*memb
             "maps beside colours need one that sees them: learned from the exemplar, random or wavelets."));
 }
 
-template <class Settings> Param levelsField(int Settings::*member) {
+template <class Settings> Param networkLevelsField(int Settings::*member) {
     return field(member, "levels", TR("Levels"))
         .range(0, 4)
         .help(

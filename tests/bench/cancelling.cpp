@@ -45,7 +45,8 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     for (const texloom::Method& method : texloom::methods())
         benchmark::RegisterBenchmark(
-            method.id().c_str(), [&method](benchmark::State& state) { texloom::bench::answer(state, method); })
+            method.id().c_str(),
+            [&method](benchmark::State& state) { texloom::bench::answer(state, method); })
             ->Iterations(1)
             ->Unit(benchmark::kSecond)
             ->UseRealTime();

@@ -37,6 +37,16 @@ Image blobs(Size size, int channels, std::uint64_t seed) {
     return image;
 }
 
+Image periodic(Size size, Size period, int channels) {
+    const Image tile = noise(period, channels);
+    Image image(size, channels);
+    for (int c = 0; c < channels; ++c)
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                image(x, y, c) = tile(x % period.width, y % period.height, c);
+    return image;
+}
+
 Image constant(Size size, int channels, float value) {
     Image image(size, channels);
     for (int c = 0; c < channels; ++c)

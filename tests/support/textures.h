@@ -14,6 +14,9 @@ Image noise(Size size, int channels, std::uint64_t seed = 1);
 /// 0 to 1.
 Image blobs(Size size, int channels, std::uint64_t seed = 1);
 
+/// A tile of noise repeated over an image.
+Image periodic(Size size, Size period, int channels);
+
 /// Every sample with this value.
 Image constant(Size size, int channels, float value);
 

@@ -39,7 +39,6 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -148,19 +147,6 @@ private Q_SLOTS:
             showSessions(window);
         }
         useLanguage(QLocale::c());
-    }
-
-    void twiceAsManyPixels() {
-        if (qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
-            QSKIP("this is the enlarged run");
-        QProcess again;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
-        again.setProcessEnvironment(environment);
-        again.setProcessChannelMode(QProcess::ForwardedChannels);
-        again.start(QCoreApplication::applicationFilePath(), {QStringLiteral("everyState")});
-        QVERIFY(again.waitForFinished(500'000));
-        QCOMPARE(again.exitCode(), 0);
     }
 
 private:

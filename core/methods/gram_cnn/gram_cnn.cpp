@@ -96,7 +96,7 @@ const Method self = method<Settings>(
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 2000)
          .help(TR("At each scale: more come closer to the exemplar and take longer.")),
-     levelsField(&Settings::levels), coloursField(&Settings::colours),
+     networkLevelsField(&Settings::levels), coloursField(&Settings::colours),
      field(&Settings::histogram, "histogram", TR("Match histograms"))
          .help(TR("Gives the result the exemplar's distribution of colours at the end.")),
      field(&Settings::variation, "total-variation", TR("Total variation"))

@@ -158,7 +158,7 @@ std::vector<Param> lossFields() {
             .help(TR("What of samples and exemplar is compared: the feature maps of a descriptor, the "
                      "distribution of small patches, which makes edges sharper, or both.")),
         descriptorField(&Settings::descriptor),
-        levelsField(&Settings::levels),
+        networkLevelsField(&Settings::levels),
         coloursField(&Settings::colours),
         statisticField(&Settings::statistic),
         poolingField(&Settings::pooling),

@@ -209,7 +209,9 @@ std::vector<Figure> layoutFigures(const ImageView& result, const std::vector<Ima
         {TR("Contrast kept"), contrastKept(result, exemplars, check)},
         {TR("Autocorrelations apart"), correlationApart(result, exemplars, check)}};
     std::vector<Message> notes; // of no use here
-    const Lattice lattice = latticeFor({}, {}, first, notes, check);
+    const ImageView part = middlePart(first->view());
+    const Lattice lattice = latticeFor(
+        {}, {}, part.size() == first->size() ? first : std::make_shared<const Image>(part), notes, check);
     if (!lattice.free() && !lattice.rowsOnly())
         figures.push_back({TR("Lattice kept"), latticeKept(result, exemplars.front(), lattice, check)});
     return figures;

@@ -62,17 +62,20 @@ TEST(PatchSearch, discouragedPatchesAreFartherByTheShareOfTheirPixels) {
     // Near a corner, so that squares reach over the borders of what there is.
     pair.first.discourage({0, 3, 22}, 2, after);
     const PatchDistances reader(pair.colours, {}, channelMeans(pair.colours.view()), kPatch);
-    for (int y = 0; y + kPatch <= pair.colours.height(); ++y) {
-        float least = HUGE_VALF;
+    float least = HUGE_VALF;
+    for (int y = 0; y + kPatch <= pair.colours.height(); ++y)
         for (int x = 0; x + kPatch <= pair.colours.width(); ++x) {
             const int shared = std::max(0, kPatch - std::abs(x - 3)) * std::max(0, kPatch - std::abs(y - 22));
             const float now = reader.distanceRow(after[0], y)[x];
             EXPECT_NEAR(now, reader.distanceRow(before[0], y)[x] * (1 + 2.0 * shared / (kPatch * kPatch)),
                         1e-4 * now);
+            EXPECT_GE(now, after[0].rowMinima[static_cast<std::size_t>(y)]);
             least = std::min(least, now);
         }
-        EXPECT_EQ(after[0].rowMinima[static_cast<std::size_t>(y)], least);
-    }
+    const std::vector<PatchPosition> nearest = pair.first.within(0, after);
+    ASSERT_FALSE(nearest.empty());
+    for (const PatchPosition& position : nearest)
+        EXPECT_EQ(reader.distanceRow(after[0], position.y)[position.x], least);
 }
 
 } // namespace

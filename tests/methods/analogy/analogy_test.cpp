@@ -1,7 +1,7 @@
-#include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/analogy/settings.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -36,9 +36,7 @@ struct Halves {
 
 TEST(Analogy, resultFollowsTheLabels) {
     const Halves halves;
-    Request request;
-    request.exemplars.push_back({"halves", shared(halves.picture)});
-    request.size = {60, 80};
+    const Request request = requestOf(halves.picture, {60, 80}, {}, 0);
     Image labels = constant(request.size, 1, 0);
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 60; ++x)
@@ -65,9 +63,7 @@ double continued(const PositionMap& map) {
 }
 
 TEST(Analogy, coherenceCopiesLargerPieces) {
-    Request request;
-    request.exemplars.push_back({"made up", shared(blobs({64, 64}, 3))});
-    request.size = {96, 96};
+    const Request request = requestOf(blobs({64, 64}, 3), {96, 96}, {}, 0);
     CausalOptions none = Settings{}.options(), much = none;
     none.coherence = 0;
     much.coherence = 50;
@@ -76,30 +72,20 @@ TEST(Analogy, coherenceCopiesLargerPieces) {
 
 TEST(Analogy, picturesThatDoNotGoTogetherAreRefused) {
     const Method& method = findMethod("analogy");
-    const auto message = [&](const Request& request) -> std::string {
-        try {
-            method.check(request, method.resolved({}, {64, 64}));
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return "was taken";
-    };
     const Halves halves;
-    Request request;
-    request.exemplars.push_back({"halves", shared(halves.picture)});
-    request.size = {60, 80};
-    EXPECT_EQ(message(request), "was taken");
+    Request request = requestOf(halves.picture, {60, 80}, {}, 0);
+    EXPECT_EQ(refusalOf(method, request), "was taken");
     request.inputs.set("output-guide", shared(constant({60, 80}, 3, 0)));
-    EXPECT_THAT(message(request), testing::HasSubstr("picture A"));
+    EXPECT_THAT(refusalOf(method, request), testing::HasSubstr("picture A"));
     request.exemplars.front().inputs.set("guide", shared(halves.labels));
-    EXPECT_THAT(message(request), testing::AllOf(testing::HasSubstr("1"), testing::HasSubstr("3")));
+    EXPECT_THAT(refusalOf(method, request), testing::AllOf(testing::HasSubstr("1"), testing::HasSubstr("3")));
     request.inputs.set("output-guide", shared(constant({60, 80}, 1, 0)));
-    EXPECT_EQ(message(request), "was taken");
+    EXPECT_EQ(refusalOf(method, request), "was taken");
     request.inputs.set("output-guide", shared(constant({60, 80}, 1, 0.5F)));
-    EXPECT_THAT(message(request),
+    EXPECT_THAT(refusalOf(method, request),
                 testing::AllOf(testing::HasSubstr("(0.5)"), testing::HasSubstr("(0) and (1)")));
     request.inputs.clear("output-guide");
-    EXPECT_THAT(message(request), testing::HasSubstr("picture B"));
+    EXPECT_THAT(refusalOf(method, request), testing::HasSubstr("picture B"));
 }
 
 } // namespace

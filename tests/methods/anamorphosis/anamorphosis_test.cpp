@@ -1,8 +1,7 @@
-#include "core/base/error.h"
 #include "core/image/stmap.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/session/run/run.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <Eigen/LU>
@@ -18,25 +17,8 @@ namespace {
 
 const char* const kKinds[] = {"affine", "parabola", "sinusoid", "turbulence"};
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Synthesis made(const Request& request, const Values& settings) {
-    const Method& method = findMethod("anamorphosis");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return resultOf(findMethod("anamorphosis"), request, settings);
 }
 
 Values with(const char* kind, double amplitude) {
@@ -51,10 +33,10 @@ TEST(AnamorphosisMethod, withoutAmplitudeIsTheIdentityBitForBit) {
                 Values settings = with(kind, 0);
                 settings["interpolation"] = std::string(interpolation);
                 settings["axis"] = std::string(axis);
-                EXPECT_TRUE(samePixels(made(requestFor(exemplar, {61, 43}), settings).image, exemplar));
+                EXPECT_TRUE(samePixels(made(requestOf(exemplar, {61, 43}), settings).image, exemplar));
                 settings["border"] = std::string("repeat");
                 EXPECT_TRUE(
-                    samePixels(made(requestFor(exemplar, {61, 43}, {true, true}), settings).image, exemplar));
+                    samePixels(made(requestOf(exemplar, {61, 43}, {true, true}), settings).image, exemplar));
             }
 }
 
@@ -62,7 +44,7 @@ TEST(AnamorphosisMethod, itsMapGivesTheImage) {
     const Image exemplar = blobs({80, 64}, 2);
     for (const char* kind : kKinds)
         for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
-            const Synthesis result = made(requestFor(exemplar, {150, 110}, wrap), with(kind, 0.7));
+            const Synthesis result = made(requestOf(exemplar, {150, 110}, wrap), with(kind, 0.7));
             const ImageView view = exemplar;
             const Image again = appliedStMap(*result.outputs.image(kStMapPort), {&view, 1});
             double squares = 0;
@@ -84,7 +66,7 @@ TEST(AnamorphosisMethod, aStraightSlopeComesOutAsTheMapSays) {
         for (int x = 0; x < 100; ++x)
             exemplar(x, y, 0) = static_cast<float>((x + 0.5) / 100);
     for (const char* kind : kKinds) {
-        const Synthesis result = made(requestFor(exemplar, {100, 20}), with(kind, 0.6));
+        const Synthesis result = made(requestOf(exemplar, {100, 20}), with(kind, 0.6));
         const Image& map = *result.outputs.image(kStMapPort);
         for (int y = 0; y < 20; ++y)
             for (int x = 0; x < 100; ++x)
@@ -96,19 +78,19 @@ TEST(AnamorphosisMethod, aStraightSlopeComesOutAsTheMapSays) {
 
 TEST(AnamorphosisMethod, anImageToStartFromIsWhatIsDeformed) {
     const Image initial = blobs({90, 70}, 1, 5);
-    Request request = requestFor(noise({40, 40}, 1), {90, 70}, {true, false});
+    Request request = requestOf(noise({40, 40}, 1), {90, 70}, {true, false});
     request.inputs.set(kInitialPort, std::make_shared<const Image>(initial));
     EXPECT_TRUE(samePixels(made(request, with("sinusoid", 0)).image, initial));
     EXPECT_FALSE(samePixels(made(request, with("sinusoid", 0.5)).image, initial));
 }
 
 TEST(AnamorphosisMethod, saysWhatItLoweredTheAmplitudeTo) {
-    const Synthesis result = made(requestFor(noise({64, 64}, 1), {64, 64}), with("turbulence", 0.95));
+    const Synthesis result = made(requestOf(noise({64, 64}, 1), {64, 64}), with("turbulence", 0.95));
     ASSERT_EQ(result.notes.size(), 1U);
     EXPECT_THAT(result.notes.front().text(), testing::HasSubstr("0.95"));
     EXPECT_LT(result.figures.front().value, 0.95);
     EXPECT_GT(result.figures.back().value, 0.1);
-    EXPECT_TRUE(made(requestFor(noise({64, 64}, 1), {64, 64}), with("parabola", 0.95)).notes.empty());
+    EXPECT_TRUE(made(requestOf(noise({64, 64}, 1), {64, 64}), with("parabola", 0.95)).notes.empty());
 }
 
 TEST(AnamorphosisMethod, drawsTheCurveOfItsMapAsFigure530) {
@@ -116,7 +98,7 @@ TEST(AnamorphosisMethod, drawsTheCurveOfItsMapAsFigure530) {
         for (const char* kind : {"affine", "parabola", "sinusoid"}) {
             Values settings = with(kind, 0.7);
             settings["axis"] = std::string(axis);
-            const Synthesis result = made(requestFor(blobs({100, 80}, 3), {100, 80}), settings);
+            const Synthesis result = made(requestOf(blobs({100, 80}, 3), {100, 80}), settings);
             ASSERT_EQ(result.pictures.size(), 1U);
             EXPECT_EQ(result.pictures.front().name.text(), "Curve of the map");
             const Image& curve = result.pictures.front().image;
@@ -142,7 +124,7 @@ TEST(AnamorphosisMethod, drawsTheCurveOfItsMapAsFigure530) {
             }
             EXPECT_GT(apart, 10) << kind; // so that it is not the diagonal
         }
-    const Synthesis swirls = made(requestFor(blobs({100, 80}, 1), {100, 80}), with("turbulence", 0.5));
+    const Synthesis swirls = made(requestOf(blobs({100, 80}, 1), {100, 80}), with("turbulence", 0.5));
     EXPECT_EQ(swirls.pictures.front().name.text(), "Deformed squares");
 }
 

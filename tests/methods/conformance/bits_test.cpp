@@ -10,6 +10,8 @@
 
 #include <chrono>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace texloom::test {
@@ -63,6 +65,13 @@ TEST_P(Conformance, sameRecipeGivesTheSameForAnyNumberOfThreads) {
     }
 }
 
+/// Methods that take so long that they must keep checkpoints; what they declare does not tell.
+bool mustKeepCheckpoints(const std::string& id) {
+    static const std::set<std::string> all = {"gram-cnn",      "slow-diffusion", "solid-optimise",
+                                              "solid-texture", "sparse",         "texture-network"};
+    return all.contains(id);
+}
+
 TEST_P(Conformance, whatGoesOnFromACheckpointEndsAsThoughNothingHadHappened) {
     Request request = requestFor({48, 40}, 3, {101, 90});
     fillPorts(method().info(), request);
@@ -80,8 +89,9 @@ TEST_P(Conformance, whatGoesOnFromACheckpointEndsAsThoughNothingHadHappened) {
     keeping.keep = [&](const Checkpoint& checkpoint) { kept.push_back(checkpoint); };
     keeping.keepEvery = std::chrono::milliseconds(0);
     const Synthesis whole = made(keeping);
-    if (kept.empty())
+    if (kept.empty() && !mustKeepCheckpoints(GetParam()))
         GTEST_SKIP() << "skipped: " << GetParam() << " keeps no checkpoints";
+    ASSERT_FALSE(kept.empty());
     for (const std::size_t from : {std::size_t{0}, kept.size() / 2, kept.size() - 1}) {
         JobOptions resumed;
         resumed.resumed = std::make_shared<const Checkpoint>(kept[from]);

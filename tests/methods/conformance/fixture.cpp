@@ -119,8 +119,8 @@ const Synthesis& usualResult(const Method& method) {
     return made.emplace(method.id(), runWith(method, requestFor({50, 61}, 3, {97, 80}), 2)).first->second;
 }
 
-RunPlan longPlan(const Method& method) {
-    Request request = requestFor({256, 256}, 3, {4096, 4096});
+RunPlan longPlan(const Method& method, Size output) {
+    Request request = requestFor({256, 256}, 3, output);
     fillPorts(method.info(), request);
     return planFor(method, request, {});
 }

@@ -40,7 +40,7 @@ Synthesis runWith(const Method& method, Request request, const Values& settings,
 const Synthesis& usualResult(const Method& method);
 
 /// A run that keeps nearly every method busy for seconds, so that it can be watched and stopped.
-RunPlan longPlan(const Method& method);
+RunPlan longPlan(const Method& method, Size output = {4096, 4096});
 
 /// A box that a source has.
 Box boxOf(const VolumeSource& source);

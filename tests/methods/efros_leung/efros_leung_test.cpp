@@ -3,6 +3,7 @@
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/pixel_grower.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -26,12 +27,7 @@ std::shared_ptr<const Image> shared(Image image) {
 }
 
 Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
-    Request request;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = 5;
-    return request;
+    return requestOf(std::move(exemplar), output, wrap, 5);
 }
 
 Synthesis grown(const Request& request, const Settings& settings, int threads = 2, const Start& start = {}) {
@@ -170,17 +166,6 @@ TEST(WindowScan, radiusLeavesOutWhatIsFar) {
     }
 }
 
-/// A tile of noise repeated over an image.
-Image periodic(Size size, Size period, int channels) {
-    const Image tile = noise(period, channels);
-    Image image(size, channels);
-    for (int c = 0; c < channels; ++c)
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x)
-                image(x, y, c) = tile(x % period.width, y % period.height, c);
-    return image;
-}
-
 TEST(EfrosLeung, periodIsContinued) {
     for (const Order order : {Order::Onion, Order::Raster})
         for (const Search search : {Search::Exact, Search::Pca}) {
@@ -314,10 +299,7 @@ TEST(EfrosLeung, aPictureIsNotHealedFromItsOwnHole) {
     request.inputs.set(kInitialPort, shared(photo));
     request.inputs.set("known", shared(known));
     const Method& method = findMethod("efros-leung");
-    Job<Synthesis> job({5, 2, false}, [&](JobContext& context) {
-        return method.run(request, method.resolved({{"window", 9}}, photo.size()), context);
-    });
-    const Synthesis healed = std::get<Synthesis>(job.take());
+    const Synthesis healed = resultOf(method, request, {{"window", 9}});
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) {
             ASSERT_NE(healed.image(x, y, 0), 5);
@@ -333,13 +315,9 @@ TEST(EfrosLeung, aPictureIsNotHealedFromItsOwnHole) {
 }
 
 TEST(EfrosLeung, refusalsNameTheValueAndTheLimit) {
-    const Method& method = findMethod("efros-leung");
-    try {
-        method.check(requestFor(blobs({12, 30}, 3), {64, 64}), method.resolved({{"window", 13}}, {12, 30}));
-        ADD_FAILURE() << "was taken";
-    } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("13 px"), testing::HasSubstr("12 px")));
-    }
+    EXPECT_THAT(
+        refusalOf(findMethod("efros-leung"), requestFor(blobs({12, 30}, 3), {64, 64}), {{"window", 13}}),
+        testing::AllOf(testing::HasSubstr("13 px"), testing::HasSubstr("12 px")));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // The example of CONTRIBUTING.md.
 
 #include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -16,19 +16,11 @@ namespace test {
 namespace {
 
 Synthesis made(const Request& request, const Values& settings = {}) {
-    const Method method = named("mirror-tile", mirror_tile::self);
-    const Values resolved = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, resolved);
-    Job<Synthesis> job({}, [&](JobContext& context) { return method.run(request, resolved, context); });
-    return std::get<Synthesis>(job.take());
+    return resultOf(named("mirror-tile", mirror_tile::self), request, settings);
 }
 
 Request requestFor(Size size, Wrap wrap) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(blobs({20, 17}, 3))});
-    request.size = size;
-    request.wrap = wrap;
-    return request;
+    return requestOf(blobs({20, 17}, 3), size, wrap);
 }
 
 TEST(MirrorTile, showsTheExemplarAndThenItsMirrorImage) {

@@ -1,7 +1,6 @@
 // What every method promises that fills holes: Efros–Leung, PatchMatch and quilting.
-#include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/methods/fill_request.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -43,24 +42,10 @@ Image pierced(Image picture) {
 
 /// The picture is its own exemplar.
 Request requestFor(const Image& picture) {
-    Request request;
-    request.exemplars.push_back({"picture", kept(picture)});
-    request.size = picture.size();
-    request.seed = 7;
+    Request request = requestOf(picture, picture.size(), {}, 7);
     request.inputs.set(kInitialPort, request.exemplars.front().image);
     request.inputs.set(kKnownPort, kept(knownAround(picture.size())));
     return request;
-}
-
-/// A tile of noise repeated over an image.
-Image periodic(Size size, int period, int channels) {
-    const Image tile = noise({period, period}, channels);
-    Image image(size, channels);
-    for (int c = 0; c < channels; ++c)
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x)
-                image(x, y, c) = tile(x % period, y % period, c);
-    return image;
 }
 
 class Fill : public testing::TestWithParam<std::string> {
@@ -73,24 +58,10 @@ protected:
         return more;
     }
     Synthesis filled(const Request& request, const Values& more = {}, int threads = 2) const {
-        const Method& method = findMethod(GetParam());
-        const Values all = method.resolved(settings(more), request.exemplars.front().image->size());
-        method.check(request, all);
-        Job<Synthesis> job({request.seed, threads, false},
-                           [&](JobContext& context) { return method.run(request, all, context); });
-        Outcome<Synthesis> outcome = job.take();
-        if (const auto* failure = std::get_if<Failure>(&outcome))
-            throw Error(failure->message);
-        return std::get<Synthesis>(std::move(outcome));
+        return resultOf(findMethod(GetParam()), request, settings(more), {.threads = threads});
     }
     std::string refusal(const Request& request, const Values& more = {}) const {
-        try {
-            const Method& method = findMethod(GetParam());
-            method.check(request, method.resolved(settings(more), request.exemplars.front().image->size()));
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return "was taken";
+        return refusalOf(findMethod(GetParam()), request, settings(more));
     }
 };
 
@@ -111,7 +82,7 @@ TEST_P(Fill, whatIsKnownStaysAndTheRestIsCopied) {
 }
 
 TEST_P(Fill, holeInAPeriodIsFilledWithoutATrace) {
-    const Image whole = periodic({110, 100}, 8, 2);
+    const Image whole = periodic({110, 100}, {8, 8}, 2);
     Values exactly;
     if (GetParam() == "patchmatch")
         exactly = {{"scales", 1}, {"tone", false}};
@@ -245,10 +216,7 @@ TEST(FilledWindow, isWhatMasksAndHoleNeed) {
 TEST(FilledWindow, toneChangesNothingThatIsKnown) {
     const Image picture = pierced(blobs({110, 100}, 3));
     const Request request = requestFor(picture);
-    const Method& method = findMethod("patchmatch");
-    const Values all = method.resolved({{"patch", 5}}, request.size);
-    Job<Synthesis> job({7, 2, false}, [&](JobContext& context) { return method.run(request, all, context); });
-    const Synthesis result = std::get<Synthesis>(job.take());
+    const Synthesis result = resultOf(findMethod("patchmatch"), request, {{"patch", 5}});
     EXPECT_EQ(result.mapKind, MapKind::Dominant);
     for (int c = 0; c < 3; ++c)
         for (int y = 0; y < 100; ++y)
@@ -260,20 +228,17 @@ TEST(FilledWindow, toneChangesNothingThatIsKnown) {
 
 TEST(QuiltedHole, poissonTakesItsLevelFromWhatIsAround) {
     // The source is the picture, 5 brighter.
-    const Image whole = periodic({110, 100}, 8, 1);
+    const Image whole = periodic({110, 100}, {8, 8}, 1);
     Image brighter = whole;
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 110; ++x)
             brighter(x, y, 0) += 0.2F;
     Request request = requestFor(pierced(whole));
     request.exemplars.front().image = kept(brighter);
-    const Method& method = findMethod("quilting");
     const auto step = [&](const char* stitch) {
-        const Values all = method.resolved(
-            {{"patch", 12}, {"tolerance", 0.0}, {"stitch", std::string(stitch)}}, request.size);
-        Job<Synthesis> job({7, 2, false},
-                           [&](JobContext& context) { return method.run(request, all, context); });
-        const Synthesis result = std::get<Synthesis>(job.take());
+        const Synthesis result =
+            resultOf(findMethod("quilting"), request,
+                     {{"patch", 12}, {"tolerance", 0.0}, {"stitch", std::string(stitch)}});
         double most = 0;
         for (int y = 0; y < 100; ++y)
             for (int x = 0; x < 110; ++x)

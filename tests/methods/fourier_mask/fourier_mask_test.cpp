@@ -1,6 +1,7 @@
 #include "core/job/job.h"
 #include "core/math/waves.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -109,11 +110,7 @@ TEST(Waves, closeOnWholeNumbersOfCycles) {
 }
 
 Synthesis made(const Request& request, const Values& settings = {}) {
-    const Method& method = findMethod("fourier-mask");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    return std::get<Synthesis>(job.take());
+    return resultOf(findMethod("fourier-mask"), request, settings);
 }
 
 TEST(FourierMask, patchesFollowTheWaves) {
@@ -122,10 +119,7 @@ TEST(FourierMask, patchesFollowTheWaves) {
     for (int y = 0; y < 96; ++y)
         for (int x = 0; x < 96; ++x)
             exemplar(x, y, 0) += 0.5F * (grain(x, y, 0) - 0.5F);
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar)});
-    request.size = {300, 260};
-    request.seed = 3;
+    const Request request = requestOf(exemplar, {300, 260});
     const Values settings{{"patch", 12}, {"tolerance", 0.1}, {"threshold", 0.4}};
     Values loose = settings;
     loose["weight"] = 0.0;
@@ -151,10 +145,7 @@ TEST(FourierMask, patchesFollowTheWaves) {
 }
 
 TEST(FourierMask, noiseHasHardlyARegularPart) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(noise({96, 96}, 1))});
-    request.size = {100, 100};
-    EXPECT_EQ(made(request, {{"threshold", 0.9}}).notes.size(), 1U);
+    EXPECT_EQ(made(requestOf(noise({96, 96}, 1), {100, 100}, {}, 0), {{"threshold", 0.9}}).notes.size(), 1U);
 }
 
 } // namespace

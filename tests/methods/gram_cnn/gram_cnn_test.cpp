@@ -1,10 +1,10 @@
 #include "core/base/error.h"
 #include "core/io/model_file.h"
-#include "core/job/job.h"
 #include "core/methods/gram_cnn/minimiser.h"
 #include "core/methods/method.h"
 #include "core/network/filter_banks.h"
 #include "core/session/run/exemplar_file.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -18,40 +18,16 @@ namespace {
 
 using testing::HasSubstr;
 
-Request requestFor(Image exemplar, Size output, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.seed = seed;
-    return request;
-}
-
 const Method& gramCnn() {
     return findMethod("gram-cnn");
 }
 
-Values complete(const Request& request, const Values& settings) {
-    Values all = gramCnn().resolved(settings, request.exemplars.front().image->size());
-    gramCnn().check(request, all);
-    return all;
-}
-
-Synthesis made(const Request& request, const Values& settings, JobOptions options = {3, 2}) {
-    const Values all = complete(request, settings);
-    Job<Synthesis> job(options, [&](JobContext& context) { return gramCnn().run(request, all, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+Synthesis made(const Request& request, const Values& settings, const JobOptions& options = {.threads = 2}) {
+    return resultOf(gramCnn(), request, settings, options);
 }
 
 std::string refusal(const Request& request, const Values& settings) {
-    try {
-        complete(request, settings);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "taken";
+    return refusalOf(gramCnn(), request, settings);
 }
 
 const Curve& lossOf(const Synthesis& synthesis) {
@@ -73,7 +49,7 @@ Image middle(const char* file, int side) {
 }
 
 TEST(GramCnn, lossFallsAHundredfoldWithRandomFilters) {
-    const Request request = requestFor(middle("gravel_gray.png", 64), {64, 64});
+    const Request request = requestOf(middle("gravel_gray.png", 64), {64, 64});
     const Synthesis result = made(
         request, {{"descriptor", std::string("random")}, {"levels", 2}, {"scales", 1}, {"iterations", 150}});
     EXPECT_LT(100 * lossOf(result).values.back(), lossOf(result).values.front());
@@ -82,7 +58,7 @@ TEST(GramCnn, lossFallsAHundredfoldWithRandomFilters) {
 }
 
 TEST(GramCnn, everyTapHasItsCurve) {
-    const Request request = requestFor(blobs({48, 48}, 3), {48, 48});
+    const Request request = requestOf(blobs({48, 48}, 3), {48, 48});
     const Synthesis result = made(request, {{"iterations", 3}, {"scales", 1}});
     ASSERT_EQ(result.curves.size(), 8U) << "the loss, three taps on two levels, colours";
     for (const Curve& curve : result.curves)
@@ -98,7 +74,7 @@ TEST(GramCnn, anExemplarThatIsGivenAsTheStartStays) {
         for (int x = 0; x < 64; ++x)
             exemplar(x, y, 0) =
                 static_cast<float>(0.5 + 0.2 * std::sin(0.3926990817 * x) + 0.2 * std::sin(0.1963495408 * y));
-    Request request = requestFor(exemplar, {64, 64});
+    Request request = requestOf(exemplar, {64, 64});
     request.wrap = {true, true};
     request.inputs.add("initial", std::make_shared<const Image>(exemplar));
     const Values settings = {{"iterations", 20}, {"scales", 1}};
@@ -113,7 +89,7 @@ TEST(GramCnn, greyExemplarsGiveGrey) {
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x)
             grey(x, y, 1) = grey(x, y, 2) = grey(x, y, 0);
-    const Image image = made(requestFor(grey, {40, 40}), {{"iterations", 5}}).image;
+    const Image image = made(requestOf(grey, {40, 40}), {{"iterations", 5}}).image;
     for (int y = 0; y < 40; ++y)
         for (int x = 0; x < 40; ++x)
             ASSERT_NEAR(image(x, y, 1), image(x, y, 2), 1e-4);
@@ -123,7 +99,7 @@ TEST(GramCnn, valuesStayThoseOfTheExemplar) {
     const Image exemplar = blobs({40, 40}, 3);
     for (const bool histogram : {true, false}) {
         const Image image =
-            made(requestFor(exemplar, {50, 30}), {{"iterations", 4}, {"histogram", histogram}}).image;
+            made(requestOf(exemplar, {50, 30}), {{"iterations", 4}, {"histogram", histogram}}).image;
         for (int c = 0; c < 3; ++c) {
             const ValueRange wanted = valueRange(exemplar.view().channelRange(c, 1));
             const ValueRange range = valueRange(image.view().channelRange(c, 1));
@@ -134,14 +110,14 @@ TEST(GramCnn, valuesStayThoseOfTheExemplar) {
 }
 
 TEST(GramCnn, adamLowersTheLossToo) {
-    const Request request = requestFor(blobs({32, 32}, 3), {32, 32});
+    const Request request = requestOf(blobs({32, 32}, 3), {32, 32});
     const Synthesis result =
         made(request, {{"optimiser", std::string("adam")}, {"iterations", 60}, {"colours", false}});
     EXPECT_LT(3 * lossOf(result).values.back(), lossOf(result).values.front());
 }
 
 TEST(GramCnn, goesOnFromACheckpointWithTheSameBits) {
-    const Request request = requestFor(blobs({64, 64}, 3), {48, 40});
+    const Request request = requestOf(blobs({64, 64}, 3), {48, 40});
     for (const char* optimiser : {"l-bfgs", "adam"}) {
         const Values settings = {{"iterations", 12}, {"scales", 2}, {"optimiser", std::string(optimiser)}};
         std::vector<Checkpoint> kept;
@@ -161,7 +137,7 @@ TEST(GramCnn, goesOnFromACheckpointWithTheSameBits) {
 }
 
 TEST(GramCnn, mapsBesideColoursAreMadeAsChannels) {
-    Request request = requestFor(blobs({40, 40}, 5), {40, 40});
+    Request request = requestOf(blobs({40, 40}, 5), {40, 40});
     request.companionChannels = 2;
     for (const char* descriptor : {"automatic", "random", "wavelet"}) {
         const Synthesis result = made(request, {{"descriptor", std::string(descriptor)}, {"iterations", 2}});
@@ -171,7 +147,7 @@ TEST(GramCnn, mapsBesideColoursAreMadeAsChannels) {
 }
 
 TEST(GramCnn, takesADescriptorFromAFile) {
-    Request request = requestFor(blobs({40, 40}, 3), {40, 40});
+    Request request = requestOf(blobs({40, 40}, 3), {40, 40});
     Descriptor bank = randomDescriptor(3);
     bank.name = "mine";
     request.inputs.add("descriptor", std::make_shared<const Model>(bank.model()));
@@ -183,14 +159,14 @@ TEST(GramCnn, takesADescriptorFromAFile) {
     other.kind = "sparse-dictionary";
     request.inputs = {};
     request.inputs.add("descriptor", std::make_shared<const Model>(other));
-    EXPECT_NE(refusal(request, {}), "taken");
+    EXPECT_NE(refusal(request, {}), "was taken");
 }
 
 TEST(GramCnn, refusesInASentence) {
-    const Request request = requestFor(blobs({40, 40}, 3), {40, 40});
+    const Request request = requestOf(blobs({40, 40}, 3), {40, 40});
     EXPECT_THAT(refusal(request, {{"first-tap", 4}}), HasSubstr("the descriptor has 3"));
     EXPECT_THAT(refusal(request, {{"first-tap", 3}, {"last-tap", 2}}), HasSubstr("after the last"));
-    EXPECT_THAT(refusal(requestFor(blobs({15, 40}, 3), {40, 40}), {}), HasSubstr("needs 16 px"));
+    EXPECT_THAT(refusal(requestOf(blobs({15, 40}, 3), {40, 40}), {}), HasSubstr("needs 16 px"));
 }
 
 TEST(GramCnn, weightsThatOverflowAreRefusedInASentence) {
@@ -198,7 +174,7 @@ TEST(GramCnn, weightsThatOverflowAreRefusedInASentence) {
     for (auto& chain : bank.chains)
         for (float& weight : chain.front().filters.weights)
             weight *= 1e25F;
-    Request request = requestFor(blobs({40, 40}, 3), {40, 40});
+    Request request = requestOf(blobs({40, 40}, 3), {40, 40});
     request.inputs.add("descriptor", std::make_shared<const Model>(bank.model()));
     try {
         made(request, {{"iterations", 4}});

@@ -3,6 +3,7 @@
 #include "core/math/grid_flow.h"
 #include "core/methods/graph_cut/canvas.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -18,15 +19,6 @@ using graph_cut::Patch;
 using graph_cut::SeamCost;
 using graph_cut::Step;
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 /// Runs `work` with a context.
 template <class Work> void inJob(const Work& work) {
     Job<int> job({3, 2, false}, [&](JobContext& context) {
@@ -37,15 +29,7 @@ template <class Work> void inJob(const Work& work) {
 }
 
 Synthesis made(const Request& request, const Values& settings = {}) {
-    const Method& method = findMethod("graph-cut");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return resultOf(findMethod("graph-cut"), request, settings);
 }
 
 /// The cost of all seams of a map, in the whole numbers that cuts are made with.
@@ -65,7 +49,7 @@ TEST(GraphCut, cutIsTheBestOfAllLabellings) {
     // Two patches lie side by side with an old seam; a third covers the middle 3 × 4 of them and a column
     // that is new. All 2^12 ways to take its pixels are tried.
     for (std::uint64_t seed = 1; seed < 12; ++seed) {
-        const Request request = requestFor(noise({12, 12}, 2, seed), {7, 4});
+        const Request request = requestOf(noise({12, 12}, 2, seed), {7, 4});
         inJob([&](JobContext& context) {
             Canvas canvas(request, true);
             canvas.paste({0, -3, -2, {0, 0, {3, 4}}}, nullptr, context);
@@ -98,7 +82,7 @@ TEST(GraphCut, cutIsTheBestOfAllLabellings) {
 
 TEST(GraphCut, seamNodesLetOldSeamsStayOrGo) {
     for (std::uint64_t seed = 1; seed < 9; ++seed) {
-        const Request request = requestFor(noise({12, 12}, 1, seed), {6, 2});
+        const Request request = requestOf(noise({12, 12}, 1, seed), {6, 2});
         inJob([&](JobContext& context) {
             Canvas canvas(request, false);
             canvas.paste({0, -4, 0, {0, 0, {3, 2}}}, nullptr, context);
@@ -123,7 +107,7 @@ TEST(GraphCut, seamNodesLetOldSeamsStayOrGo) {
 
 TEST(GraphCut, pasteThatFitsLeavesNoSeam) {
     const Image exemplar = blobs({40, 30}, 3);
-    const Request request = requestFor(exemplar, {36, 28});
+    const Request request = requestOf(exemplar, {36, 28});
     inJob([&](JobContext& context) {
         Canvas canvas(request, true);
         canvas.paste({0, -2, -1, {-2, -1, {20, 30}}}, nullptr, context);
@@ -135,7 +119,7 @@ TEST(GraphCut, pasteThatFitsLeavesNoSeam) {
 
 TEST(GraphCut, refinementNeverMakesSeamsCostMore) {
     for (const char* placement : {"random", "entire", "sub-patch"}) {
-        const Synthesis result = made(requestFor(blobs({48, 48}, 3), {120, 100}),
+        const Synthesis result = made(requestOf(blobs({48, 48}, 3), {120, 100}),
                                       {{"placement", std::string(placement)}, {"refine", 25}, {"patch", 16}});
         ASSERT_EQ(result.curves.size(), 1U);
         const std::vector<double>& costs = result.curves.front().values;
@@ -148,14 +132,10 @@ TEST(GraphCut, refinementNeverMakesSeamsCostMore) {
 }
 
 TEST(GraphCut, periodicExemplarIsContinuedWithoutASeam) {
-    const Image tile = noise({8, 9}, 1);
-    Image exemplar({48, 45}, 1);
-    for (int y = 0; y < 45; ++y)
-        for (int x = 0; x < 48; ++x)
-            exemplar(x, y, 0) = tile(x % 8, y % 9, 0);
+    const Image exemplar = periodic({48, 45}, {8, 9}, 1);
     for (const char* placement : {"entire", "sub-patch"}) {
         const Synthesis result =
-            made(requestFor(exemplar, {120, 90}),
+            made(requestOf(exemplar, {120, 90}),
                  {{"placement", std::string(placement)}, {"tolerance", 0.001}, {"patch", 16}, {"refine", 0}});
         for (int y = 0; y + 9 < 90; ++y)
             for (int x = 0; x + 8 < 120; ++x) {
@@ -174,7 +154,7 @@ TEST(GraphCut, initialImageDecidesWhatIsPasted) {
     for (int y = 0; y < 80; ++y)
         for (int x = 0; x < 80; ++x)
             initial(x, y, 0) = x < 40 ? 0.9F : 0.1F;
-    Request request = requestFor(exemplar, {80, 80});
+    Request request = requestOf(exemplar, {80, 80});
     request.inputs.set(kInitialPort, std::make_shared<const Image>(initial));
     const Values settings{{"placement", std::string("sub-patch")}, {"patch", 20}, {"refine", 0}};
     const auto leftMinusRight = [](const Image& image) {

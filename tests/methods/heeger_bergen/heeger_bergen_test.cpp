@@ -1,5 +1,5 @@
-#include "core/job/job.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -13,17 +13,10 @@ namespace {
 
 Synthesis run(const Image& exemplar, Size size, const Values& settings = {},
               std::shared_ptr<const Image> initial = nullptr, Wrap wrap = {}) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar)});
-    request.size = size;
-    request.seed = 4;
-    request.wrap = wrap;
-    request.inputs.set(kInitialPort, std::move(initial));
-    const Method& method = findMethod("heeger-bergen");
-    const Values complete = method.resolved(settings, exemplar.size());
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    return std::get<Synthesis>(job.take());
+    Request request = requestOf(exemplar, size, wrap, 4);
+    if (initial)
+        request.inputs.set(kInitialPort, std::move(initial));
+    return resultOf(findMethod("heeger-bergen"), request, settings);
 }
 
 std::vector<float> sorted(const ImageView& image) {

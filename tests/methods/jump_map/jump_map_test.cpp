@@ -1,6 +1,7 @@
 #include "core/job/job.h"
 #include "core/methods/jump_map/walker.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -15,17 +16,8 @@ using jump_map::JumpLists;
 using jump_map::Settings;
 using jump_map::Walker;
 
-std::shared_ptr<const Image> shared(Image image) {
-    return std::make_shared<const Image>(std::move(image));
-}
-
 Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
-    Request request;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = 5;
-    return request;
+    return requestOf(std::move(exemplar), output, wrap, 5);
 }
 
 Synthesis walked(const Request& request, const Settings& settings, int threads = 2,
@@ -37,11 +29,7 @@ Synthesis walked(const Request& request, const Settings& settings, int threads =
 
 TEST(JumpLists, leadToPlacesThatLookAlikeAndLieApart) {
     // Two tiles' noise: every place looks exactly like those a period away.
-    const Image tile = noise({12, 12}, 1);
-    Image image({60, 60}, 1);
-    for (int y = 0; y < 60; ++y)
-        for (int x = 0; x < 60; ++x)
-            image(x, y, 0) = tile(x % 12, y % 12, 0);
+    const Image image = periodic({60, 60}, {12, 12}, 1);
     Interleaved pixels(image.size(), 1);
     pixels.load(image, 0, 0, image.size());
     NeighbourhoodSource source;
@@ -68,12 +56,7 @@ TEST(JumpLists, leadToPlacesThatLookAlikeAndLieApart) {
 }
 
 TEST(JumpMap, periodIsContinued) {
-    const Image tile = noise({8, 9}, 2);
-    Image exemplar({64, 63}, 2);
-    for (int c = 0; c < 2; ++c)
-        for (int y = 0; y < 63; ++y)
-            for (int x = 0; x < 64; ++x)
-                exemplar(x, y, c) = tile(x % 8, y % 9, c);
+    const Image exemplar = periodic({64, 63}, {8, 9}, 2);
     Settings settings;
     settings.jump = 0.5;
     const Image image = walked(requestFor(exemplar, {150, 140}), settings).image;

@@ -1,8 +1,8 @@
-#include "core/job/job.h"
 #include "core/math/fft.h"
 #include "core/math/periodic_component.h"
 #include "core/math/smooth_spectrum.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -17,22 +17,8 @@ namespace {
 
 using Complex = std::complex<float>;
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Image made(const Request& request, const std::string& id, const Values& settings = {}) {
-    const Method& method = findMethod(id);
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    return std::get<Synthesis>(job.take()).image;
+    return resultOf(findMethod(id), request, settings).image;
 }
 
 Image made(const Request& request, double theta) {
@@ -93,7 +79,7 @@ TEST(LowFrequency, addsNothingButTheBandsDifference) {
     // u − (p − p ∗ G) has the modulus of p ∗ G at every frequency: the high band is untouched, and the low
     // one is a random phase texture.
     for (const Size size : {Size{64, 48}, Size{45, 33}}) {
-        const Image exemplar = blobs(size, 2), image = made(requestFor(exemplar, size), 4.0);
+        const Image exemplar = blobs(size, 2), image = made(requestOf(exemplar, size), 4.0);
         const Image periodic = periodicComponent(exemplar);
         const std::vector<double> gauss = gaussianOf(size, 4.0);
         for (int c = 0; c < 2; ++c) {
@@ -109,7 +95,7 @@ TEST(LowFrequency, addsNothingButTheBandsDifference) {
 
 TEST(LowFrequency, keepsDetailToTheLastBits) {
     const Image exemplar = noise({96, 80}, 1);
-    const auto ours = spectrumOf(made(requestFor(exemplar, {96, 80}), 10.0), 0);
+    const auto ours = spectrumOf(made(requestOf(exemplar, {96, 80}), 10.0), 0);
     const auto theirs = spectrumOf(periodicComponent(exemplar), 0);
     const std::vector<double> gauss = gaussianOf({96, 80}, 10.0);
     int high = 0;
@@ -124,7 +110,7 @@ TEST(LowFrequency, keepsDetailToTheLastBits) {
 
 TEST(LowFrequency, parts) {
     const Image exemplar = blobs({50, 40}, 3);
-    const Request request = requestFor(exemplar, {50, 40});
+    const Request request = requestOf(exemplar, {50, 40});
     // All is low: a texture of random phase. Nothing is low: the exemplar.
     EXPECT_LT(largestDifference(made(request, 0.0), made(request, "random-phase")), 1e-5);
     EXPECT_LT(
@@ -140,7 +126,7 @@ TEST(LowFrequency, keepsTheMeanAndEqualChannelsEqual) {
         for (int x = 0; x < 60; ++x)
             exemplar(x, y, 1) = exemplar(x, y, 0);
     for (const Size size : {Size{60, 44}, Size{100, 90}, Size{30, 20}}) {
-        const Image image = made(requestFor(exemplar, size, {size.width > 30, size.width > 30}), 5.0);
+        const Image image = made(requestOf(exemplar, size, {size.width > 30, size.width > 30}), 5.0);
         EXPECT_LT(largestDifference(image.view().channelRange(0, 1), image.view().channelRange(1, 1)), 1e-6);
         if (size.width > 30) {
             EXPECT_NEAR(channelMeans(image).front(), channelMeans(exemplar).front(), 1e-5);
@@ -150,7 +136,7 @@ TEST(LowFrequency, keepsTheMeanAndEqualChannelsEqual) {
 
 TEST(LowFrequency, takesDetailFromAnInitialImageAndShadesFromTheExemplar) {
     const Image exemplar = blobs({48, 48}, 1, 2), initial = noise({100, 70}, 1);
-    Request request = requestFor(exemplar, {100, 70}, {true, true});
+    Request request = requestOf(exemplar, {100, 70}, {true, true});
     request.inputs.set(kInitialPort, std::make_shared<const Image>(initial));
     const Image image = made(request, 6.0);
     const auto ours = spectrumOf(image, 0), theirs = spectrumOf(periodicComponent(initial), 0);

@@ -1,12 +1,12 @@
 #include "core/analysis/correlation.h"
 #include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/near_regular/border_match.h"
 #include "core/methods/near_regular/layout.h"
 #include "core/methods/near_regular/preparation.h"
 #include "core/methods/near_regular/sampler.h"
 #include "tests/support/lattices.h"
+#include "tests/support/method_run.h"
 #include "tests/support/says.h"
 #include "tests/support/textures.h"
 
@@ -24,7 +24,10 @@ using test::blobs;
 using test::coursesTexture;
 using test::noise;
 using test::planksTexture;
+using test::refusalOf;
 using test::regularTexture;
+using test::requestOf;
+using test::resultOf;
 using test::says;
 
 TEST(Layout, dividesAWrappingAxisIntoAnEvenNumberOfBlocks) {
@@ -183,22 +186,8 @@ TEST(Preparation, straightensCoursesToWholePixels) {
     }
 }
 
-Synthesis run(const Image& exemplar, Size size, const Values& settings, Wrap wrap = {},
-              std::uint64_t seed = 1) {
-    const Method& method = findMethod("near-regular");
-    Request request;
-    request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar)}};
-    request.size = size;
-    request.wrap = wrap;
-    request.seed = seed;
-    const Values all = method.resolved(settings, exemplar.size());
-    method.check(request, all);
-    Job<Synthesis> job({seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+Synthesis run(const Image& exemplar, Size size, const Values& settings, Wrap wrap = {}) {
+    return resultOf(findMethod("near-regular"), requestOf(exemplar, size, wrap, 1), settings);
 }
 
 TEST(NearRegular, continuesAPeriodicExemplarExactly) {
@@ -385,13 +374,9 @@ TEST(NearRegular, saysWhatItsMapIsWorthWhereTheExemplarWasChanged) {
 }
 
 TEST(NearRegular, refusesBlocksThatDoNotFit) {
-    try {
-        run(blobs({64, 64}, 3), {90, 90}, {{"block", 60}});
-        ADD_FAILURE() << "was taken";
-    } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("60 px"));
-        EXPECT_THAT(error.what(), testing::HasSubstr("at most"));
-    }
+    EXPECT_THAT(
+        refusalOf(findMethod("near-regular"), requestOf(blobs({64, 64}, 3), {90, 90}), {{"block", 60}}),
+        testing::AllOf(testing::HasSubstr("60 px"), testing::HasSubstr("at most")));
     EXPECT_THROW(run(blobs({64, 64}, 3), {90, 10}, {}, {false, true}), UsageError);
 }
 

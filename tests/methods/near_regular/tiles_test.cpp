@@ -1,8 +1,7 @@
-#include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
 #include "tests/core/refusal.h"
 #include "tests/support/lattices.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -13,34 +12,15 @@
 namespace texloom::test {
 namespace {
 
-Request tiled(Image exemplar, Size size, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars = {{"tiles", std::make_shared<const Image>(std::move(exemplar))}};
-    request.size = size;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Values byTiles(const Lattice& lattice, const Values& more = {}) {
-    Values values = {{"unit", std::string("tiles")}, {"lattice", std::string("given")},
-                     {"v1-x", lattice.v1.x},         {"v1-y", lattice.v1.y},
-                     {"v2-x", lattice.v2.x},         {"v2-y", lattice.v2.y}};
-    for (const auto& [name, value] : more)
-        values[name] = value;
-    return values;
+    const Values values = {{"unit", std::string("tiles")}, {"lattice", std::string("given")},
+                           {"v1-x", lattice.v1.x},         {"v1-y", lattice.v1.y},
+                           {"v2-x", lattice.v2.x},         {"v2-y", lattice.v2.y}};
+    return with(values, more);
 }
 
 Synthesis stitched(const Request& request, const Values& settings, int threads = 2) {
-    const Method& method = findMethod("near-regular");
-    const Values all = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, all);
-    Job<Synthesis> job({request.seed, threads, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return resultOf(findMethod("near-regular"), request, settings, {.threads = threads});
 }
 
 } // namespace
@@ -48,7 +28,7 @@ Synthesis stitched(const Request& request, const Values& settings, int threads =
 TEST(WholeTiles, ContinueAPeriodicExemplarForEver) {
     for (const Lattice& lattice :
          {Lattice{{16, 0}, {0, 12}}, Lattice{{20, 0}, {10, 9}}, Lattice{{14, 5}, {-3, 13}}}) {
-        const Request request = tiled(regularTexture({90, 84}, 3, lattice, {}, 5), {150, 131});
+        const Request request = requestOf(regularTexture({90, 84}, 3, lattice, {}, 5), {150, 131});
         const Synthesis result = stitched(request, byTiles(lattice));
         EXPECT_EQ(result.mapKind, MapKind::Exact);
         EXPECT_TRUE(samePixels(result.map.apply(*request.exemplars.front().image), result.image));
@@ -66,7 +46,7 @@ TEST(WholeTiles, LieOnTheLatticeUpToTheTolerance) {
     // The given vectors are a pixel off, for which tiles that may move make up.
     const Lattice lattice{{20.5, 1}, {-2, 17.25}};
     const Request request =
-        tiled(regularTexture({128, 110}, 3, {{19.5, 1}, {-2, 17.25}}, {.noise = 0.2}, 5), {170, 140});
+        requestOf(regularTexture({128, 110}, 3, {{19.5, 1}, {-2, 17.25}}, {.noise = 0.2}, 5), {170, 140});
     for (const int tolerance : {0, 2}) {
         const Synthesis result =
             stitched(request, byTiles(lattice, {{"tolerance", tolerance}, {"origin-x", 4.0}}));
@@ -86,7 +66,7 @@ TEST(WholeTiles, LieOnTheLatticeUpToTheTolerance) {
 
 TEST(WholeTiles, VaryWithTheSeedAndNotWithTheThreads) {
     const Lattice lattice{{18, 0}, {0, 16}};
-    Request request = tiled(regularTexture({128, 110}, 3, lattice, {.noise = 0.3}, 5), {120, 100});
+    Request request = requestOf(regularTexture({128, 110}, 3, lattice, {.noise = 0.3}, 5), {120, 100});
     const Synthesis one = stitched(request, byTiles(lattice), 1);
     EXPECT_TRUE(samePixels(one.image, stitched(request, byTiles(lattice), 3).image));
     request.seed = 4;
@@ -102,7 +82,8 @@ TEST(WholeTiles, VaryWithTheSeedAndNotWithTheThreads) {
 TEST(WholeTiles, CloseOverTheBordersAndGiveParts) {
     const Lattice lattice{{20, 0}, {10, 15}};
     for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{true, true}}) {
-        Request request = tiled(regularTexture({100, 96}, 3, lattice, {.noise = 0.1}, 5), {120, 90}, wrap);
+        Request request =
+            requestOf(regularTexture({100, 96}, 3, lattice, {.noise = 0.1}, 5), {120, 90}, wrap);
         const Synthesis whole = stitched(request, byTiles(lattice));
         for (int y = 0; y < 90; ++y)
             for (int x = 0; x < 120; ++x)
@@ -126,14 +107,14 @@ TEST(WholeTiles, CloseOverTheBordersAndGiveParts) {
 
 TEST(WholeTiles, HoldWithRowsAloneAndWithoutALattice) {
     for (const char* lattice : {"automatic", "none"}) {
-        const Request request = tiled(blobs({80, 70}, 3), {110, 90});
+        const Request request = requestOf(blobs({80, 70}, 3), {110, 90});
         const Synthesis result = stitched(request, {{"unit", std::string("tiles")},
                                                     {"lattice", std::string(lattice)},
                                                     {"block", 20},
                                                     {"flatten", std::string("no")}});
         EXPECT_TRUE(samePixels(result.map.apply(*request.exemplars.front().image), result.image));
     }
-    const Request request = tiled(blobs({80, 70}, 3), {110, 90});
+    const Request request = requestOf(blobs({80, 70}, 3), {110, 90});
     const Synthesis rows =
         stitched(request, byTiles({{1, 0}, {0, 14}}, {{"block", 24}, {"flatten", std::string("no")}}));
     EXPECT_TRUE(samePixels(rows.map.apply(*request.exemplars.front().image), rows.image));
@@ -141,7 +122,7 @@ TEST(WholeTiles, HoldWithRowsAloneAndWithoutALattice) {
 
 TEST(WholeTiles, NothingComesFromUnderTheMask) {
     const Lattice lattice{{18, 0}, {0, 16}};
-    Request request = tiled(regularTexture({128, 110}, 3, lattice, {.noise = 0.1}, 5), {120, 100});
+    Request request = requestOf(regularTexture({128, 110}, 3, lattice, {.noise = 0.1}, 5), {120, 100});
     Image mask({128, 110}, 1);
     for (int y = 0; y < 110; ++y)
         for (int x = 0; x < 128; ++x)

@@ -1,6 +1,6 @@
 #include "core/analysis/map_usage.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -12,26 +12,7 @@ namespace texloom::test {
 namespace {
 
 Synthesis made(const Request& request, const Values& settings) {
-    const Method& method = findMethod("patch-assignment");
-    const Values all = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, all);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    return std::get<Synthesis>(job.take());
-}
-
-Request requestFor(Image exemplar, Size size) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = size;
-    request.seed = 3;
-    return request;
-}
-
-Values with(Values settings, const Values& more) {
-    for (const auto& [name, value] : more)
-        settings[name] = value;
-    return settings;
+    return resultOf(findMethod("patch-assignment"), request, settings);
 }
 
 /// Uses of patches beyond their share, over the whole output.
@@ -55,7 +36,7 @@ const Values kOneScale = {{"scales", 1}, {"fine-iterations", 12}};
 } // namespace
 
 TEST(PatchAssignment, energyNeverRisesWithinAScale) {
-    const Synthesis result = made(requestFor(blobs({48, 48}, 3), {48, 48}), kOneScale);
+    const Synthesis result = made(requestOf(blobs({48, 48}, 3), {48, 48}), kOneScale);
     const std::vector<double>& energy = result.curves.front().values;
     ASSERT_GE(energy.size(), 3U);
     for (std::size_t i = 1; i < energy.size(); ++i)
@@ -70,7 +51,7 @@ TEST(PatchAssignment, keepsTheColoursThatNearestPatchesLose) {
             for (int v = 0; v < 3; ++v)
                 for (int u = 0; u < 3; ++u)
                     dots(x + u, y + v, 0) = 1;
-    const Request request = requestFor(dots, {48, 48});
+    const Request request = requestOf(dots, {48, 48});
     const double wanted = channelMeans(dots)[0] - 0.3;
     const double assigned = channelMeans(made(request, kShort).image)[0] - 0.3;
     const double nearest =
@@ -80,7 +61,7 @@ TEST(PatchAssignment, keepsTheColoursThatNearestPatchesLose) {
 }
 
 TEST(PatchAssignment, nearOptimalCostIsAboveTheExactByEpsilonAtMost) {
-    const Request request = requestFor(blobs({64, 64}, 3), {64, 64});
+    const Request request = requestOf(blobs({64, 64}, 3), {64, 64});
     const Values once = {{"scales", 1}, {"fine-iterations", 1}};
     const ValueRange range = valueRange(*request.exemplars.front().image);
     const double exact = made(request, once).curves.front().values.front();
@@ -92,7 +73,7 @@ TEST(PatchAssignment, nearOptimalCostIsAboveTheExactByEpsilonAtMost) {
 TEST(PatchAssignment, everyPatchIsUsedAsOftenAsTheExemplarHasIt) {
     for (const Image& exemplar : {blobs({48, 48}, 3), partlyFlat({48, 48})})
         for (const Size size : {Size{48, 48}, Size{96, 96}, Size{70, 58}}) {
-            const Request request = requestFor(exemplar, size);
+            const Request request = requestOf(exemplar, size);
             for (const Values& more : std::vector<Values>{{},
                                                           {{"solve", std::string("whole")}},
                                                           {{"epsilon", 1.0}},
@@ -103,7 +84,7 @@ TEST(PatchAssignment, everyPatchIsUsedAsOftenAsTheExemplarHasIt) {
 }
 
 TEST(PatchAssignment, narrowedIsSaidAndComesNearTheWhole) {
-    const Request request = requestFor(blobs({48, 48}, 3), {64, 64});
+    const Request request = requestOf(blobs({48, 48}, 3), {64, 64});
     const Synthesis whole = made(request, with(kShort, {{"solve", std::string("whole")}}));
     const Synthesis narrowed = made(request, with(kShort, {{"solve", std::string("narrowed")}}));
     EXPECT_TRUE(whole.notes.empty());
@@ -112,7 +93,7 @@ TEST(PatchAssignment, narrowedIsSaidAndComesNearTheWhole) {
 }
 
 TEST(PatchAssignment, runsGoOnToTheLastRoundWhereNothingIsSettled) {
-    const Request request = requestFor(blobs({64, 64}, 3), {64, 64});
+    const Request request = requestOf(blobs({64, 64}, 3), {64, 64});
     const Values near = with(kOneScale, {{"epsilon", 2.0}});
     const auto rounds = [&](const Values& more) {
         return made(request, with(near, more)).curves.front().values.size();
@@ -121,7 +102,7 @@ TEST(PatchAssignment, runsGoOnToTheLastRoundWhereNothingIsSettled) {
 }
 
 TEST(PatchAssignment, theMeanIsTheSmoothestAggregation) {
-    const Request request = requestFor(noise({48, 48}, 3), {48, 48});
+    const Request request = requestOf(noise({48, 48}, 3), {48, 48});
     const auto variance = [&](const char* aggregation) {
         const Image image = made(request, with(kShort, {{"aggregation", std::string(aggregation)}})).image;
         double square = 0;
@@ -138,7 +119,7 @@ TEST(PatchAssignment, theMeanIsTheSmoothestAggregation) {
 }
 
 TEST(PatchAssignment, everySwitchGivesASoundResult) {
-    const Request request = requestFor(blobs({40, 44}, 3), {60, 50});
+    const Request request = requestOf(blobs({40, 44}, 3), {60, 50});
     const Image plain = made(request, kShort).image;
     const ValueRange range = valueRange(*request.exemplars.front().image);
     const std::vector<Values> switches = {
@@ -154,7 +135,7 @@ TEST(PatchAssignment, everySwitchGivesASoundResult) {
 }
 
 TEST(PatchAssignment, maskSaysHowOftenPatchesAreUsed) {
-    Request request = requestFor(blobs({64, 64}, 3), {64, 64});
+    Request request = requestOf(blobs({64, 64}, 3), {64, 64});
     Image mask = constant({64, 64}, 1, 1);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
@@ -175,7 +156,7 @@ TEST(PatchAssignment, maskSaysHowOftenPatchesAreUsed) {
 }
 
 TEST(PatchAssignment, copyHasAnExactMap) {
-    const Request request = requestFor(blobs({48, 48}, 3), {70, 60});
+    const Request request = requestOf(blobs({48, 48}, 3), {70, 60});
     const Synthesis result = made(request, with(kShort, {{"finish", std::string("copy")}}));
     EXPECT_EQ(result.mapKind, MapKind::Exact);
     EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));

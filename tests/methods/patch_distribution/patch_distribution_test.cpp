@@ -2,6 +2,7 @@
 #include "core/match/patch_projection.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_distribution/matcher.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -14,22 +15,8 @@ namespace {
 using patch_distribution::Matcher;
 using patch_distribution::Settings;
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Synthesis made(const Request& request, const Values& settings = {}) {
-    const Method& method = findMethod("patch-distribution");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    return std::get<Synthesis>(job.take());
+    return resultOf(findMethod("patch-distribution"), request, settings);
 }
 
 /// The value of an image's pixel, round the borders that wrap.
@@ -130,7 +117,7 @@ TEST(PatchDistribution, exemplarItselfStays) {
 }
 
 TEST(PatchDistribution, distanceFalls) {
-    const Synthesis result = made(requestFor(blobs({64, 64}, 3), {64, 64}), {{"scales", 1}});
+    const Synthesis result = made(requestOf(blobs({64, 64}, 3), {64, 64}), {{"scales", 1}});
     ASSERT_EQ(result.curves.size(), 1U);
     const std::vector<double>& distance = result.curves.front().values;
     ASSERT_EQ(distance.size(), 60U);
@@ -143,7 +130,7 @@ TEST(PatchDistribution, coloursAreTheExemplars) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
             exemplar(x, y, 0) = x / 8 % 2 == 0 ? 0.2F : 0.8F;
-    const Image image = made(requestFor(exemplar, {96, 80}, {true, true})).image;
+    const Image image = made(requestOf(exemplar, {96, 80}, {true, true})).image;
     int near = 0;
     double mean = 0;
     for (int y = 0; y < 80; ++y)
@@ -156,7 +143,7 @@ TEST(PatchDistribution, coloursAreTheExemplars) {
 }
 
 TEST(PatchDistribution, exemplarsAreMixedByWeight) {
-    Request request = requestFor(constant({40, 40}, 1, 0.2F), {60, 60});
+    Request request = requestOf(constant({40, 40}, 1, 0.2F), {60, 60});
     Image noisy = blobs({40, 40}, 1);
     request.exemplars.front().image = std::make_shared<const Image>(noisy);
     for (int y = 0; y < 40; ++y)
@@ -175,7 +162,7 @@ TEST(PatchDistribution, exemplarsAreMixedByWeight) {
 
 TEST(PatchDistribution, startsFromAnImage) {
     const Image exemplar = blobs({64, 64}, 3);
-    Request request = requestFor(exemplar, {64, 64});
+    Request request = requestOf(exemplar, {64, 64});
     request.inputs.set(kInitialPort, std::make_shared<const Image>(exemplar));
     const Image image = made(request, {{"scales", 1}}).image;
     for (int y = 0; y < 64; ++y)

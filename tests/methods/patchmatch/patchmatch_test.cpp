@@ -1,6 +1,6 @@
 #include "core/analysis/map_usage.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -12,20 +12,7 @@ namespace texloom::test {
 namespace {
 
 Synthesis made(const Request& request, const Values& settings = {}) {
-    const Method& method = findMethod("patchmatch");
-    const Values all = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, all);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    return std::get<Synthesis>(job.take());
-}
-
-Request requestFor(Image exemplar, Size size) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = size;
-    request.seed = 3;
-    return request;
+    return resultOf(findMethod("patchmatch"), request, settings);
 }
 
 double meanDifference(const ImageView& a, const ImageView& b) {
@@ -40,7 +27,7 @@ double meanDifference(const ImageView& a, const ImageView& b) {
 } // namespace
 
 TEST(PatchMatchSynthesis, sourcesAreWhereTheMaskAllows) {
-    Request request = requestFor(blobs({64, 64}, 3), {150, 130});
+    Request request = requestOf(blobs({64, 64}, 3), {150, 130});
     Image mask = constant({64, 64}, 1, 1);
     for (int y = 0; y < 64; ++y)
         for (int x = 30; x < 45; ++x)
@@ -55,7 +42,7 @@ TEST(PatchMatchSynthesis, sourcesAreWhereTheMaskAllows) {
 }
 
 TEST(PatchMatchSynthesis, everyExemplarIsUsed) {
-    Request request = requestFor(blobs({64, 64}, 3), {200, 200});
+    Request request = requestOf(blobs({64, 64}, 3), {200, 200});
     request.exemplars.push_back({"second", std::make_shared<const Image>(blobs({80, 48}, 3, 4))});
     const Synthesis result = made(request);
     const std::vector<Image> use = occurrencesOf(result.map);
@@ -65,14 +52,14 @@ TEST(PatchMatchSynthesis, everyExemplarIsUsed) {
 
 TEST(PatchMatchSynthesis, startsFromWhatTheInitialImageShows) {
     const Image exemplar = blobs({96, 96}, 3);
-    Request request = requestFor(exemplar, {96, 96});
+    Request request = requestOf(exemplar, {96, 96});
     request.inputs.set(kInitialPort, std::make_shared<const Image>(exemplar));
     EXPECT_LT(meanDifference(made(request).image, exemplar),
               0.25 * meanDifference(blobs({96, 96}, 3, 9), exemplar));
 }
 
 TEST(PatchMatchSynthesis, uniformityEvensOutWhatIsUsed) {
-    const Request request = requestFor(blobs({96, 96}, 3), {256, 256});
+    const Request request = requestOf(blobs({96, 96}, 3), {256, 256});
     const double plain = occurrenceEntropy(occurrencesOf(made(request, {{"uniformity", 0.0}}).map));
     const double even = occurrenceEntropy(occurrencesOf(made(request, {{"uniformity", 2.0}}).map));
     EXPECT_GT(even, plain);
@@ -80,7 +67,7 @@ TEST(PatchMatchSynthesis, uniformityEvensOutWhatIsUsed) {
 
 TEST(PatchMatchSynthesis, energyIsRecordedForEveryRound) {
     const Synthesis result =
-        made(requestFor(blobs({96, 96}, 1), {128, 128}), {{"iterations", 4}, {"scales", 3}});
+        made(requestOf(blobs({96, 96}, 1), {128, 128}), {{"iterations", 4}, {"scales", 3}});
     ASSERT_EQ(result.curves.size(), 1U);
     EXPECT_EQ(result.curves.front().values.size(), 2U * 4 + 4 + 4);
     EXPECT_LT(result.curves.front().values[7], result.curves.front().values[0]);

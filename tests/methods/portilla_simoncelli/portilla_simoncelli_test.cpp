@@ -4,6 +4,7 @@
 #include "core/methods/portilla_simoncelli/correlations.h"
 #include "core/methods/portilla_simoncelli/marginals.h"
 #include "core/methods/portilla_simoncelli/synthesizer.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -19,13 +20,8 @@ using namespace portilla_simoncelli;
 
 void uninterrupted() {}
 
-Request requestFor(const Image& exemplar, Size size, Wrap wrap = {}) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(exemplar)});
-    request.size = size;
-    request.wrap = wrap;
-    request.seed = 4;
-    return request;
+Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
+    return requestOf(std::move(exemplar), output, wrap, 4);
 }
 
 Synthesis run(const Request& request, const Settings& settings, int threads = 2) {

@@ -1,9 +1,9 @@
 #include "core/analysis/layout_quality.h"
-#include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
 #include "core/methods/quilting/settings.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -20,15 +20,6 @@ std::shared_ptr<const Image> shared(Image image) {
     return std::make_shared<const Image>(std::move(image));
 }
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
-    Request request;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = 3;
-    return request;
-}
-
 Quilt quilt(const Request& request, const Settings& settings, int threads = 2,
             PatchQuilter::Order order = PatchQuilter::Order::Wavefront) {
     const std::vector<PatchSource> exemplars = patchSources(request);
@@ -41,29 +32,14 @@ Quilt quilt(const Request& request, const Settings& settings, int threads = 2,
 
 /// By the method, which says what its map is.
 Synthesis run(const Request& request, const Values& settings) {
-    const Method& method = findMethod("quilting");
-    const Values all = method.resolved(settings, request.exemplars.front().image->size());
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    return std::get<Synthesis>(job.take());
-}
-
-/// A tile of noise repeated over an image.
-Image periodic(Size size, Size period, int channels) {
-    const Image tile = noise(period, channels);
-    Image image(size, channels);
-    for (int c = 0; c < channels; ++c)
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x)
-                image(x, y, c) = tile(x % period.width, y % period.height, c);
-    return image;
+    return resultOf(findMethod("quilting"), request, settings);
 }
 
 TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
     for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{false, true}, Wrap{true, true}})
         for (const double overlap : {0.1, 0.25, 0.5})
             for (const Size size : {Size{90, 77}, Size{20, 60}, Size{16, 16}, Size{150, 31}}) {
-                const Request request = requestFor(blobs({40, 40}, 3), size, wrap);
+                const Request request = requestOf(blobs({40, 40}, 3), size, wrap);
                 const Settings settings{16, overlap, 0.3, PatchStitch::Cut, 3};
                 const Quilt raster = quilt(request, settings, 1, PatchQuilter::Order::Raster);
                 for (const int threads : {1, 2, 5}) {
@@ -75,7 +51,7 @@ TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
 }
 
 TEST(Quilting, periodicExemplarIsContinuedWithItsPeriod) {
-    const Request request = requestFor(periodic({48, 45}, {8, 9}, 2), {101, 87});
+    const Request request = requestOf(periodic({48, 45}, {8, 9}, 2), {101, 87});
     const Image image = quilt(request, {20, 0.25, 0, PatchStitch::Cut, 3}).image;
     for (int c = 0; c < 2; ++c)
         for (int y = 0; y + 9 < image.height(); ++y)
@@ -86,7 +62,7 @@ TEST(Quilting, periodicExemplarIsContinuedWithItsPeriod) {
 }
 
 TEST(Quilting, wholePeriodsCloseOverTheBorderWithoutATrace) {
-    const Request request = requestFor(periodic({48, 45}, {8, 9}, 1), {96, 90}, {true, true});
+    const Request request = requestOf(periodic({48, 45}, {8, 9}, 1), {96, 90}, {true, true});
     const Image image = quilt(request, {20, 0.25, 0, PatchStitch::Cut, 3}).image;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) {
@@ -100,7 +76,7 @@ TEST(Quilting, startingFromAPartOfTheExemplarGivesItBack) {
     const Image exemplar = blobs({64, 52}, 3);
     for (const Size size : {Size{64, 52}, Size{61, 50}}) {
         const Image part(exemplar.view().crop(0, 0, size));
-        Request request = requestFor(exemplar, size);
+        Request request = requestOf(exemplar, size);
         request.inputs.set(kInitialPort, shared(part));
         EXPECT_TRUE(samePixels(quilt(request, {16, 0.25, 0, PatchStitch::Cut, 3}).image, part));
     }
@@ -108,7 +84,7 @@ TEST(Quilting, startingFromAPartOfTheExemplarGivesItBack) {
 
 TEST(Quilting, initialImageIsComparedOverWholePatches) {
     const Image exemplar = blobs({64, 64}, 1);
-    Request request = requestFor(exemplar, {64, 64});
+    Request request = requestOf(exemplar, {64, 64});
     Image blurredHalves(exemplar.size(), 1);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
@@ -123,7 +99,7 @@ TEST(Quilting, initialImageIsComparedOverWholePatches) {
 }
 
 TEST(Quilting, maskedPixelsAreNeverCopied) {
-    Request request = requestFor(blobs({60, 60}, 3), {150, 150});
+    Request request = requestOf(blobs({60, 60}, 3), {150, 150});
     Image mask = constant({60, 60}, 1, 1);
     for (int y = 20; y < 30; ++y)
         for (int x = 25; x < 40; ++x)
@@ -138,7 +114,7 @@ TEST(Quilting, maskedPixelsAreNeverCopied) {
 }
 
 TEST(Quilting, everyExemplarIsUsedAndTheMapSaysWhich) {
-    Request request = requestFor(blobs({40, 40}, 3, 1), {200, 200});
+    Request request = requestOf(blobs({40, 40}, 3, 1), {200, 200});
     request.exemplars.push_back({"another", shared(blobs({50, 33}, 3, 1))});
     const Quilt result = quilt(request, {12, 0.25, 0.5, PatchStitch::Cut, 3});
     std::set<int> used;
@@ -154,7 +130,7 @@ TEST(Quilting, zeroToleranceAlwaysTakesTheNearestPatch) {
     // The second patch of the first row, from the definition of the distance.
     const Image exemplar = blobs({40, 40}, 2);
     const Settings settings{16, 0.25, 0, PatchStitch::Cut, 3, 0, 0};
-    const Quilt result = quilt(requestFor(exemplar, {28, 16}), settings, 1);
+    const Quilt result = quilt(requestOf(exemplar, {28, 16}), settings, 1);
     const Source first = result.map.at(0, 0);
     double best = HUGE_VAL;
     Source nearest;
@@ -181,7 +157,7 @@ TEST(Quilting, zeroToleranceAlwaysTakesTheNearestPatch) {
 TEST(Quilting, largeToleranceDrawsFromAllPatches) {
     std::set<std::pair<int, int>> drawn;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
-        Request request = requestFor(noise({20, 20}, 1), {28, 16});
+        Request request = requestOf(noise({20, 20}, 1), {28, 16});
         request.seed = seed;
         const Source source = quilt(request, {16, 0.25, 10, PatchStitch::Cut, 3}, 1).map.at(27, 8);
         drawn.insert({source.x, source.y});
@@ -190,7 +166,7 @@ TEST(Quilting, largeToleranceDrawsFromAllPatches) {
 }
 
 TEST(Quilting, smoothedCutBlendsOnlyNearTheCut) {
-    const Request request = requestFor(blobs({64, 64}, 3), {160, 160});
+    const Request request = requestOf(blobs({64, 64}, 3), {160, 160});
     const Synthesis hard = run(request, {{"patch", 24}, {"stitch", std::string("cut")}});
     const Synthesis soft =
         run(request, {{"patch", 24}, {"stitch", std::string("smooth-cut")}, {"softness", 2}});
@@ -213,7 +189,7 @@ TEST(Quilting, everyStitchIsTheSameForAnyNumberOfThreads) {
     for (const PatchStitch stitch : {PatchStitch::Average, PatchStitch::None, PatchStitch::Poisson,
                                      PatchStitch::Midway, PatchStitch::Feather})
         for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
-            const Request request = requestFor(blobs({40, 40}, 3), {75, 64}, wrap);
+            const Request request = requestOf(blobs({40, 40}, 3), {75, 64}, wrap);
             const Settings settings{16, 0.25, 0.3, stitch, 3};
             const Quilt one = quilt(request, settings, 1), many = quilt(request, settings, 3);
             EXPECT_TRUE(samePixels(one.image, many.image));
@@ -222,7 +198,7 @@ TEST(Quilting, everyStitchIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Quilting, mapsAreExactWherePixelsAreNotBlended) {
-    const Request request = requestFor(blobs({64, 64}, 3), {120, 100});
+    const Request request = requestOf(blobs({64, 64}, 3), {120, 100});
     for (const Choice& stitch : patchStitchChoices()) {
         const Synthesis result = run(request, {{"patch", 24}, {"stitch", stitch.id}});
         const Image fromMap = result.map.apply(request.exemplars.front().image->view());
@@ -255,7 +231,7 @@ double repeatedShare(const PositionMap& map, int step, int reach) {
 TEST(Quilting, varietyKeepsPiecesFromComingAgainNearBy) {
     double plain = 0, varied = 0;
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        Request request = requestFor(blobs({64, 64}, 3), {120, 120});
+        Request request = requestOf(blobs({64, 64}, 3), {120, 120});
         request.seed = seed;
         plain += repeatedShare(quilt(request, {16, 0.25, 0.1, PatchStitch::Cut, 3, 0, 0}).map, 12, 2);
         varied += repeatedShare(quilt(request, {16, 0.25, 0.1, PatchStitch::Cut, 3, 0, 2}).map, 12, 2);
@@ -265,7 +241,7 @@ TEST(Quilting, varietyKeepsPiecesFromComingAgainNearBy) {
 
 TEST(Quilting, varietyGivesTheSameBitsInAnyOrder) {
     for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{false, true}, Wrap{true, true}}) {
-        const Request request = requestFor(blobs({40, 40}, 3), {150, 90}, wrap);
+        const Request request = requestOf(blobs({40, 40}, 3), {150, 90}, wrap);
         const Settings settings{16, 0.25, 0.3, PatchStitch::Cut, 3, 1, 2};
         const Quilt raster = quilt(request, settings, 1, PatchQuilter::Order::Raster);
         for (const int threads : {2, 5})
@@ -279,7 +255,7 @@ TEST(Quilting, contrastIsKeptWhereFlatPatchesWouldWin) {
     for (int y = 0; y < 72; ++y)
         for (int x = 0; x < 24; ++x)
             exemplar(x, y, 0) = 0.5F + 0.05F * (exemplar(x, y, 0) - 0.5F);
-    const Request request = requestFor(exemplar, {200, 200});
+    const Request request = requestOf(exemplar, {200, 200});
     const ImageView one = *request.exemplars.front().image;
     const Image faded = quilt(request, {16, 0.25, 0.1, PatchStitch::Cut, 3, 0, 0}).image;
     const Image kept = run(request, {{"patch", 16}}).image;
@@ -289,22 +265,14 @@ TEST(Quilting, contrastIsKeptWhereFlatPatchesWouldWin) {
 
 TEST(Quilting, refusalsNameTheValueAndTheLimit) {
     const Method& method = findMethod("quilting");
-    const auto message = [&](const Request& request, const Values& settings) -> std::string {
-        try {
-            method.check(request, method.resolved(settings, request.exemplars.front().image->size()));
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return "was taken";
-    };
-    const Request request = requestFor(blobs({30, 30}, 3), {64, 64});
-    EXPECT_THAT(message(request, {{"patch", 31}}),
+    const Request request = requestOf(blobs({30, 30}, 3), {64, 64});
+    EXPECT_THAT(refusalOf(method, request, {{"patch", 31}}),
                 testing::AllOf(testing::HasSubstr("31"), testing::HasSubstr("30")));
-    EXPECT_EQ(message(request, {{"patch", 30}}), "was taken");
-    EXPECT_THAT(message(requestFor(blobs({30, 30}, 3), {64, 20}, {false, true}), {{"patch", 24}}),
+    EXPECT_EQ(refusalOf(method, request, {{"patch", 30}}), "was taken");
+    EXPECT_THAT(refusalOf(method, requestOf(blobs({30, 30}, 3), {64, 20}, {false, true}), {{"patch", 24}}),
                 testing::AllOf(testing::HasSubstr("20"), testing::HasSubstr("24")));
-    EXPECT_THAT(message(request, {{"overlap", 0.7}}), testing::HasSubstr("0.02 to 0.5"));
-    EXPECT_THAT(message(request, {{"tolerance", -1}}), testing::HasSubstr("tolerance = -1"));
+    EXPECT_THAT(refusalOf(method, request, {{"overlap", 0.7}}), testing::HasSubstr("0.02 to 0.5"));
+    EXPECT_THAT(refusalOf(method, request, {{"tolerance", -1}}), testing::HasSubstr("tolerance = -1"));
 }
 
 } // namespace

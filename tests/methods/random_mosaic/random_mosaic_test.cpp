@@ -1,8 +1,8 @@
-#include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/random_mosaic/canvas.h"
 #include "core/methods/random_mosaic/layout.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -24,25 +24,8 @@ using random_mosaic::Settings;
 using random_mosaic::Tile;
 using testing::HasSubstr;
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Synthesis made(const Request& request, const Values& settings) {
-    const Method& method = findMethod("random-mosaic");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return resultOf(findMethod("random-mosaic"), request, settings);
 }
 
 Values with(const char* pieces, const char* stitch, int size) {
@@ -56,7 +39,7 @@ TEST(RandomMosaic, shufflesPixelsWithoutLosingOne) {
                 const Image exemplar = noise(size, 1);
                 Values settings = with(pieces, "none", 12);
                 settings["turn"] = turn;
-                const Synthesis result = made(requestFor(exemplar, size), settings);
+                const Synthesis result = made(requestOf(exemplar, size), settings);
                 std::vector<int> uses(static_cast<std::size_t>(size.area()), 0);
                 for (int y = 0; y < size.height; ++y)
                     for (int x = 0; x < size.width; ++x) {
@@ -71,7 +54,7 @@ TEST(RandomMosaic, shufflesPixelsWithoutLosingOne) {
 }
 
 TEST(RandomMosaic, usesOfPiecesDifferByOneAtMost) {
-    Request request = requestFor(blobs({60, 50}, 1), {200, 170});
+    Request request = requestOf(blobs({60, 50}, 1), {200, 170});
     request.exemplars.push_back({"another", std::make_shared<const Image>(blobs({44, 70}, 1, 2))});
     Settings settings;
     settings.size = 10;
@@ -96,7 +79,7 @@ TEST(RandomMosaic, usesOfPiecesDifferByOneAtMost) {
 }
 
 TEST(RandomMosaic, neighboursInTheExemplarAreParted) {
-    const Request request = requestFor(noise({128, 128}, 1), {128, 128});
+    const Request request = requestOf(noise({128, 128}, 1), {128, 128});
     Settings settings;
     settings.size = 8;
     int together = 0;
@@ -112,7 +95,7 @@ TEST(RandomMosaic, neighboursInTheExemplarAreParted) {
 
 TEST(RandomMosaic, piecesInTheirPlacesNeedNoLevelling) {
     const Image exemplar = blobs({70, 53}, 2);
-    const Request request = requestFor(exemplar, {70, 53});
+    const Request request = requestOf(exemplar, {70, 53});
     Settings settings;
     settings.size = 9;
     const Layout layout = Layout::identity(request, settings);
@@ -160,7 +143,7 @@ double wantedStep(const Image& exemplar, const PositionMap& map, int ax, int ay,
 
 TEST(RandomMosaic, levellingSolvesItsEquationAndKeepsTheMean) {
     const Image exemplar = blobs({96, 80}, 1);
-    const Request request = requestFor(exemplar, {96, 80});
+    const Request request = requestOf(exemplar, {96, 80});
     const Synthesis raw = made(request, with("both", "none", 16));
     for (const double reach : {0.0, 1.0, 3.0}) {
         Values settings = with("both", "poisson", 16);
@@ -193,7 +176,7 @@ TEST(RandomMosaic, whatWrapsIsLevelledOnATorus) {
     // Each step, over the border too, has its wanted height plus what the solution lacks, whose divergence is
     // nil.
     const Image exemplar = blobs({96, 80}, 1);
-    const Request request = requestFor(exemplar, {96, 80}, {true, true});
+    const Request request = requestOf(exemplar, {96, 80}, {true, true});
     const Synthesis raw = made(request, with("both", "none", 16));
     Values settings = with("both", "poisson", 16);
     settings["reach"] = 0.0;
@@ -245,7 +228,7 @@ double squaredJump(const Synthesis& result) {
 }
 
 TEST(RandomMosaic, levellingHidesJoints) {
-    const Request request = requestFor(blobs({96, 80}, 1), {96, 80});
+    const Request request = requestOf(blobs({96, 80}, 1), {96, 80});
     EXPECT_LT(squaredJump(made(request, with("both", "poisson", 16))),
               0.1 * squaredJump(made(request, with("both", "none", 16))));
 }
@@ -256,7 +239,7 @@ TEST(RandomMosaic, levelsDoNotDriftFromPieceToPiece) {
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 64; ++x)
             exemplar(x, y, 0) = 0.5F * static_cast<float>(x % 16) / 16 + (x / 16 % 2 == 0 ? 0.5F : 0);
-    const Request request = requestFor(exemplar, {960, 32});
+    const Request request = requestOf(exemplar, {960, 32});
     Values settings = with("columns", "poisson", 16);
     const ValueRange held = valueRange(made(request, settings).image);
     EXPECT_LT(held.largest - held.smallest, 2.0F);
@@ -266,14 +249,10 @@ TEST(RandomMosaic, levelsDoNotDriftFromPieceToPiece) {
 }
 
 TEST(RandomMosaic, cutsOfAPeriodicExemplarLeaveNoTrace) {
-    const Image tile = noise({8, 8}, 1);
-    Image exemplar({64, 64}, 1);
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x)
-            exemplar(x, y, 0) = tile(x % 8, y % 8, 0);
+    const Image exemplar = periodic({64, 64}, {8, 8}, 1);
     for (const char* stitch : {"cut", "feather"})
         for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
-            const Image image = made(requestFor(exemplar, {128, 64}, wrap), with("both", stitch, 16)).image;
+            const Image image = made(requestOf(exemplar, {128, 64}, wrap), with("both", stitch, 16)).image;
             // Pieces at the exemplar's border go on mirrored, where cuts need not find a match: most must.
             int alike = 0;
             for (int y = 0; y < 64; ++y)
@@ -285,7 +264,7 @@ TEST(RandomMosaic, cutsOfAPeriodicExemplarLeaveNoTrace) {
 
 TEST(RandomMosaic, cutsMakeJointsLessVisible) {
     for (const std::uint64_t seed : {1, 2, 3}) {
-        const Request request = requestFor(blobs({96, 96}, 3), {96, 96}, {}, seed);
+        const Request request = requestOf(blobs({96, 96}, 3), {96, 96}, {}, seed);
         EXPECT_LT(squaredJump(made(request, with("both", "cut", 16))),
                   0.75 * squaredJump(made(request, with("both", "none", 16))));
     }
@@ -295,7 +274,7 @@ TEST(RandomMosaic, chaosCoversTheOutputWithBlocks) {
     for (const char* stitch : {"none", "cut", "feather", "poisson"}) {
         const Image exemplar = blobs({64, 64}, 3);
         const Synthesis result =
-            made(requestFor(exemplar, {150, 130}, {true, false}), with("chaos", stitch, 16));
+            made(requestOf(exemplar, {150, 130}, {true, false}), with("chaos", stitch, 16));
         if (result.mapKind == MapKind::Exact) {
             EXPECT_TRUE(samePixels(result.map.apply(exemplar), result.image));
         }
@@ -311,21 +290,17 @@ TEST(RandomMosaic, chaosCoversTheOutputWithBlocks) {
 
 TEST(RandomMosaic, onePieceIsTheExemplarAndSaysSo) {
     const Image exemplar = blobs({20, 20}, 1);
-    const Synthesis result = made(requestFor(exemplar, {20, 20}), with("both", "poisson", 16));
+    const Synthesis result = made(requestOf(exemplar, {20, 20}), with("both", "poisson", 16));
     EXPECT_TRUE(samePixels(result.image, exemplar));
     ASSERT_EQ(result.notes.size(), 1U);
     EXPECT_THAT(result.notes.front().text(), HasSubstr("10 px"));
 }
 
 TEST(RandomMosaic, piecesLargerThanTheExemplarAreRefused) {
-    try {
-        made(requestFor(blobs({40, 30}, 1), {40, 30}), with("both", "none", 31));
-        FAIL();
-    } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("31 px"));
-        EXPECT_THAT(error.what(), HasSubstr("at most 30 px"));
-    }
-    EXPECT_NO_THROW(made(requestFor(blobs({40, 30}, 1), {40, 30}), with("columns", "none", 31)));
+    EXPECT_THAT(refusalOf(findMethod("random-mosaic"), requestOf(blobs({40, 30}, 1), {40, 30}),
+                          with("both", "none", 31)),
+                testing::AllOf(HasSubstr("31 px"), HasSubstr("at most 30 px")));
+    EXPECT_NO_THROW(made(requestOf(blobs({40, 30}, 1), {40, 30}), with("columns", "none", 31)));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
-#include "core/job/job.h"
 #include "core/math/fft.h"
 #include "core/math/periodic_component.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -15,21 +15,8 @@ namespace {
 
 using Complex = std::complex<float>;
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Image drawn(const Request& request, const Values& settings = {}) {
-    const Method& method = findMethod("random-phase");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    return std::get<Synthesis>(job.take()).image;
+    return resultOf(findMethod("random-phase"), request, settings).image;
 }
 
 std::vector<Complex> spectrumOf(const Image& image, int channel) {
@@ -67,7 +54,7 @@ double autocovariance(const Image& image, int dx, int dy) {
 TEST(RandomPhase, keepsTheModulusOfThePeriodicComponent) {
     for (const Size size : {Size{64, 48}, Size{33, 27}, Size{30, 41}}) {
         const Image exemplar = blobs(size, 2);
-        const Image image = drawn(requestFor(exemplar, size));
+        const Image image = drawn(requestOf(exemplar, size));
         const Image periodic = periodicComponent(exemplar);
         for (int c = 0; c < 2; ++c) {
             const auto ours = spectrumOf(image, c), theirs = spectrumOf(periodic, c);
@@ -79,7 +66,7 @@ TEST(RandomPhase, keepsTheModulusOfThePeriodicComponent) {
 
 TEST(RandomPhase, keepsTheModulusOfTheExemplarWithoutTakingJumpsOff) {
     const Image exemplar = blobs({32, 32}, 1);
-    const auto ours = spectrumOf(drawn(requestFor(exemplar, {32, 32}), {{"periodic", false}}), 0);
+    const auto ours = spectrumOf(drawn(requestOf(exemplar, {32, 32}), {{"periodic", false}}), 0);
     const auto theirs = spectrumOf(exemplar, 0);
     for (std::size_t i = 0; i < ours.size(); ++i)
         ASSERT_NEAR(std::abs(ours[i]), std::abs(theirs[i]), 2e-3);
@@ -88,7 +75,7 @@ TEST(RandomPhase, keepsTheModulusOfTheExemplarWithoutTakingJumpsOff) {
 TEST(RandomPhase, turnsEveryChannelByTheSamePhase) {
     const Image exemplar = blobs({40, 40}, 3);
     for (const char* model : {"phase-noise", "spot-noise"}) {
-        const Image image = drawn(requestFor(exemplar, {40, 40}), {{"model", std::string(model)}});
+        const Image image = drawn(requestOf(exemplar, {40, 40}), {{"model", std::string(model)}});
         const Image periodic = periodicComponent(exemplar);
         const auto a = spectrumOf(image, 0), b = spectrumOf(image, 2);
         const auto a0 = spectrumOf(periodic, 0), b0 = spectrumOf(periodic, 2);
@@ -104,7 +91,7 @@ TEST(RandomPhase, keepsMeanAndVarianceAtEverySizeOfATorus) {
     for (int c = 0; c < 3; ++c)
         wanted += variance(periodic, c);
     for (const Size size : {Size{48, 40}, Size{128, 100}, Size{48, 97}, Size{31, 120}, Size{17, 16}}) {
-        const Image image = drawn(requestFor(exemplar, size, {true, true}));
+        const Image image = drawn(requestOf(exemplar, size, {true, true}));
         double sum = 0;
         for (int c = 0; c < 3; ++c) {
             EXPECT_NEAR(channelMeans(image)[static_cast<std::size_t>(c)],
@@ -122,7 +109,7 @@ TEST(RandomPhase, spotNoiseHasTheAutocovarianceOfTheExemplar) {
     const std::vector<Size> lags{{0, 0}, {1, 0}, {0, 1}, {2, 3}, {5, 0}, {12, 12}};
     std::vector<double> sums(lags.size(), 0.0);
     for (int draw = 0; draw < kDraws; ++draw) {
-        const Image image = drawn(requestFor(exemplar, {24, 24}, {}, static_cast<std::uint64_t>(draw)),
+        const Image image = drawn(requestOf(exemplar, {24, 24}, {}, static_cast<std::uint64_t>(draw)),
                                   {{"model", std::string("spot-noise")}});
         for (std::size_t i = 0; i < lags.size(); ++i)
             sums[i] += autocovariance(image, lags[i].width, lags[i].height) / kDraws;
@@ -135,8 +122,8 @@ TEST(RandomPhase, spotNoiseHasTheAutocovarianceOfTheExemplar) {
 
 TEST(RandomPhase, smallOutputIsCutFromATorusOfTheExemplarsSize) {
     const Image exemplar = blobs({60, 50}, 1);
-    const Image whole = drawn(requestFor(exemplar, {60, 50}));
-    const Image part = drawn(requestFor(exemplar, {20, 30}));
+    const Image whole = drawn(requestOf(exemplar, {60, 50}));
+    const Image part = drawn(requestOf(exemplar, {20, 30}));
     EXPECT_TRUE(samePixels(whole.view().crop(0, 0, {20, 30}), part));
 }
 
@@ -146,7 +133,7 @@ TEST(RandomPhase, keepsTheScaleOfHighValues) {
         for (int x = 0; x < 40; ++x)
             bright(x, y, 0) = 1000 + 300 * bright(x, y, 0);
     const double wanted = variance(periodicComponent(bright), 0);
-    EXPECT_NEAR(variance(drawn(requestFor(bright, {90, 70})), 0) / wanted, 1, 1e-3);
+    EXPECT_NEAR(variance(drawn(requestOf(bright, {90, 70})), 0) / wanted, 1, 1e-3);
 }
 
 } // namespace

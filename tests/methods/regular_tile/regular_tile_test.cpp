@@ -1,9 +1,9 @@
 #include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/regular_tile/tile_family.h"
 #include "core/methods/regular_tile/tile_search.h"
 #include "tests/support/lattices.h"
+#include "tests/support/method_run.h"
 #include "tests/support/says.h"
 #include "tests/support/textures.h"
 
@@ -73,16 +73,8 @@ TEST(TileSearch, drawsAmongTheBestOnly) {
 }
 
 Synthesis run(const Image& exemplar, Request request, const Values& settings) {
-    const Method& method = findMethod("regular-tile");
     request.exemplars = {{"tiles", std::make_shared<const Image>(exemplar)}};
-    const Values all = method.resolved(settings, exemplar.size());
-    method.check(request, all);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return test::resultOf(findMethod("regular-tile"), request, settings);
 }
 
 Request sized(Size size, Wrap wrap = {}) {

@@ -1,11 +1,10 @@
 // Solids whose slices look like exemplars.
 
-#include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/match/tap_sums.h"
 #include "core/methods/method.h"
 #include "core/methods/solid_request.h"
 #include "core/volume/volume_source.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -26,12 +25,7 @@ Request requestFor(std::vector<Image> exemplars) {
 }
 
 Synthesis made(const Request& request, const Values& settings) {
-    const Method& method = findMethod("solid-optimise");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    return std::get<Synthesis>(job.take());
+    return resultOf(findMethod("solid-optimise"), request, settings);
 }
 
 Volume solidOf(const Synthesis& synthesis, int side) {
@@ -129,19 +123,13 @@ TEST(SolidOptimise, comesCloserToTheExemplar) {
 }
 
 TEST(SolidOptimise, refusesWhatCannotBe) {
-    const auto refusal = [](const Request& request, const Values& settings) -> std::string {
-        try {
-            made(request, settings);
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return {};
-    };
+    const Method& method = findMethod("solid-optimise");
     const Request request = requestFor({blobs({48, 48}, 3)});
-    EXPECT_THAT(refusal(request, {{"exemplar-x", std::string("third")}}), testing::HasSubstr("exemplar 3"));
-    EXPECT_THAT(refusal(request, {{"weight-x", 0.0}, {"weight-y", 0.0}, {"weight-z", 0.0}}),
+    EXPECT_THAT(refusalOf(method, request, {{"exemplar-x", std::string("third")}}),
+                testing::HasSubstr("exemplar 3"));
+    EXPECT_THAT(refusalOf(method, request, {{"weight-x", 0.0}, {"weight-y", 0.0}, {"weight-z", 0.0}}),
                 testing::HasSubstr("free"));
-    EXPECT_THAT(refusal(requestFor({blobs({9, 48}, 3)}), {}), testing::HasSubstr("9 × 48 px"));
+    EXPECT_THAT(refusalOf(method, requestFor({blobs({9, 48}, 3)}), {}), testing::HasSubstr("9 × 48 px"));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/io/model_file.h"
-#include "core/job/job.h"
 #include "core/methods/dictionary_model.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -20,33 +20,19 @@ namespace {
 using testing::HasSubstr;
 
 Request requestFor(Image exemplar, Size size) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = size;
-    request.seed = 5;
-    return request;
+    return requestOf(std::move(exemplar), size, {}, 5);
 }
 
 const Values kBrief = {
     {"patch", 8}, {"spacing", 4}, {"atoms", 48}, {"learning-iterations", 4}, {"iterations", 6}};
 
 Values brief(const Values& also) {
-    Values settings = also;
-    settings.insert(kBrief.begin(), kBrief.end());
-    return settings;
+    return with(kBrief, also);
 }
 
 Synthesis runMethod(const char* id, const Request& request, const Values& settings, JobOptions options = {}) {
-    const Method& method = findMethod(id);
-    const Values values = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, values);
-    options.seed = request.seed;
     options.threads = 2;
-    Job<Synthesis> job(options, [&](JobContext& context) { return method.run(request, values, context); });
-    auto outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return resultOf(findMethod(id), request, settings, options);
 }
 
 Synthesis synthesise(const Request& request, const Values& settings, const JobOptions& options = {}) {

@@ -1,14 +1,13 @@
 // Texture networks: that training lowers the loss, what a trained model makes, how training ends, refusals.
 
 #include "core/base/at.h"
-#include "core/base/error.h"
 #include "core/generator/generator_weights.h"
 #include "core/io/model_file.h"
-#include "core/job/job.h"
 #include "core/math/channel_pca.h"
 #include "core/methods/generator_training.h"
 #include "core/methods/method.h"
 #include "core/session/run/exemplar_file.h"
+#include "tests/support/method_run.h"
 #include "tests/support/stopped_run.h"
 
 #include <gmock/gmock.h>
@@ -29,51 +28,19 @@ const Method& textureNetwork() {
     return findMethod("texture-network");
 }
 
-Request requestFor(Image exemplar, Size output, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.seed = seed;
-    return request;
-}
-
 /// Small and quick settings, with others in their place.
 Values quick(const Values& changes = {}) {
-    Values settings{{"iterations", 4}, {"train-size", 32}, {"batch", 1},      {"scales", 2},
-                    {"channels", 4},   {"levels", 1},      {"decay-every", 3}};
-    for (const auto& [name, value] : changes)
-        settings[name] = value;
-    return settings;
+    const Values settings{{"iterations", 4}, {"train-size", 32}, {"batch", 1},      {"scales", 2},
+                          {"channels", 4},   {"levels", 1},      {"decay-every", 3}};
+    return with(settings, changes);
 }
 
-Values complete(const Request& request, const Values& settings) {
-    const Size exemplar = request.exemplars.empty() ? Size{} : request.exemplars.front().image->size();
-    Values all = textureNetwork().resolved(settings, exemplar);
-    textureNetwork().check(request, all);
-    return all;
-}
-
-Outcome<Synthesis> outcomeOf(const Request& request, const Values& settings, JobOptions options) {
-    const Values all = complete(request, settings);
-    Job<Synthesis> job(std::move(options),
-                       [&](JobContext& context) { return textureNetwork().run(request, all, context); });
-    return job.take();
-}
-
-Synthesis made(const Request& request, const Values& settings, int threads = 2) {
-    Outcome<Synthesis> outcome = outcomeOf(request, settings, {request.seed, threads});
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+Synthesis made(const Request& request, const Values& settings, const JobOptions& options = {.threads = 2}) {
+    return resultOf(textureNetwork(), request, settings, options);
 }
 
 std::string refusal(const Request& request, const Values& settings) {
-    try {
-        complete(request, settings);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "taken";
+    return refusalOf(textureNetwork(), request, settings);
 }
 
 /// Upright stripes, four pixels from one to the next.
@@ -94,7 +61,7 @@ double meanOf(const std::vector<double>& values, std::size_t first, std::size_t 
 }
 
 /// A request for what a model makes, without an exemplar.
-Request requestOf(const std::shared_ptr<const Model>& model, Size output, std::uint64_t seed = 3) {
+Request requestFrom(const std::shared_ptr<const Model>& model, Size output, std::uint64_t seed = 3) {
     Request request;
     request.inputs.set(kPort, model);
     request.size = output;
@@ -103,13 +70,13 @@ Request requestOf(const std::shared_ptr<const Model>& model, Size output, std::u
 }
 
 std::shared_ptr<const Model> trained(const Values& changes = {}, int channels = 3) {
-    return made(requestFor(blobs({48, 40}, channels), {8, 8}), quick(changes)).outputs.first<Model>(kPort);
+    return made(requestOf(blobs({48, 40}, channels), {8, 8}), quick(changes)).outputs.first<Model>(kPort);
 }
 
 TEST(TextureNetwork, trainingOnStripesLowersTheLossTenfold) {
     for (const char* padding : {"none", "circular"}) {
         const Synthesis result = made(
-            requestFor(stripes(64), {64, 64}),
+            requestOf(stripes(64), {64, 64}),
             quick({{"iterations", 200}, {"loss", std::string("gram")}, {"padding", std::string(padding)}}));
         const std::vector<double>& loss = result.curves.front().values;
         ASSERT_EQ(loss.size(), 200U);
@@ -118,7 +85,7 @@ TEST(TextureNetwork, trainingOnStripesLowersTheLossTenfold) {
 }
 
 TEST(TextureNetwork, everyLossAndSettingTakesPart) {
-    const Request request = requestFor(blobs({48, 40}, 3), {40, 30});
+    const Request request = requestOf(blobs({48, 40}, 3), {40, 30});
     const Image plain = made(request, quick()).image;
     for (const Values& change : std::vector<Values>{{{"loss", std::string("gram")}},
                                                     {{"loss", std::string("patches")}},
@@ -141,7 +108,7 @@ TEST(TextureNetwork, everyLossAndSettingTakesPart) {
 }
 
 TEST(TextureNetwork, modelMakesWhatItsTrainingMade) {
-    const Request request = requestFor(blobs({48, 40}, 3), {70, 50});
+    const Request request = requestOf(blobs({48, 40}, 3), {70, 50});
     const Synthesis learned = made(request, quick());
     const auto model = learned.outputs.first<Model>(kPort);
     EXPECT_EQ(model->notes.at("iterations"), "4");
@@ -149,14 +116,14 @@ TEST(TextureNetwork, modelMakesWhatItsTrainingMade) {
     EXPECT_EQ(model->notes.at("padding"), "none");
     EXPECT_EQ(model->notes.at("descriptor"), "own");
     const auto read = std::make_shared<const Model>(modelFromBytes(model->bytes(), "a file"));
-    const Synthesis again = made(requestOf(read, request.size), {});
+    const Synthesis again = made(requestFrom(read, request.size), {});
     EXPECT_TRUE(samePixels(again.image, learned.image));
     EXPECT_TRUE(again.curves.empty()) << "nothing was trained";
     EXPECT_EQ(*again.outputs.first<Model>(kPort), *model);
 }
 
 TEST(TextureNetwork, modelOfTheUsualSizeIsUnderHalfAMegabyte) {
-    const Synthesis learned = made(requestFor(blobs({48, 40}, 3), {8, 8}),
+    const Synthesis learned = made(requestOf(blobs({48, 40}, 3), {8, 8}),
                                    {{"iterations", 1}, {"batch", 1}, {"loss", std::string("patches")}});
     EXPECT_LT(learned.outputs.first<Model>(kPort)->bytes().size(), 500'000U);
 }
@@ -165,7 +132,7 @@ TEST(TextureNetwork, bundledModelHasItsExemplarsColours) {
     const auto model =
         std::make_shared<const Model>(readModel(bundled("../models/crazy_paving.safetensors")));
     EXPECT_LT(model->bytes().size(), 500'000U);
-    const Image image = made(requestOf(model, {256, 256}), {}).image;
+    const Image image = made(requestFrom(model, {256, 256}), {}).image;
     const Image exemplar = *loadExemplar(bundled("crazy_paving.png")).image;
     const std::vector<double> means = channelMeans(image), wanted = channelMeans(exemplar);
     const Eigen::MatrixXd spread = channelCovariance(image), wantedSpread = channelCovariance(exemplar);
@@ -179,24 +146,25 @@ TEST(TextureNetwork, bundledModelHasItsExemplarsColours) {
 TEST(TextureNetwork, anyPartAloneEqualsTheWholes) {
     const auto model = trained();
     for (const Wrap wrap : {Wrap{}, Wrap{true, false}, Wrap{true, true}}) {
-        Request request = requestOf(model, {300, 275});
+        Request request = requestFrom(model, {300, 275});
         request.wrap = wrap;
         const Image whole = made(request, {}).image;
         for (const Region& part :
              {Region{0, 0, {1, 1}}, Region{250, 120, {50, 155}}, Region{7, 11, {290, 3}}}) {
             request.region = part;
-            EXPECT_TRUE(samePixels(made(request, {}, 1).image, whole.view().crop(part.x, part.y, part.size)));
+            EXPECT_TRUE(samePixels(made(request, {}, {.threads = 1}).image,
+                                   whole.view().crop(part.x, part.y, part.size)));
         }
     }
-    EXPECT_TRUE(samePixels(made(requestOf(model, {90, 80}), {}).image,
-                           made(requestOf(model, {300, 275}), {}).image.view().crop(0, 0, {90, 80})))
+    EXPECT_TRUE(samePixels(made(requestFrom(model, {90, 80}), {}).image,
+                           made(requestFrom(model, {300, 275}), {}).image.view().crop(0, 0, {90, 80})))
         << "a larger texture begins with the smaller one";
 }
 
 TEST(TextureNetwork, seedsGiveTexturesThatHaveNothingInCommon) {
     const auto model = trained({{"iterations", 60}, {"rate", 0.05}});
-    const Image one = made(requestOf(model, {128, 128}, 1), {}).image;
-    const Image two = made(requestOf(model, {128, 128}, 2), {}).image;
+    const Image one = made(requestFrom(model, {128, 128}, 1), {}).image;
+    const Image two = made(requestFrom(model, {128, 128}, 2), {}).image;
     Image both({128, 128}, 2);
     for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 128; ++x) {
@@ -209,7 +177,7 @@ TEST(TextureNetwork, seedsGiveTexturesThatHaveNothingInCommon) {
 }
 
 TEST(TextureNetwork, trainedFurtherGoesOnFromTheModel) {
-    Request request = requestFor(blobs({48, 48}, 3), {32, 32});
+    Request request = requestOf(blobs({48, 48}, 3), {32, 32});
     const Values settings = quick({{"iterations", 60}, {"rate", 0.05}});
     const Synthesis first = made(request, settings);
     request.inputs.set(kPort, first.outputs.first<Model>(kPort));
@@ -222,9 +190,9 @@ TEST(TextureNetwork, trainedFurtherGoesOnFromTheModel) {
 }
 
 TEST(TextureNetwork, cancelledTrainingLeavesACheckpointToGoOnFrom) {
-    const Request request = requestFor(blobs({48, 40}, 3), {40, 30});
+    const Request request = requestOf(blobs({48, 40}, 3), {40, 30});
     const Values settings = quick({{"iterations", 12}});
-    const Values all = complete(request, settings);
+    const Values all = checked(textureNetwork(), request, settings);
     const Synthesis whole = made(request, settings);
     JobMonitor monitor;
     std::shared_ptr<const Checkpoint> last;
@@ -241,8 +209,7 @@ TEST(TextureNetwork, cancelledTrainingLeavesACheckpointToGoOnFrom) {
     ASSERT_TRUE(last);
     JobOptions resumed{request.seed, 1};
     resumed.resumed = last;
-    const Outcome<Synthesis> outcome = outcomeOf(request, settings, resumed);
-    const auto& result = std::get<Synthesis>(outcome);
+    const Synthesis result = made(request, settings, resumed);
     EXPECT_TRUE(samePixels(result.image, whole.image));
     EXPECT_EQ(*result.outputs.first<Model>(kPort), *whole.outputs.first<Model>(kPort));
     EXPECT_EQ(result.curves.front().values, whole.curves.front().values);
@@ -294,7 +261,7 @@ TEST(TextureNetwork, stepThatBreaksDownLeavesTheLastGoodGenerator) {
 
 TEST(TextureNetwork, otherNumbersOfChannelsAreSeenByAnotherDescriptor) {
     for (const int channels : {1, 2, 5}) {
-        const Synthesis result = made(requestFor(blobs({40, 40}, channels), {20, 16}), quick());
+        const Synthesis result = made(requestOf(blobs({40, 40}, channels), {20, 16}), quick());
         EXPECT_EQ(result.image.channels(), channels);
         EXPECT_EQ(result.outputs.first<Model>(kPort)->notes.at("descriptor"),
                   channels == 1 ? "own" : "exemplar");
@@ -302,15 +269,16 @@ TEST(TextureNetwork, otherNumbersOfChannelsAreSeenByAnotherDescriptor) {
 }
 
 TEST(TextureNetwork, refusesInASentence) {
-    Request request = requestFor(blobs({15, 40}, 3), {32, 32});
+    Request request = requestOf(blobs({15, 40}, 3), {32, 32});
     EXPECT_THAT(refusal(request, quick()), HasSubstr("15 × 40 px here; its sides must have at least 16 px"));
-    request = requestFor(blobs({200, 30}, 3), {32, 32});
+    request = requestOf(blobs({200, 30}, 3), {32, 32});
     EXPECT_THAT(refusal(request, quick({{"exemplar-side", 100}})), HasSubstr("100 × 15 px"));
-    EXPECT_THAT(refusal(requestOf(trained(), {8, 8}), {{"further", true}}), HasSubstr("neither an exemplar"));
+    EXPECT_THAT(refusal(requestFrom(trained(), {8, 8}), {{"further", true}}),
+                HasSubstr("neither an exemplar"));
     Request none;
     none.size = {8, 8};
     EXPECT_THAT(refusal(none, {}), HasSubstr("neither an exemplar to learn from nor a trained generator"));
-    request = requestFor(blobs({40, 40}, 3), {32, 32});
+    request = requestOf(blobs({40, 40}, 3), {32, 32});
     EXPECT_THAT(refusal(request, quick({{"further", true}})), HasSubstr("no generator to train further"));
     request.inputs.set(kPort, trained({{"loss", std::string("patches")}}, 1));
     EXPECT_THAT(refusal(request, quick()), HasSubstr("makes 1 channels, and the exemplar has 3"));
@@ -318,7 +286,7 @@ TEST(TextureNetwork, refusesInASentence) {
     other->kind = "solid-generator";
     request.inputs.set(kPort, std::shared_ptr<const Model>(other));
     EXPECT_THAT(refusal(request, quick()), HasSubstr("solid-generator"));
-    request = requestFor(blobs({20, 20}, 3), {32, 32});
+    request = requestOf(blobs({20, 20}, 3), {32, 32});
     EXPECT_THAT(refusal(request, quick({{"train-size", 16}, {"levels", 4}})), HasSubstr("px"));
 }
 

@@ -1,6 +1,6 @@
 #include "core/analysis/map_usage.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gtest/gtest.h>
@@ -12,34 +12,15 @@ namespace texloom::test {
 namespace {
 
 Synthesis made(const Request& request, const Values& settings) {
-    const Method& method = findMethod("texture-optimization");
-    const Values all = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, all);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    return std::get<Synthesis>(job.take());
-}
-
-Request requestFor(Image exemplar, Size size) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = size;
-    request.seed = 3;
-    return request;
+    return resultOf(findMethod("texture-optimization"), request, settings);
 }
 
 const Values kOnePass = {{"scales", 1}, {"largest-patch", 8}, {"iterations", 12}};
 
-Values with(Values settings, const Values& more) {
-    for (const auto& [name, value] : more)
-        settings[name] = value;
-    return settings;
-}
-
 } // namespace
 
 TEST(TextureOptimization, energyNeverRisesWithExactSteps) {
-    const Request request = requestFor(blobs({48, 48}, 3), {64, 64});
+    const Request request = requestOf(blobs({48, 48}, 3), {64, 64});
     const Synthesis result = made(request, with(kOnePass, {{"aggregation", std::string("mean")}}));
     const std::vector<double>& energy = result.curves.front().values;
     ASSERT_GE(energy.size(), 3U);
@@ -49,7 +30,7 @@ TEST(TextureOptimization, energyNeverRisesWithExactSteps) {
 }
 
 TEST(TextureOptimization, patchMatchComesNearTheExactEnergy) {
-    const Request request = requestFor(blobs({64, 64}, 3), {96, 96});
+    const Request request = requestOf(blobs({64, 64}, 3), {96, 96});
     const double exact = made(request, kOnePass).curves.front().values.front();
     const double near =
         made(request, with(kOnePass, {{"search", std::string("patchmatch")}})).curves.front().values.front();
@@ -57,7 +38,7 @@ TEST(TextureOptimization, patchMatchComesNearTheExactEnergy) {
 }
 
 TEST(TextureOptimization, everySwitchChangesTheResultAndKeepsItSound) {
-    const Request request = requestFor(blobs({48, 48}, 3), {70, 60});
+    const Request request = requestOf(blobs({48, 48}, 3), {70, 60});
     const Image plain = made(request, {}).image;
     const ValueRange range = valueRange(*request.exemplars.front().image);
     const std::vector<Values> switches = {{{"aggregation", std::string("mean")}},
@@ -77,14 +58,14 @@ TEST(TextureOptimization, everySwitchChangesTheResultAndKeepsItSound) {
 }
 
 TEST(TextureOptimization, copyHasAnExactMap) {
-    const Request request = requestFor(blobs({48, 48}, 3), {70, 60});
+    const Request request = requestOf(blobs({48, 48}, 3), {70, 60});
     const Synthesis result = made(request, {{"finish", std::string("copy")}});
     EXPECT_EQ(result.mapKind, MapKind::Exact);
     EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));
 }
 
 TEST(TextureOptimization, uniformityKeepsItsWordOverItsWholeRange) {
-    const Request request = requestFor(blobs({64, 64}, 3), {96, 96});
+    const Request request = requestOf(blobs({64, 64}, 3), {96, 96});
     const auto variance = [](const Image& image) {
         double square = 0;
         const double mean = channelMeans(image)[0];
@@ -107,7 +88,7 @@ TEST(TextureOptimization, uniformityKeepsItsWordOverItsWholeRange) {
 }
 
 TEST(TextureOptimization, uniformityAndBothDirectionsUseMoreOfTheExemplar) {
-    const Request request = requestFor(blobs({64, 64}, 3), {128, 128});
+    const Request request = requestOf(blobs({64, 64}, 3), {128, 128});
     const auto entropy = [&](const Values& settings) {
         return occurrenceEntropy(occurrencesOf(made(request, settings).map));
     };

@@ -1,7 +1,7 @@
 #include "core/base/error.h"
-#include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/texture_transfer/settings.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -18,37 +18,19 @@ std::shared_ptr<const Image> shared(Image image) {
     return std::make_shared<const Image>(std::move(image));
 }
 
-Request requestFor(Image exemplar, Image target) {
-    Request request;
-    request.size = target.size();
-    request.seed = 5;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
-    request.inputs.add("target", shared(std::move(target)));
+Request requestFor(Image exemplar, const Image& target) {
+    Request request = requestOf(std::move(exemplar), target.size(), {}, 5);
+    request.inputs.add("target", shared(target));
     return request;
 }
 
-Synthesis run(const char* id, const Request& request, const Values& settings) {
-    const Method& method = findMethod(id);
-    const Values all = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, all);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, all, context); });
-    return std::get<Synthesis>(job.take());
-}
-
 Synthesis transfer(const Request& request, const Values& settings) {
-    return run("texture-transfer", request, settings);
+    return resultOf(findMethod("texture-transfer"), request, settings);
 }
 
 /// Only the target counts, and nothing is done to it.
 const Values kTargetAlone{{"patch", 12},      {"passes", 1}, {"alpha-first", 0.0},  {"alpha-last", 0.0},
                           {"tolerance", 0.0}, {"blur", 0.0}, {"match-tones", false}};
-
-Values with(Values settings, const Values& changed) {
-    for (const auto& [name, value] : changed)
-        settings[name] = value;
-    return settings;
-}
 
 TEST(TextureTransfer, overlapsAloneArePlainQuilting) {
     Request request = requestFor(blobs({60, 50}, 3), noise({90, 70}, 3));
@@ -56,7 +38,8 @@ TEST(TextureTransfer, overlapsAloneArePlainQuilting) {
     const Synthesis made =
         transfer(request, with(settings, {{"passes", 1}, {"alpha-first", 1.0}, {"alpha-last", 1.0}}));
     request.inputs.clear("target");
-    const Synthesis plain = run("quilting", request, with(settings, {{"contrast", 0.0}, {"variety", 0.0}}));
+    const Synthesis plain =
+        resultOf(findMethod("quilting"), request, with(settings, {{"contrast", 0.0}, {"variety", 0.0}}));
     EXPECT_TRUE(samePixels(made.image, plain.image));
     EXPECT_EQ(made.map, plain.map);
 }

@@ -3,6 +3,7 @@
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/wang_tiles/tiling.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -25,25 +26,8 @@ using wang_tiles::sheetPlace;
 using wang_tiles::TileSet;
 using wang_tiles::Tiling;
 
-Request requestFor(Image exemplar, Size output, Wrap wrap = {}, std::uint64_t seed = 3) {
-    Request request;
-    request.exemplars.push_back({"made up", std::make_shared<const Image>(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = seed;
-    return request;
-}
-
 Synthesis made(const Request& request, const Values& settings = {}) {
-    const Method& method = findMethod("wang-tiles");
-    const Values complete = method.resolved(settings, request.exemplars.front().image->size());
-    method.check(request, complete);
-    Job<Synthesis> job({request.seed, 2, false},
-                       [&](JobContext& context) { return method.run(request, complete, context); });
-    Outcome<Synthesis> outcome = job.take();
-    if (const auto* failure = std::get_if<Failure>(&outcome))
-        throw Error(failure->message);
-    return std::get<Synthesis>(std::move(outcome));
+    return resultOf(findMethod("wang-tiles"), request, settings);
 }
 
 /// A set of tiles with samples at made-up places.
@@ -60,7 +44,7 @@ TileSet setOf(const Request& request, const Settings& settings, Size size) {
 }
 
 TEST(WangTiles, edgesOfOneColourAreTheSameBits) {
-    const Request request = requestFor(noise({64, 64}, 1), {64, 64});
+    const Request request = requestOf(noise({64, 64}, 1), {64, 64});
     Settings settings;
     settings.tile = 20;
     settings.colours = 3;
@@ -105,7 +89,7 @@ TEST(WangTiles, samplesAreTakenFromWithinTheirSquares) {
     for (const double overlap : {0.02, 0.25, 0.5}) {
         settings.overlap = overlap;
         const int side = wang_tiles::sampleSide(settings);
-        const Request request = requestFor(noise({side, side}, 1), {64, 64});
+        const Request request = requestOf(noise({side, side}, 1), {64, 64});
         TileSet::Samples samples{{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
         for (const Size size : {Size{21, 21}, Size{21, 15}, Size{9, 21}}) {
             Job<int> job({0, 1, false}, [&](JobContext& context) {
@@ -165,7 +149,7 @@ TEST(WangTiles, neighboursMatchInEveryTiling) {
             settings.tile = 16;
             settings.colours = 3;
             settings.set = compact ? wang_tiles::Set::Compact : wang_tiles::Set::Full;
-            const Request request = requestFor(noise({64, 64}, 1), {151, 133}, wrap);
+            const Request request = requestOf(noise({64, 64}, 1), {151, 133}, wrap);
             const Tiling tiling(request, settings, Random(5));
             const std::vector<Edges> known = edgesOf(settings);
             const int columns = (151 + 15) / 16, rows = (133 + 15) / 16;
@@ -200,7 +184,7 @@ TEST(WangTiles, cellsThatWrapFillTheOutput) {
 }
 
 TEST(WangTiles, smallerThresholdsSearchLongerAndJoinBetter) {
-    const Request request = requestFor(blobs({96, 96}, 3), {100, 100});
+    const Request request = requestOf(blobs({96, 96}, 3), {100, 100});
     const auto figure = [](const Synthesis& result, std::size_t i) { return result.figures[i].value; };
     const Synthesis quick = made(request, {{"threshold", 2.0}, {"tile", 32}});
     const Synthesis long_ = made(request, {{"threshold", 0.0}, {"tile", 32}, {"tries", 12}});
@@ -211,16 +195,16 @@ TEST(WangTiles, smallerThresholdsSearchLongerAndJoinBetter) {
 }
 
 TEST(WangTiles, pictureOfTheSetHoldsAllTiles) {
-    const Synthesis full = made(requestFor(blobs({96, 96}, 3), {64, 64}), {{"tile", 20}, {"colours", 3}});
+    const Synthesis full = made(requestOf(blobs({96, 96}, 3), {64, 64}), {{"tile", 20}, {"colours", 3}});
     EXPECT_EQ(full.outputs.image("tile-sheet")->size(), (Size{180, 180}));
-    const Synthesis compact = made(requestFor(blobs({96, 96}, 3), {64, 64}),
+    const Synthesis compact = made(requestOf(blobs({96, 96}, 3), {64, 64}),
                                    {{"tile", 20}, {"colours", 3}, {"set", std::string("compact")}});
     EXPECT_EQ(compact.outputs.image("tile-sheet")->size(), (Size{120, 60}));
 }
 
 TEST(WangTiles, theSetIsGivenAsSheetTilesMapAndTable) {
     for (const char* set : {"full", "compact"}) {
-        const Request request = requestFor(blobs({96, 96}, 3), {64, 64});
+        const Request request = requestOf(blobs({96, 96}, 3), {64, 64});
         const Synthesis result = made(request, {{"tile", 20}, {"colours", 3}, {"set", std::string(set)}});
         const Image& sheet = *result.outputs.image("tile-sheet");
         const auto map = result.outputs.first<PositionMap>("tile-sheet-map");
@@ -260,14 +244,9 @@ TEST(WangTiles, theSetIsGivenAsSheetTilesMapAndTable) {
 }
 
 TEST(WangTiles, tilesThatAreTooLargeAreRefused) {
-    try {
-        made(requestFor(blobs({40, 40}, 1), {40, 40}), {{"tile", 36}});
-        FAIL();
-    } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("36 px"));
-        EXPECT_THAT(error.what(), HasSubstr("40 × 40 px"));
-    }
-    EXPECT_THROW(made(requestFor(blobs({64, 64}, 1), {64, 64}, {true, false}),
+    EXPECT_THAT(refusalOf(findMethod("wang-tiles"), requestOf(blobs({40, 40}, 1), {40, 40}), {{"tile", 36}}),
+                testing::AllOf(HasSubstr("36 px"), HasSubstr("40 × 40 px")));
+    EXPECT_THROW(made(requestOf(blobs({64, 64}, 1), {64, 64}, {true, false}),
                       {{"set", std::string("compact")}, {"tile", 20}}),
                  UsageError);
 }

@@ -1,7 +1,7 @@
-#include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/methods/method.h"
 #include "core/methods/wei_levoy/settings.h"
+#include "tests/support/method_run.h"
 #include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
@@ -20,12 +20,7 @@ std::shared_ptr<const Image> shared(Image image) {
 }
 
 Request requestFor(Image exemplar, Size output, Wrap wrap = {}) {
-    Request request;
-    request.exemplars.push_back({"made up", shared(std::move(exemplar))});
-    request.size = output;
-    request.wrap = wrap;
-    request.seed = 5;
-    return request;
+    return requestOf(std::move(exemplar), output, wrap, 5);
 }
 
 Synthesis made(const Request& request, const Settings& settings, int threads = 2,
@@ -138,11 +133,7 @@ TEST(WeiLevoy, treeFindsNeighbourhoodsNearlyAsNearAsTheNearest) {
 }
 
 TEST(WeiLevoy, periodicExemplarIsContinuedWithItsPeriod) {
-    const Image tile = noise({8, 8}, 1);
-    Image exemplar({64, 64}, 1);
-    for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x)
-            exemplar(x, y, 0) = tile(x % 8, y % 8, 0);
+    const Image exemplar = periodic({64, 64}, {8, 8}, 1);
     Settings settings;
     settings.levels = 3;
     settings.search = Search::Exact;
@@ -159,12 +150,7 @@ TEST(WeiLevoy, periodicExemplarIsContinuedWithItsPeriod) {
 
 TEST(WeiLevoy, partOfTheExemplarStaysAsItIs) {
     // Two periods by two: round its borders, too, the part looks like the exemplar everywhere.
-    const Image tile = noise({20, 18}, 3);
-    Image exemplar({64, 60}, 3);
-    for (int c = 0; c < 3; ++c)
-        for (int y = 0; y < 60; ++y)
-            for (int x = 0; x < 64; ++x)
-                exemplar(x, y, c) = tile(x % 20, y % 18, c);
+    const Image exemplar = periodic({64, 60}, {20, 18}, 3);
     const Image part(exemplar.view().crop(10, 12, {40, 36}));
     Request request = requestFor(exemplar, part.size());
     request.inputs.set(kInitialPort, shared(part));
@@ -174,19 +160,11 @@ TEST(WeiLevoy, partOfTheExemplarStaysAsItIs) {
 
 TEST(WeiLevoy, refusalsNameTheValueAndTheLimit) {
     const Method& method = findMethod("wei-levoy");
-    const auto message = [&](const Request& request, const Values& settings) -> std::string {
-        try {
-            method.check(request, method.resolved(settings, request.exemplars.front().image->size()));
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return "was taken";
-    };
     const Request request = requestFor(blobs({12, 30}, 3), {64, 64});
-    EXPECT_THAT(message(request, {{"neighbourhood", 13}}),
+    EXPECT_THAT(refusalOf(method, request, {{"neighbourhood", 13}}),
                 testing::AllOf(testing::HasSubstr("13 px"), testing::HasSubstr("12 px")));
-    EXPECT_EQ(message(request, {{"neighbourhood", 11}}), "was taken");
-    EXPECT_THAT(message(request, {{"neighbourhood", 22}}), testing::HasSubstr("3 to 21 px"));
+    EXPECT_EQ(refusalOf(method, request, {{"neighbourhood", 11}}), "was taken");
+    EXPECT_THAT(refusalOf(method, request, {{"neighbourhood", 22}}), testing::HasSubstr("3 to 21 px"));
 }
 
 } // namespace
