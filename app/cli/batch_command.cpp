@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/join_commands.h"
 #include "core/base/error.h"
 #include "core/io/image_file.h"
 #include "core/session/batch/batch.h"
@@ -69,7 +70,10 @@ std::string attempt(const BatchItem& item, const BatchOptions& options, const Ou
     try {
         if (!item.problem.empty())
             throw Error(item.problem);
-        runInput(loadAndWarn(item.whole()), outputOf(item, options, around));
+        if (item.join != nullptr) // what it may replace was checked before anything ran
+            writeJoin(loadJoin(item), item.output, options.threads, options.quiet);
+        else
+            runInput(loadAndWarn(item.whole()), outputOf(item, options, around));
         return {};
     } catch (const std::exception& error) {
         return messageOf(error).text();

@@ -34,25 +34,19 @@ Values settingsOf(const JoinCommand& command) {
 }
 
 void run(const JoinCommand& command) {
-    const Tool& tool = *command.tool;
-    const Values settings = settingsOf(command);
-    const ExemplarFile first = loadExemplar(command.first);
+    JoinInput input{command.tool, {}, {}, {}, settingsOf(command)};
+    input.first = loadExemplar(command.first);
     checkInterrupt();
-    const ExemplarFile second = loadExemplar(command.second);
+    input.second = loadExemplar(command.second);
     checkInterrupt();
-    const ExemplarFile mask = command.mask.empty() ? ExemplarFile{} : loadMask(command.mask);
-    const JoinPictures pictures{*first.image, *second.image, mask.image.get()};
-    tool.checkJoin(pictures, settings);
-    checkWritable(command.output, first.image->channels(), depthLike(first.info, command.output));
+    if (!command.mask.empty())
+        input.region = loadMask(command.mask).image;
+    input.tool->checkJoin(input.pictures(), input.settings);
     std::vector<fs::path> read = {command.first, command.second};
     if (!command.mask.empty())
         read.push_back(command.mask);
     checkOnlyOutput(read, command.output, command.overwrite);
-    Job<Image> job({}, [&](JobContext& context) { return tool.joined(pictures, settings, context); });
-    const Image made = followed(job, command.quiet);
-    exportPicture(command.output, made, first, checkInterrupt);
-    if (!command.quiet)
-        fmt::print("{}: {} × {} px\n", command.output.string(), made.width(), made.height());
+    writeJoin(input, command.output, 0, command.quiet);
 }
 
 /// A command for one tool, with an option for each of its parameters.
@@ -79,6 +73,18 @@ void addJoin(CLI::App& app, const Tool& tool) {
 }
 
 } // namespace
+
+void writeJoin(const JoinInput& input, const fs::path& output, int threads, bool quiet) {
+    const ExemplarFile& first = input.first;
+    checkWritable(output, first.image->channels(), depthLike(first.info, output));
+    Job<Image> job({0, threads, false}, [&](JobContext& context) {
+        return input.tool->joined(input.pictures(), input.settings, context);
+    });
+    const Image made = followed(job, quiet);
+    exportPicture(output, made, first, checkInterrupt);
+    if (!quiet)
+        fmt::print("{}: {} × {} px\n", output.string(), made.width(), made.height());
+}
 
 void addJoins(CLI::App& app) {
     for (const Tool& tool : tools())

@@ -199,12 +199,8 @@ Recipe recipeFrom(const JsonField& root, const fs::path& folder) {
     if (root.has("then"))
         for (RecipeStep& step : stepsFrom(root.at("then")))
             recipe.steps.push_back(std::move(step));
-    if (root.has("exemplars")) { // whether the methods need any is checked where the run is planned
-        const JsonField exemplars = root.at("exemplars");
-        exemplars.needArray(0, kMostFiles);
-        for (std::size_t i = 0; i < exemplars.size(); ++i)
-            recipe.exemplars.push_back(exemplarFrom(exemplars.at(i), folder));
-    }
+    if (root.has("exemplars")) // whether the methods need any is checked where the run is planned
+        recipe.exemplars = exemplarsFrom(root.at("exemplars"), folder);
     recipe.inputs = inputsFrom(root, folder);
     recipe.size = sizeFrom(root.at("size"));
     recipe.wrap = root.has("wrap") ? wrapFrom(root.at("wrap")) : Wrap{};
@@ -236,6 +232,14 @@ template <class File, class Recipe> std::vector<File*> filesOf(Recipe& recipe) {
 }
 
 } // namespace
+
+std::vector<RecipeExemplar> exemplarsFrom(const JsonField& field, const fs::path& folder) {
+    field.needArray(0, kMostFiles);
+    std::vector<RecipeExemplar> exemplars;
+    for (std::size_t i = 0; i < field.size(); ++i)
+        exemplars.push_back(exemplarFrom(field.at(i), folder));
+    return exemplars;
+}
 
 std::vector<RecipeStep> stepsFrom(const JsonField& field) {
     field.needArray(0, kMostSteps);

@@ -50,6 +50,10 @@ struct RecipeStep {
 /// Steps from a list in JSON. @throws UsageError that names the wrong field.
 std::vector<RecipeStep> stepsFrom(const JsonField& field);
 
+/// Exemplars from a list in JSON. @param folder against which relative paths are taken.
+/// @throws UsageError that names the wrong field.
+std::vector<RecipeExemplar> exemplarsFrom(const JsonField& field, const std::filesystem::path& folder);
+
 /// The methods' ids with `separator` between them.
 std::string methodIds(const std::vector<RecipeStep>& steps, const std::string& separator);
 

@@ -190,6 +190,7 @@ private:
         constexpr int kMostSweeps = 12;
         constexpr double kSettled = 1e-4;
         for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+            centre();
             double moved = 0;
             for (Wave& wave : m_model.waves)
                 moved = std::max(moved, step(wave));
@@ -197,11 +198,28 @@ private:
                 break;
         }
         solveStrengths();
+        centre();
         const double unknowns = 2 + 2 * m_left.channels();
         const double deviation =
             std::sqrt(leftOver() / std::max(1.0, m_pixels * m_left.channels() - unknowns));
         for (std::size_t i = 0; i < m_model.waves.size(); ++i)
             m_model.waves[i].uncertainty = deviation * m_spreads[i];
+    }
+
+    /// Waves that do not end with the picture have a mean of their own, which is not the texture's.
+    void centre() {
+        std::vector<double> sums(m_model.means.size(), 0.0);
+        each([&](int x, int y) {
+            for (int c = 0; c < m_left.channels(); ++c)
+                sums[static_cast<std::size_t>(c)] += static_cast<double>(m_left(x, y, c));
+        });
+        for (int c = 0; c < m_left.channels(); ++c) {
+            const double mean = sums[static_cast<std::size_t>(c)] / m_pixels;
+            m_model.means[static_cast<std::size_t>(c)] += mean;
+            for (int y = 0; y < m_size.height; ++y)
+                for (int x = 0; x < m_size.width; ++x)
+                    m_left(x, y, c) -= static_cast<float>(mean);
+        }
     }
 
     /// Adds a wave to what is left, or takes it off.

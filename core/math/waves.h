@@ -32,8 +32,8 @@ struct WaveOptions {
 
 /// Finds the waves in an image: peaks of the spectrum of the windowed and zero-padded image, refined by
 /// Gauss–Newton steps on the sum of squared differences until no frequency moves by more than 1e-4 cycles per
-/// side, with strengths by joint least squares; then again in what is left. Waves of less than one cycle per
-/// side are shading, and left out.
+/// side, with strengths by joint least squares and the mean of what the waves leave; then again in what is
+/// left. Waves of less than one cycle per side are shading, and left out.
 /// @param mask one channel of the image's size, or {}: pixels where it is 0 do not count.
 /// @param check called every few milliseconds; may throw.
 WaveModel findWaves(const ImageView& image, const PlaneView& mask, const WaveOptions& options,

@@ -4913,10 +4913,6 @@
         <translation>Die Abbildungen 5.31 bis 5.35 aus Raads Dissertation an freien Vorlagen: Holz und Fels, entlang einer und beider Achsen gebogen. Von Weitem bleiben sie einander sehr ähnlich.</translation>
     </message>
     <message>
-        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, each three times.</source>
-        <translation>Die Abbildungen 5.36 bis 5.41 aus Raads Dissertation an freien Vorlagen: Streifen von Fels, Metall und Holz in neuer Ordnung, dann Quadrate von Fels und Metall, je dreimal.</translation>
-    </message>
-    <message>
         <source>First</source>
         <translation>Erste</translation>
     </message>
@@ -5831,6 +5827,62 @@
     <message>
         <source>It is grain, alike over no more than {:.0f} px, so methods that keep statistics come first.</source>
         <translation>Es ist Korn, über höchstens {:.0f} px hinweg ähnlich; deshalb stehen Verfahren vorn, die Statistik erhalten.</translation>
+    </message>
+    <message>
+        <source>A region cloned without a seam</source>
+        <translation>Ein Bereich, nahtlos eingesetzt</translation>
+    </message>
+    <message>
+        <source>Cohen and others 2003: 16, 81 and 256 tiles of two, three and four colours an axis, then the 8 of a compact set. What strikes the eye comes back less often the more tiles there are.</source>
+        <translation>Cohen und andere 2003: 16, 81 und 256 Kacheln aus zwei, drei und vier Farben je Achse, dann die 8 eines kompakten Satzes. Was ins Auge fällt, kehrt umso seltener wieder, je mehr Kacheln es gibt.</translation>
+    </message>
+    <message>
+        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
+        <translation>Abbildungen 5.36 bis 5.41 aus Raads Dissertation an freien Vorlagen: Streifen von Fels, Metall und Holz in neuer Folge, dann Quadrate von Fels und Metall, Quadrate zweier Vorlagen zusammen und ein Chaos-Mosaik von Schotter, jeweils dreimal.</translation>
+    </message>
+    <message>
+        <source>Figures 5.43 and 5.44 of Raad&apos;s thesis on free exemplars: of two images, each pixel gets the stronger gradient. The first gives its colours, the second its marks; with free borders, as printed, shades may drift.</source>
+        <translation>Abbildungen 5.43 und 5.44 aus Raads Dissertation an freien Vorlagen: Von zwei Bildern bekommt jedes Pixel den stärkeren Gradienten. Das erste gibt seine Farben, das zweite seine Spuren; mit freiem Rand, wie gedruckt, können Helligkeiten abdriften.</translation>
+    </message>
+    <message>
+        <source>Fourier mask: how much the waves count</source>
+        <translation>Fourier-Maske: wie viel die Wellen zählen</translation>
+    </message>
+    <message>
+        <source>Graph cuts: three ways to place a patch</source>
+        <translation>Graphenschnitt: drei Arten, ein Stück zu legen</translation>
+    </message>
+    <message>
+        <source>Kwatra and others 2003: the exemplar pasted at random, where all of it fits, or where a square of it does; then the worst seams mended more and more often.</source>
+        <translation>Kwatra und andere 2003: die Vorlage beliebig eingesetzt, wo sie als Ganzes passt oder wo ein Quadrat von ihr passt; dann die schlimmsten Nähte immer öfter ausgebessert.</translation>
+    </message>
+    <message>
+        <source>Liu, Tsin and Lin 2005 stitch whole tiles along the lattice, beside blocks at random; Liu 2004 draws every tile&apos;s colours anew from the principal components of all of them.</source>
+        <translation>Liu, Tsin und Lin 2005 nähen ganze Kacheln längs des Gitters zusammen, daneben zufällige Blöcke; Liu 2004 zieht die Farben jeder Kachel neu aus den Hauptkomponenten aller.</translation>
+    </message>
+    <message>
+        <source>Mixed by gradients: a plain material and one with marks</source>
+        <translation>Nach Gradienten gemischt: ein schlichtes Material und eines mit Spuren</translation>
+    </message>
+    <message>
+        <source>Nicoll and others 2005: patches that follow the exemplar&apos;s waves not at all, as much as their overlaps, and more. Rows and columns keep their order over the whole output.</source>
+        <translation>Nicoll und andere 2005: Stücke, die den Wellen der Vorlage gar nicht folgen, so sehr wie ihren Überlappungen, und mehr. Reihen und Spalten behalten über die ganze Ausgabe ihre Ordnung.</translation>
+    </message>
+    <message>
+        <source>The middle of one image in another: with its own structure, with the stronger structure of both, and pasted as it is, which shows what the equation does.</source>
+        <translation>Die Mitte eines Bildes in einem anderen: mit ihrer eigenen Struktur, mit der stärkeren beider und eingefügt, wie sie ist, was zeigt, was die Gleichung leistet.</translation>
+    </message>
+    <message>
+        <source>Tiles of a regular texture: whole, and varied in colour</source>
+        <translation>Kacheln einer regelmäßigen Textur: ganz, und in den Farben verändert</translation>
+    </message>
+    <message>
+        <source>Wang tiles: more colours, more tiles</source>
+        <translation>Wang-Kacheln: mehr Farben, mehr Kacheln</translation>
+    </message>
+    <message>
+        <source>{} edits one image and joins no two; leave it to the edits of an exemplar.</source>
+        <translation>{} bearbeitet ein Bild und verbindet keine zwei; es gehört zu den Bearbeitungen einer Vorlage.</translation>
     </message>
 </context>
 <context>

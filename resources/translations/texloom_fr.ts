@@ -4913,10 +4913,6 @@
         <translation>Les figures 5.31 à 5.35 de la thèse de Raad sur des exemplaires libres : bois et roche courbés selon un axe et selon les deux. De plus loin, ils restent très semblables.</translation>
     </message>
     <message>
-        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, each three times.</source>
-        <translation>Les figures 5.36 à 5.41 de la thèse de Raad sur des exemplaires libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, trois fois chacun.</translation>
-    </message>
-    <message>
         <source>First</source>
         <translation>Premier</translation>
     </message>
@@ -5831,6 +5827,62 @@
     <message>
         <source>It is grain, alike over no more than {:.0f} px, so methods that keep statistics come first.</source>
         <translation>C&apos;est du grain, semblable sur {:.0f} px au plus ; les méthodes qui gardent les statistiques viennent donc en premier.</translation>
+    </message>
+    <message>
+        <source>A region cloned without a seam</source>
+        <translation>Une région clonée sans couture</translation>
+    </message>
+    <message>
+        <source>Cohen and others 2003: 16, 81 and 256 tiles of two, three and four colours an axis, then the 8 of a compact set. What strikes the eye comes back less often the more tiles there are.</source>
+        <translation>Cohen et autres 2003 : 16, 81 et 256 tuiles de deux, trois et quatre couleurs par axe, puis les 8 d’un jeu compact. Ce qui saute aux yeux revient d’autant moins qu’il y a plus de tuiles.</translation>
+    </message>
+    <message>
+        <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
+        <translation>Figures 5.36 à 5.41 de la thèse de Raad sur des exemples libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, carrés de deux exemples ensemble, et une mosaïque chaotique de ballast, trois fois chacun.</translation>
+    </message>
+    <message>
+        <source>Figures 5.43 and 5.44 of Raad&apos;s thesis on free exemplars: of two images, each pixel gets the stronger gradient. The first gives its colours, the second its marks; with free borders, as printed, shades may drift.</source>
+        <translation>Figures 5.43 et 5.44 de la thèse de Raad sur des exemples libres : de deux images, chaque pixel reçoit le gradient le plus fort. La première donne ses couleurs, la seconde ses marques ; avec des bords libres, comme imprimé, les teintes peuvent dériver.</translation>
+    </message>
+    <message>
+        <source>Fourier mask: how much the waves count</source>
+        <translation>Masque de Fourier : le poids des ondes</translation>
+    </message>
+    <message>
+        <source>Graph cuts: three ways to place a patch</source>
+        <translation>Coupes de graphe : trois façons de placer un morceau</translation>
+    </message>
+    <message>
+        <source>Kwatra and others 2003: the exemplar pasted at random, where all of it fits, or where a square of it does; then the worst seams mended more and more often.</source>
+        <translation>Kwatra et autres 2003 : l’exemple collé au hasard, là où il convient en entier, ou là où l’un de ses carrés convient ; puis les pires coutures réparées de plus en plus souvent.</translation>
+    </message>
+    <message>
+        <source>Liu, Tsin and Lin 2005 stitch whole tiles along the lattice, beside blocks at random; Liu 2004 draws every tile&apos;s colours anew from the principal components of all of them.</source>
+        <translation>Liu, Tsin et Lin 2005 cousent des tuiles entières le long du réseau, à côté de blocs au hasard ; Liu 2004 retire les couleurs de chaque tuile des composantes principales de toutes.</translation>
+    </message>
+    <message>
+        <source>Mixed by gradients: a plain material and one with marks</source>
+        <translation>Mélange par gradients : une matière sobre et une marquée</translation>
+    </message>
+    <message>
+        <source>Nicoll and others 2005: patches that follow the exemplar&apos;s waves not at all, as much as their overlaps, and more. Rows and columns keep their order over the whole output.</source>
+        <translation>Nicoll et autres 2005 : des morceaux qui ne suivent pas du tout les ondes de l’exemple, autant que leurs recouvrements, puis davantage. Rangées et colonnes gardent leur ordre sur toute la sortie.</translation>
+    </message>
+    <message>
+        <source>The middle of one image in another: with its own structure, with the stronger structure of both, and pasted as it is, which shows what the equation does.</source>
+        <translation>Le milieu d’une image dans une autre : avec sa propre structure, avec la plus forte des deux, et collé tel quel, ce qui montre ce que fait l’équation.</translation>
+    </message>
+    <message>
+        <source>Tiles of a regular texture: whole, and varied in colour</source>
+        <translation>Tuiles d’une texture régulière : entières, et de couleurs variées</translation>
+    </message>
+    <message>
+        <source>Wang tiles: more colours, more tiles</source>
+        <translation>Tuiles de Wang : plus de couleurs, plus de tuiles</translation>
+    </message>
+    <message>
+        <source>{} edits one image and joins no two; leave it to the edits of an exemplar.</source>
+        <translation>{} modifie une image et n’en joint pas deux ; laissez-le aux retouches d’un exemple.</translation>
     </message>
 </context>
 <context>

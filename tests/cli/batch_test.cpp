@@ -115,4 +115,41 @@ TEST_F(Batch, RefusesABrokenFileWithOneLine) {
     EXPECT_EQ(m_folder.entries(), 2);
 }
 
+TEST_F(Batch, JoinsImagesByATool) {
+    writeImage(m_folder / "moss.png", noise({60, 44}, 3, 2), {});
+    const Json join = {
+        {"tool", "poisson-mix"},
+        {"exemplars",
+         {{{"file", "bark.png"}}, {{"file", "moss.png"}, {"edits", {{{"crop", {4, 0, 48, 44}}}}}}}}};
+    write({{{"join", join}, {"output", "mixed_$preference.png"}, {"sweep", {{"preference", {1, 4}}}}}});
+    Ended ended = run({"--quiet"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    Image moss = readImage(m_folder / "moss.png").image;
+    moss = Image(moss.view().crop(4, 0, {48, 44}));
+    writeImage(m_folder / "cropped.png", moss, {});
+    for (const char* preference : {"1", "4"}) {
+        const std::string mixed = std::string("mixed_") + preference + ".png";
+        ended = runCli({"poisson-mix", "bark.png", "cropped.png", "-o", "alone.png", "--preference",
+                        preference, "--overwrite", "--quiet"},
+                       m_folder.path());
+        ASSERT_EQ(ended.status, 0) << ended.err;
+        EXPECT_TRUE(samePixels(readImage(m_folder / mixed).image, readImage(m_folder / "alone.png").image));
+    }
+    EXPECT_FALSE(
+        samePixels(readImage(m_folder / "mixed_1.png").image, readImage(m_folder / "mixed_4.png").image));
+    EXPECT_FALSE(has("mixed_1.json"));
+    // A run must not write over what another one reads.
+    write({{{"join", join}, {"output", "moss.png"}}});
+    ended = run({"--quiet"});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_THAT(ended.err, HasSubstr("moss.png"));
+    // Pictures that cannot be joined are that run's failure.
+    write({{{"join",
+             {{"tool", "poisson-mix"}, {"exemplars", {{{"file", "bark.png"}}, {{"file", "moss.png"}}}}}},
+            {"output", "sizes.png"}}});
+    ended = run({"--quiet"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_THAT(ended.err, HasSubstr("60 × 44 px"));
+}
+
 } // namespace texloom::test

@@ -36,6 +36,64 @@ TEST_F(Blending, joinsTwoImagesInEveryWay) {
         }
 }
 
+TEST_F(Blending, mixesByGradients) {
+    // A constant has no gradient that is longer than another: what it is mixed with stays.
+    writeImage(m_folder / "plain.png", constant({64, 60}, 3, 0.4F), {});
+    for (const char* border : {"free", "first", "wrap"}) {
+        const Ended ended = runCli({"poisson-mix", "a.png", "plain.png", "-o", "out.png", "--border", border,
+                                    "--overwrite", "--quiet"},
+                                   m_folder.path());
+        ASSERT_EQ(ended.status, 0) << ended.err;
+        const Image out = image("out.png"), a = image("a.png");
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 64; ++x)
+                ASSERT_NEAR(out(x, y, 1), a(x, y, 1), 1.01 / 255) << border;
+    }
+}
+
+TEST_F(Blending, clonesAMaskedRegionAndNothingElse) {
+    Image mask = constant({64, 60}, 1, 1);
+    for (int y = 20; y < 40; ++y)
+        for (int x = 10; x < 30; ++x)
+            mask(x, y, 0) = 0;
+    writeImage(m_folder / "mask.png", mask, {});
+    const Ended ended = runCli({"poisson-clone", "a.png", "b.png", "-o", "out.png", "--mask", "mask.png",
+                                "--offset-x", "15", "--offset-y", "-5", "--quiet"},
+                               m_folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const Image out = image("out.png"), a = image("a.png");
+    int changed = 0;
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const bool inside = x >= 25 && x < 45 && y >= 15 && y < 35;
+            if (!inside) {
+                ASSERT_EQ(out(x, y, 0), a(x, y, 0)) << x << ", " << y;
+            } else
+                changed += out(x, y, 0) != a(x, y, 0) ? 1 : 0;
+        }
+    EXPECT_GT(changed, 200);
+}
+
+TEST_F(Blending, refusesToJoinWhatDiffers) {
+    writeImage(m_folder / "grey.png", noise({64, 60}, 1), {});
+    const auto complaint = [&](const std::vector<std::string>& arguments) {
+        const Ended ended = runCli(arguments, m_folder.path());
+        EXPECT_EQ(ended.status, 2);
+        EXPECT_EQ(ended.complaints(), 1);
+        return ended.err;
+    };
+    EXPECT_THAT(complaint({"poisson-mix", "a.png", "small.png", "-o", "out.png"}),
+                testing::AllOf(HasSubstr("64 × 60 px"), HasSubstr("32 × 30 px")));
+    EXPECT_THAT(complaint({"poisson-mix", "a.png", "grey.png", "-o", "out.png"}),
+                testing::AllOf(HasSubstr("3 channels"), HasSubstr("1;")));
+    EXPECT_THAT(complaint({"poisson-clone", "a.png", "grey.png", "-o", "out.png"}), HasSubstr("3 channels"));
+    EXPECT_THAT(complaint({"poisson-clone", "a.png", "b.png", "-o", "out.png", "--offset-x", "70"}),
+                HasSubstr("64 × 60 px"));
+    EXPECT_THAT(complaint({"poisson-mix", "a.png", "b.png", "-o", "out.png", "--preference", "11"}),
+                testing::AllOf(HasSubstr("11"), HasSubstr("0.1 to 10")));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "out.png"));
+}
+
 TEST_F(Blending, refusesWhatItCannotBlend) {
     const auto complaint = [&](const std::vector<std::string>& more) {
         std::vector<std::string> arguments = {"blend", "a.png"};

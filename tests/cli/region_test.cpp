@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace texloom::test {
 namespace {
 
@@ -83,6 +85,79 @@ TEST_F(Regions, WriteWhatDoesNotFitInMemoryStripByStrip) {
     const Ended none = synth({"--memory", "1"}, "no.png");
     EXPECT_EQ(none.status, 1);
     EXPECT_THAT(none.err, HasSubstr("MiB"));
+}
+
+TEST_F(Regions, OfTheLargeToolsEqualTheWholeAndTakeLittleMemory) {
+    const std::vector<std::vector<std::string>> tools = {{"wang-tiles", "--set", "tile=24"},
+                                                         {"anamorphosis", "--set", "kind=turbulence"},
+                                                         {"regular-tile"},
+                                                         {"random-mosaic", "--set", "stitch=cut"}};
+    for (const std::vector<std::string>& tool : tools) {
+        const auto made = [&](const std::vector<std::string>& more, const std::string& output) {
+            std::vector<std::string> arguments = {"synth",  "",          "tiles.png", "-o",         output,
+                                                  "--size", "1000x8000", "--report",  "report.json"};
+            arguments[1] = tool.front();
+            arguments.insert(arguments.end(), tool.begin() + 1, tool.end());
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            const Ended ended = runCli(arguments, m_folder.path());
+            EXPECT_EQ(ended.status, 0) << tool.front() << ": " << ended.err;
+            return Json::parse(readText(m_folder / "report.json")).at("estimate").at("bytes").get<double>();
+        };
+        const double whole = made({}, "whole.tif");
+        EXPECT_LT(made({"--memory", "190"}, "strips.tif"), 0.7 * whole) << tool.front();
+        made({"--region", "700,5000,90,120", "--memory", "190"}, "part.tif");
+        const Image all = image("whole.tif");
+        EXPECT_TRUE(samePixels(image("strips.tif"), all)) << tool.front();
+        EXPECT_TRUE(samePixels(image("part.tif"), all.view().crop(700, 5000, {90, 120}))) << tool.front();
+    }
+}
+
+TEST_F(Regions, GiveTheTileSetToOtherProgramsWithItsCompanions) {
+    const Ended ended = runCli({"synth", "wang-tiles", "tiles.png", "-o", "out.png", "--size", "100", "--set",
+                                "tile=20", "--save", "tile-sheet=sheet.png", "--save", "tile=tile.png",
+                                "--save", "tile-sheet-map=sheet.exr", "--save", "tile-table=table.json"},
+                               m_folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    ASSERT_EQ(runCli({"apply", "sheet.exr", "tiles_normal.png", "-o", "normals.png"}, m_folder.path()).status,
+              0);
+    ASSERT_EQ(runCli({"apply", "sheet.exr", "tiles.png", "-o", "again.png"}, m_folder.path()).status, 0);
+    const Image sheet = image("sheet.png");
+    EXPECT_TRUE(samePixels(image("again.png"), sheet));
+    EXPECT_EQ(image("normals.png").size(), sheet.size());
+    const Json table = Json::parse(readText(m_folder / "table.json"));
+    const Json &edges = table.at("arrays").at("edges"), &places = table.at("arrays").at("places");
+    ASSERT_EQ(edges.size(), 16U);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::string number = i == 0 ? "" : "-" + std::to_string(i + 1);
+        const int x = places[i][0], y = places[i][1];
+        EXPECT_TRUE(samePixels(image("tile" + number + ".png"), sheet.view().crop(x, y, {20, 20}))) << i;
+        // An engine that lays tiles by the table finds the one with the colours it asks for.
+        const Json& edge = edges[i];
+        EXPECT_EQ(table.at("arrays").at("numbers")[edge[0].get<std::size_t>()][edge[1].get<std::size_t>()]
+                                                  [edge[2].get<std::size_t>()][edge[3].get<std::size_t>()],
+                  i);
+    }
+}
+
+TEST_F(Regions, AnSTMapLaysOutAnotherMapAsTheImage) {
+    const Ended ended =
+        runCli({"synth", "anamorphosis", "tiles.png", "-o", "out.png", "--size", "96x90", "--set",
+                "kind=turbulence", "--set", "amplitude=0.4", "--save", "stmap=st.exr"},
+               m_folder.path());
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    ASSERT_EQ(runCli({"apply", "st.exr", "tiles.png", "-o", "again.png"}, m_folder.path()).status, 0);
+    const Image out = image("out.png"), again = image("again.png"), before = image("tiles.png");
+    const auto apart = [&](const Image& other) {
+        double squares = 0;
+        for (int y = 0; y < out.height(); ++y)
+            for (int x = 0; x < out.width(); ++x)
+                squares +=
+                    std::pow(static_cast<double>(out(x, y, 1)) - static_cast<double>(other(x, y, 1)), 2);
+        return std::sqrt(squares / static_cast<double>(out.size().area()));
+    };
+    ASSERT_EQ(again.size(), out.size());
+    EXPECT_LT(apart(again), 1.0 / 255);
+    EXPECT_GT(apart(Image(before.view())), 10.0 / 255);
 }
 
 TEST_F(Regions, NotesSayWhatTheMethodDecided) {

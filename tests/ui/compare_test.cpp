@@ -1,7 +1,9 @@
 #include "core/base/error.h"
 #include "core/io/image_file.h"
 #include "core/session/batch/batch.h"
+#include "core/session/batch/join_input.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/blend/blend_window.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
@@ -97,7 +99,11 @@ private Q_SLOTS:
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 const BatchItem item = batch.item(i);
                 QVERIFY2(item.problem == Message(), qPrintable(translated(item.problem)));
-                planRun(loadRecipe(item.whole()));
+                if (item.join != nullptr) {
+                    const JoinInput joined = loadJoin(item);
+                    joined.tool->checkJoin(joined.pictures(), joined.settings);
+                } else
+                    planRun(loadRecipe(item.whole()));
             }
         }
     }
@@ -116,6 +122,28 @@ private Q_SLOTS:
                                [](const CompareItem& item) { return !item.key.empty(); });
         };
         QTRY_VERIFY_WITH_TIMEOUT(made(), kPatience);
+        QVERIFY2(window.store()->entries().empty(), "what is open stays as it is");
+    }
+
+    void aShippedJoinOpensTheWindowThatBlends() {
+        MainWindow window;
+        window.show();
+        trigger(window, "sweep-poisson-mix");
+        const auto opened = [&] { return window.findChild<BlendWindow*>(QStringLiteral("blendWindow")); };
+        QTRY_VERIFY(opened());
+        BlendWindow* const blend = opened();
+        QVERIFY(blend->tool().id() == "poisson-mix");
+        QCOMPARE(child<QComboBox>(*blend, "blendFirst")->currentText(), QStringLiteral("plank_wall_dark"));
+        QCOMPARE(child<QComboBox>(*blend, "blendSecond")->currentText(),
+                 QStringLiteral("riveted_metal_stained_albedo"));
+        // Each file is offered once, though most are in several pairs.
+        QStringList offered;
+        for (int i = 0; i < 7; ++i)
+            offered += child<QComboBox>(*blend, "blendFirst")->itemText(i);
+        QCOMPARE(offered.removeDuplicates(), 0);
+        QVERIFY(offered.contains(QStringLiteral("rock_strata_large")));
+        for (const std::size_t way : {0, 1, 2, 3})
+            QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(way)->picture(), kPatience);
         QVERIFY2(window.store()->entries().empty(), "what is open stays as it is");
     }
 

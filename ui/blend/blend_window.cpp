@@ -146,6 +146,13 @@ void BlendWindow::setTool(const Tool& tool) {
     changed();
 }
 
+void BlendWindow::setValues(const Values& values) {
+    for (const Row& row : m_rows)
+        if (const auto value = values.find(row.param->name()); value != values.end())
+            row.editor->setValue(value->second);
+    changed();
+}
+
 /// An editor for each parameter that no way sets.
 void BlendWindow::makeRows() {
     m_rows.clear();

@@ -40,6 +40,8 @@ public:
     /// Takes another tool that joins.
     void setTool(const Tool& tool);
     const Tool& tool() const { return *m_tool; }
+    /// Sets the parameters that no way sets by itself.
+    void setValues(const Values& values);
     /// The picture of one of the tool's ways, by number.
     ImageViewer* viewer(std::size_t way) const { return m_cells.at(way).viewer; }
     /// What went wrong, or what to do first; empty if all is well.

@@ -64,15 +64,21 @@ struct Loaded {
     QString title;
     std::vector<GridEntry> entries;
     std::vector<CompareItem> first; ///< what the first run learns from
+    std::vector<JoinInput> joins;   ///< instead of all these, of a batch that joins images
 };
 
 Loaded loaded(const QString& path) {
     const Batch batch = batchIn(path);
-    Loaded all{translated(batch.title), {}, {}};
+    Loaded all{translated(batch.title), {}, {}, {}};
     for (std::size_t i = 0; i < batch.size(); ++i) {
         const BatchItem item = batch.item(i);
-        all.entries.push_back({labelOf(item), loadRecipe(item.whole())});
+        if (item.join != nullptr)
+            all.joins.push_back(loadJoin(item));
+        else
+            all.entries.push_back({labelOf(item), loadRecipe(item.whole())});
     }
+    if (all.entries.empty())
+        return all;
     const RunInput& first = all.entries.front().input;
     for (const RunExemplar& exemplar : first.exemplars) {
         add(exemplar.inputs, all.first);
@@ -118,7 +124,12 @@ void ExampleSweeps::fill() {
 void ExampleSweeps::start(const QString& path) {
     inBackground(
         this, [path] { return loaded(path); },
-        [this](const Loaded& all) { Q_EMIT chosen(all.title, all.entries, all.first); },
+        [this](const Loaded& all) {
+            if (all.joins.empty())
+                Q_EMIT chosen(all.title, all.entries, all.first);
+            else
+                Q_EMIT joinsChosen(all.joins);
+        },
         [this](const QString& why) { Q_EMIT failed(why); });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/batch/join_input.h"
 #include "ui/compare/compare_item.h"
 #include "ui/compare/grid_run.h"
 
@@ -24,6 +25,8 @@ Q_SIGNALS:
     /// One was chosen. @param first the pictures that its runs learn from.
     void chosen(const QString& title, const std::vector<texloom::ui::GridEntry>& entries,
                 const std::vector<texloom::ui::CompareItem>& first);
+    /// One was chosen that joins images by a tool.
+    void joinsChosen(const std::vector<texloom::JoinInput>& joins);
     void failed(const QString& sentence);
 
 private:

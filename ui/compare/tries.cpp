@@ -84,6 +84,7 @@ Tries::Tries(RunDesk* desk, const ExemplarStore* store, Comparisons* comparisons
     connect(m_some, &QAction::triggered, this, &Tries::trySome);
     connect(m_sweep, &QAction::triggered, this, &Tries::startSweep);
     connect(examples, &ExampleSweeps::failed, this, &Tries::failed);
+    connect(examples, &ExampleSweeps::joinsChosen, this, &Tries::joinsWanted);
     connect(examples, &ExampleSweeps::chosen, this,
             [this](const QString& title, const std::vector<GridEntry>& entries,
                    const std::vector<CompareItem>& first) {

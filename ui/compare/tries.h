@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/session/batch/join_input.h"
 #include "core/session/run/run.h"
 
 #include <QObject>
@@ -50,6 +51,8 @@ public:
 Q_SIGNALS:
     /// Something could not be read; the sentence says why.
     void failed(const QString& sentence);
+    /// Images are to be joined by a tool, as an example does.
+    void joinsWanted(const std::vector<texloom::JoinInput>& joins);
 
 private:
     void trySome();

@@ -26,6 +26,7 @@ class QStackedWidget;
 
 namespace texloom::ui {
 
+class BlendWindow;
 class Comparisons;
 class CompareView;
 class Document;
@@ -130,6 +131,7 @@ private:
     QMenu* makeSolidMenu();
     std::vector<NamedImage> images() const;
     std::vector<NamedImage> earlierResults();
+    BlendWindow* openBlend(std::vector<NamedImage> first);
     void restoreLayout();
     void makeDocument();
     void connectRecovery();

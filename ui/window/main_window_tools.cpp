@@ -1,5 +1,7 @@
+#include "core/image/selection.h"
 #include "ui/blend/blend_window.h"
 #include "ui/common/message_bar.h"
+#include "ui/compare/tries.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
@@ -11,6 +13,9 @@
 #include "ui/window/main_window.h"
 
 #include <QComboBox>
+
+#include <algorithm>
+#include <utility>
 
 namespace texloom::ui {
 
@@ -76,15 +81,31 @@ void MainWindow::connectLattice() {
             [this](const QString& id) { m_method->setCurrentIndex(m_method->findData(id)); });
 }
 
+/// @param first images to choose from before those that are open and those made earlier.
+BlendWindow* MainWindow::openBlend(std::vector<NamedImage> first) {
+    for (const std::vector<NamedImage>& more : {images(), earlierResults()})
+        first.insert(first.end(), more.begin(), more.end());
+    auto* window = new BlendWindow(first, this);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    connect(window, &BlendWindow::exemplarWanted, this, [this](const QString& path) { openFiles({path}); });
+    return window;
+}
+
 void MainWindow::connectTools() {
-    connect(m_actions.blend, &QAction::triggered, this, [this] {
-        std::vector<NamedImage> all = images();
-        const std::vector<NamedImage> earlier = earlierResults();
-        all.insert(all.end(), earlier.begin(), earlier.end());
-        auto* window = new BlendWindow(all, this);
-        window->setAttribute(Qt::WA_DeleteOnClose);
-        connect(window, &BlendWindow::exemplarWanted, this,
-                [this](const QString& path) { openFiles({path}); });
+    connect(m_actions.blend, &QAction::triggered, this, [this] { openBlend({})->show(); });
+    connect(m_tries, &Tries::joinsWanted, this, [this](const std::vector<JoinInput>& joins) {
+        // Those of the first join come first, so that they are chosen.
+        std::vector<NamedImage> all;
+        for (const JoinInput& join : joins)
+            for (const ExemplarFile* file : {&join.first, &join.second})
+                if (std::none_of(all.begin(), all.end(),
+                                 [&](const NamedImage& known) { return known.file.path == file->path; }))
+                    all.push_back({QString::fromStdString(file->name()), *file});
+        BlendWindow* const window = openBlend(std::move(all));
+        window->setTool(*joins.front().tool);
+        window->setValues(joins.front().settings);
+        if (joins.front().region)
+            window->setRegion(selections::inverted(*joins.front().region));
         window->show();
     });
     connect(m_actions.stress, &QAction::triggered, this, [this] {

@@ -8,6 +8,7 @@
 #include "core/session/batch/combinations.h"
 #include "core/session/export/name_template.h"
 #include "core/session/session.h"
+#include "core/tools/tool.h"
 
 #include <fmt/format.h>
 
@@ -35,7 +36,8 @@ struct Axis {
 struct Read {
     Recipe recipe; ///< without its exemplars
     std::shared_ptr<const std::vector<RecipeExemplar>> exemplars;
-    std::string name; ///< see Recipe::name()
+    const Tool* join = nullptr; ///< where a tool joins the exemplars
+    std::string name;           ///< see Recipe::name()
     Message problem;
 };
 
@@ -78,6 +80,26 @@ SharedRead recipeFrom(const JsonField& field, const fs::path& folder, ReadFiles&
     return known->second;
 }
 
+/// Two images to be joined by a tool, as a recipe whose only step is that tool.
+SharedRead joinFrom(const JsonField& field, const fs::path& folder) {
+    field.needObject();
+    field.only({"tool", "exemplars", "parameters"});
+    const Tool& tool = findTool(field.at("tool").text());
+    if (!tool.joins())
+        failUsage("{} edits one image and joins no two; leave it to the edits of an exemplar.", tool.id());
+    field.at("exemplars").needArray(2, 2);
+    const auto read = readRecipe([&] {
+        Recipe recipe;
+        recipe.steps = {{tool.id(), field.has("parameters") ? field.at("parameters").values() : Values{}}};
+        tool.resolved(recipe.steps.front().parameters);
+        recipe.exemplars = exemplarsFrom(field.at("exemplars"), folder);
+        return recipe;
+    });
+    Read joined = *read;
+    joined.join = &tool;
+    return std::make_shared<const Read>(std::move(joined));
+}
+
 std::vector<Axis> axesFrom(const JsonField& field) {
     field.needObject();
     std::vector<Axis> axes;
@@ -110,9 +132,13 @@ std::string nameText(const Json& value) {
 }
 
 /// Puts one value of a sweep into a recipe. @throws UsageError
-void set(Recipe& recipe, const std::string& name, const Json& value) {
+void set(Recipe& recipe, const Tool* join, const std::string& name, const Json& value) {
     const Json named = {{name, value}};
     const JsonField field = JsonField("sweep", named).at(name);
+    if (join != nullptr) {
+        recipe.steps.front().parameters[name] = join->param(name).checked(field.value());
+        return;
+    }
     if (name == "seed") {
         if (!value.is_number_unsigned())
             field.wrong(TR("a whole number from 0 to 18446744073709551615"));
@@ -188,10 +214,16 @@ struct Batch::Run {
 
 Batch::Run Batch::Run::from(const JsonField& field, const fs::path& folder, ReadFiles& files) {
     field.needObject();
-    field.only(
-        {"title", "recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
     Run run;
-    run.read = recipeFrom(field.at("recipe"), folder, files);
+    if (field.has("join")) { // a picture alone is written
+        field.only({"title", "join", "output", "sweep"});
+        run.read = joinFrom(field.at("join"), folder);
+        run.sidecar = false;
+    } else {
+        field.only(
+            {"title", "recipe", "output", "maps", "report", "depth", "space", "sidecar", "sweep", "seeds"});
+        run.read = recipeFrom(field.at("recipe"), folder, files);
+    }
     run.output = field.at("output").text();
     if (run.output.empty())
         field.at("output").wrong(TR("the name of a file"));
@@ -224,8 +256,8 @@ Combinations Batch::Run::combinations() const {
 }
 
 BatchItem Batch::Run::itemFor(std::size_t combination, std::size_t number, const fs::path& folder) const {
-    BatchItem item{read->recipe, read->exemplars, read->problem, title,  {}, {}, {},
-                   {},           depth,           space,         sidecar};
+    BatchItem item{read->recipe, read->exemplars, read->join, read->problem, title, {}, {}, {},
+                   {},           depth,           space,      sidecar};
     const std::vector<std::size_t> chosen = combinations().at(combination);
     NameWords swept;
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -235,7 +267,7 @@ BatchItem Batch::Run::itemFor(std::size_t combination, std::size_t number, const
         item.cell += (item.cell.empty() ? "" : ", ") + name + "=" + nameText(value);
         try {
             if (item.problem.empty())
-                set(item.recipe, name, value);
+                set(item.recipe, read->join, name, value);
         } catch (const Error& error) {
             item.problem = error.message();
         }
@@ -243,6 +275,8 @@ BatchItem Batch::Run::itemFor(std::size_t combination, std::size_t number, const
     if (variedSeeds)
         item.recipe.seed += combination;
     NameWords words = wordsFor(item.recipe, read->name, number);
+    if (read->join != nullptr && read->exemplars->size() == 2)
+        words["second"] = read->exemplars->back().image.path.stem().string();
     words.merge(swept);
     item.output = namedBy(output, words, folder);
     item.report = namedBy(report, words, folder);

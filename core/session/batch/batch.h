@@ -11,11 +11,16 @@
 
 namespace texloom {
 
+class Tool;
+
 /// One run of a batch: a recipe and the files to write.
 struct BatchItem {
     Recipe recipe; ///< without its exemplars: see whole()
     /// What may be thousands of files is there once for all items of a run.
     std::shared_ptr<const std::vector<RecipeExemplar>> exemplars;
+    /// Joins the two exemplars where this is not a run of methods but of a tool, whose settings are those of
+    /// the recipe's only step; else null.
+    const Tool* join = nullptr;
     Message problem;   ///< why there is no recipe, in one sentence; empty if there is one
     std::string title; ///< of the run that it belongs to; empty where it says nothing
     std::string cell;  ///< "patch=32, seed=7": the place in its sweep, or empty
@@ -40,7 +45,9 @@ struct BatchItem {
 /// gives lists of values to parameters ("patch", or "METHOD.name" for methods that follow), "seed", "size"
 /// and "region" ([x, y, width, height]: parts of an output that may be larger than memory), of which all
 /// combinations are made, the last one fastest; with "seeds": "varied" each combination has a seed of its
-/// own.
+/// own. In place of a recipe, `"join": {"tool": …, "exemplars": [first, second], "parameters": {…}}` joins
+/// two images by a tool; a mask of the second one is the region that the tool takes, $second is its name, and
+/// a sweep goes through the tool's parameters.
 class Batch {
 public:
     /// Version of the format that this build writes and the newest it reads.

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/job/memory.h"
 #include "core/session/batch/batch.h"
+#include "core/session/batch/join_input.h"
 #include "core/session/export/name_template.h"
 #include "tests/core/refusal.h"
 #include "tests/support/says.h"
@@ -66,6 +67,40 @@ TEST(Batch, MaySayWhatItShowsAndWriteElsewhere) {
     EXPECT_EQ(told.item(0).title, "Small ones");
     EXPECT_EQ(told.item(0).output, "/made/out/bark.png");
     EXPECT_EQ(told.item(0).whole().exemplars.front().image.path, "/data/bark.png");
+}
+
+TEST(Batch, JoinsTwoImagesByATool) {
+    const std::string two = R"("exemplars": [{"file": "bark.png", "edits": [{"crop": [0, 0, 9, 9]}]},
+                                             {"file": "in/moss.png"}])";
+    const Batch batch = batchOf(R"({"join": {"tool": "poisson-mix", "parameters": {"border": "wrap"}, )" +
+                                two + R"(}, "sweep": {"preference": [1, 2.5]},
+                                    "output": "$name_$second_$method_$preference.png"})");
+    ASSERT_EQ(batch.size(), 2U);
+    const BatchItem item = batch.item(1);
+    EXPECT_EQ(item.problem, Message());
+    EXPECT_EQ(item.join, &findTool("poisson-mix"));
+    EXPECT_EQ(item.output, "/data/bark_moss_poisson-mix_2.5.png");
+    EXPECT_EQ(std::get<double>(item.recipe.steps.front().parameters.at("preference")), 2.5);
+    EXPECT_EQ(std::get<std::string>(item.recipe.steps.front().parameters.at("border")), "wrap");
+    EXPECT_EQ(item.whole().exemplars.back().image.path, "/data/in/moss.png");
+    EXPECT_EQ(item.whole().exemplars.front().edits.size(), 1U);
+    EXPECT_EQ(batch.sources().size(), 2U);
+    EXPECT_FALSE(item.sidecar);
+    EXPECT_EQ(sweep(R"({"patch": [8]})").item(0).join, nullptr);
+
+    const auto refused = [&](const std::string& join, const std::string& more = "") {
+        return [join, more] { batchOf(R"({"join": {)" + join + R"(}, "output": "a.png")" + more + "}"); };
+    };
+    EXPECT_THAT(refused(R"("tool": "poison-mix", )" + two), usageRefusal("poison-mix"));
+    EXPECT_THAT(refused(R"("tool": "crop", )" + two), usageRefusal("crop", "two"));
+    EXPECT_THAT(refused(R"("tool": "blend", "exemplars": [{"file": "bark.png"}])"),
+                usageRefusal("exemplars"));
+    EXPECT_THAT(refused(R"("tool": "blend", )" + two, R"(, "seeds": "varied")"), usageRefusal("seeds"));
+    // What is wrong with one run's values is that run's problem.
+    const Batch wrong = batchOf(R"({"join": {"tool": "poisson-mix", )" + two +
+                                R"(}, "output": "$index.png", "sweep": {"preference": [1, 99]}})");
+    EXPECT_EQ(wrong.item(0).problem, Message());
+    EXPECT_THAT(wrong.item(1).problem.text(), testing::HasSubstr("99"));
 }
 
 TEST(Batch, SweepsThroughEveryCombination) {

@@ -93,6 +93,41 @@ TEST(AnamorphosisMethod, saysWhatItLoweredTheAmplitudeTo) {
     EXPECT_TRUE(made(requestOf(noise({64, 64}, 1), {64, 64}), with("parabola", 0.95)).notes.empty());
 }
 
+TEST(AnamorphosisMethod, drawsTheCurveOfItsMapAsFigure530) {
+    for (const char* axis : {"x", "y"})
+        for (const char* kind : {"affine", "parabola", "sinusoid"}) {
+            Values settings = with(kind, 0.7);
+            settings["axis"] = std::string(axis);
+            const Synthesis result = made(requestOf(blobs({100, 80}, 3), {100, 80}), settings);
+            ASSERT_EQ(result.pictures.size(), 1U);
+            EXPECT_EQ(result.pictures.front().name.text(), "Curve of the map");
+            const Image& curve = result.pictures.front().image;
+            const int side = curve.width(), length = axis == std::string("x") ? 100 : 80;
+            const Image& stmap = *result.outputs.image(kStMapPort);
+            int apart = 0;
+            for (int at = 4; at + 4 < length; ++at) {
+                // The pixel comes from this place, of the whole; the picture has it upwards.
+                const auto from =
+                    static_cast<double>(axis == std::string("x") ? stmap(at, 40, 0) : 1 - stmap(50, at, 1));
+                const int x = static_cast<int>((at + 0.5) / length * side);
+                const int y = static_cast<int>((1 - from) * side);
+                float darkest = 1;
+                for (int dy = -2; dy <= 2; ++dy)
+                    darkest = std::min(darkest, curve(x, std::clamp(y + dy, 0, side - 1), 1));
+                ASSERT_LT(darkest, 0.2F) << kind << ' ' << axis << ' ' << at;
+                // Elsewhere in the column it is white, or as grey as the diagonal.
+                for (int v = 0; v < side; ++v)
+                    if (std::abs(v - y) > 12) {
+                        ASSERT_GT(curve(x, v, 0), 0.5F) << kind << ' ' << axis << ' ' << at;
+                    }
+                apart += std::abs(y - (side - 1 - x)) > 8 ? 1 : 0;
+            }
+            EXPECT_GT(apart, 10) << kind; // so that it is not the diagonal
+        }
+    const Synthesis swirls = made(requestOf(blobs({100, 80}, 1), {100, 80}), with("turbulence", 0.5));
+    EXPECT_EQ(swirls.pictures.front().name.text(), "Deformed squares");
+}
+
 TEST(AnamorphosisMethod, normalsOfCompanionMapsAreTurnedWithTheSurface) {
     // All vectors lean to the right; each must lean as the rotation in the inverse Jacobian has it.
     const Size size{90, 80};

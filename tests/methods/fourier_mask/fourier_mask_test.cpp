@@ -59,8 +59,7 @@ TEST(Waves, offTheGridAreFoundAndContinued) {
     EXPECT_GT(model.share, 0.9995);
     const Image wanted = sumOf(kThree, {384, 384});
     const Image flat = constant({384, 384}, 1, 0.5F);
-    // A thousandth of a cycle each way is four of them over the output: a fortieth of a radian.
-    EXPECT_LT(deviation(drawnWhole(model, {384, 384}), wanted), 2.5e-2 * deviation(wanted, flat));
+    EXPECT_LT(deviation(drawnWhole(model, {384, 384}), wanted), 1e-2 * deviation(wanted, flat));
 }
 
 TEST(Waves, areFoundInNoiseAndUnderAMask) {

@@ -172,6 +172,45 @@ TEST(RandomMosaic, levellingSolvesItsEquationAndKeepsTheMean) {
     }
 }
 
+TEST(RandomMosaic, whatWrapsIsLevelledOnATorus) {
+    // Each step, over the border too, has its wanted height plus what the solution lacks, whose divergence is
+    // nil.
+    const Image exemplar = blobs({96, 80}, 1);
+    const Request request = requestOf(exemplar, {96, 80}, {true, true});
+    const Synthesis raw = made(request, with("both", "none", 16));
+    Values settings = with("both", "poisson", 16);
+    settings["reach"] = 0.0;
+    const Synthesis level = made(request, settings);
+    EXPECT_EQ(raw.map, level.map);
+    const auto wanted = [&](int x, int y, int dx, int dy) {
+        const Source &a = raw.map.at(x, y), &b = raw.map.at((x + dx) % 96, (y + dy) % 80);
+        double sum = 0;
+        int count = 0;
+        if (a.x + dx < 96 && a.y + dy < 80) {
+            sum += static_cast<double>(exemplar(a.x + dx, a.y + dy, 0) - exemplar(a.x, a.y, 0));
+            ++count;
+        }
+        if (b.x - dx >= 0 && b.y - dy >= 0) {
+            sum += static_cast<double>(exemplar(b.x, b.y, 0) - exemplar(b.x - dx, b.y - dy, 0));
+            ++count;
+        }
+        return count > 0 ? sum / count : 0;
+    };
+    const auto lacks = [&](int x, int y, int dx, int dy) {
+        return static_cast<double>(level.image((x + dx) % 96, (y + dy) % 80, 0) - level.image(x, y, 0)) -
+               wanted(x, y, dx, dy);
+    };
+    double border = 0;
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 96; ++x) {
+            const double divergence = lacks(x, y, 1, 0) - lacks((x + 95) % 96, y, 1, 0) + lacks(x, y, 0, 1) -
+                                      lacks(x, (y + 79) % 80, 0, 1);
+            ASSERT_NEAR(divergence, 0, 1e-5) << x << ", " << y;
+            border = std::max(border, x == 95 ? std::abs(lacks(x, y, 1, 0)) : 0);
+        }
+    EXPECT_GT(border, 1e-4); // what levels joints goes on over the border
+}
+
 /// Mean squared step across joints: left to right, where the exemplar does not go on.
 double squaredJump(const Synthesis& result) {
     double sum = 0, count = 0;
