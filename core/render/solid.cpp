@@ -2,6 +2,7 @@
 
 #include "core/render/lighting.h"
 #include "core/render/visibility.h"
+#include "core/volume/point_colours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,15 +76,15 @@ SolidPicture rendered(const RenderMesh& mesh, const BlockCache& solid, const Sol
     const Visibility visibility(mesh, look.camera, {size.width * samples, size.height * samples}, context);
     const SeenPoints points(mesh, visibility, placement);
     const BlockCache::Samples colours = solid.at(points.voxels(), patience, context);
-    const auto channels = static_cast<std::size_t>(solid.channels());
+    const Image albedos = lightOfPoints(colours.values, static_cast<std::size_t>(solid.channels()));
     const Lighting lighting(light, look);
     const Vector3f eye = look.camera.position();
     const auto shade = [&](int x, int y) -> Eigen::Vector4f {
         const Hit& hit = visibility.at(x, y);
         if (!hit.any())
             return lighting.backdrop(x, y, visibility.size());
-        const float* values = colours.values.data() + points.number(x, y) * channels;
-        Vector3f albedo(values[0], values[channels < 3 ? 0 : 1], values[channels < 3 ? 0 : 2]);
+        const auto point = static_cast<int>(points.number(x, y));
+        Vector3f albedo(albedos(point, 0, 0), albedos(point, 0, 1), albedos(point, 0, 2));
         if (std::isnan(albedo.x()))
             albedo.setConstant(kAwaited);
         if (look.shown == Shown::Lit)

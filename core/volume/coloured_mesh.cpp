@@ -1,8 +1,8 @@
 #include "core/volume/coloured_mesh.h"
 
 #include "core/base/error.h"
-#include "core/color/color_pipeline.h"
 #include "core/io/image_file.h"
+#include "core/volume/point_colours.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -88,21 +88,10 @@ std::string objOf(const Mesh& mesh, const std::vector<float>& colours, const std
     return text;
 }
 
-/// The colours as light, which is what COLOR_0 holds.
-Image lightOf(const std::vector<float>& colours) {
-    const int count = static_cast<int>(colours.size() / 3);
-    Image light({count, 1}, 3);
-    for (int i = 0; i < count; ++i)
-        for (int c = 0; c < 3; ++c)
-            light(i, 0, c) = colours[3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)];
-    color::fromWorking(light, "linear");
-    return light;
-}
-
 std::string glbOf(const Mesh& mesh, const std::vector<float>& colours, const std::string& recipe,
                   const std::function<void()>& check) {
     using Json = nlohmann::json;
-    const Image light = lightOf(colours);
+    const Image light = lightOfPoints(colours, 3); // which is what COLOR_0 holds
     std::string data;
     Json views = Json::array(), accessors = Json::array();
     const auto close = [&](std::size_t begin, int target, int component, const char* type,

@@ -1,3 +1,4 @@
+#include "core/color/color_pipeline.h"
 #include "core/render/solid.h"
 #include "tests/core/render/straight_on.h"
 #include "tests/support/volumes.h"
@@ -37,9 +38,13 @@ Look coloursStraightOn() {
     return look;
 }
 
+/// A picture in the space of the voxels: renders are linear.
 Image picture(const RenderMesh& mesh, const SolidPlacement& placement, const Look& look, int threads = 2) {
     TestContext context(threads);
-    return rendered(mesh, *ramps(), placement, white(context), look, {64, 64}, std::nullopt, context).image;
+    Image seen =
+        rendered(mesh, *ramps(), placement, white(context), look, {64, 64}, std::nullopt, context).image;
+    color::toWorking(seen, "linear");
+    return seen;
 }
 
 double area(const RenderMesh& mesh) {
