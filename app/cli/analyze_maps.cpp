@@ -100,6 +100,7 @@ void analyzeMaps(const MapsOptions& options) {
         views.push_back(*exemplars.emplace_back(loadExemplar(path)).image);
         checkSameChannels(result, exemplars.back());
     }
+    checkMemoryForMaps(result, exemplars);
     const PositionMap map = mapOf(options, result, exemplars);
     checkMapOf(map, result);
     const std::vector<Image> occurrences = occurrencesOf(map, checkInterrupt);

@@ -85,6 +85,7 @@ void analyzeQuality(const QualityOptions& options) {
     std::vector<ExemplarFile> exemplars;
     for (const std::filesystem::path& path : options.exemplars)
         checkSameChannels(result, exemplars.emplace_back(loadExemplar(path)));
+    checkMemoryForMaps(result, exemplars);
     const std::optional<PositionMap> map = givenMap(options, result, exemplars);
     std::vector<Figure> figures = measured(result, exemplars, map ? &*map : nullptr);
     if (map)
@@ -94,6 +95,19 @@ void analyzeQuality(const QualityOptions& options) {
 }
 
 } // namespace
+
+void checkMemoryForMaps(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars) {
+    std::vector<Size> sizes;
+    std::uint64_t occurrences = 0;
+    for (const ExemplarFile& exemplar : exemplars) {
+        sizes.push_back(exemplar.image->size());
+        occurrences += Image::bytesFor(sizes.back(), 1);
+    }
+    const Size size = result.image->size();
+    checkEnoughMemory(result.name(), size,
+                      occurrences + PositionMap::bytesFor(size) +
+                          estimatedMapBytes(size, sizes, result.image->channels()));
+}
 
 void printFigures(const std::vector<Figure>& figures, bool asJson) {
     if (asJson) {

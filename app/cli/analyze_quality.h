@@ -17,6 +17,8 @@ void addAnalyzeQuality(CLI::App& analyze);
 void printFigures(const std::vector<Figure>& figures, bool asJson);
 /// @throws UsageError if two images that are to be compared differ in channels.
 void checkSameChannels(const ExemplarFile& result, const ExemplarFile& exemplar);
+/// @throws Error if maps of a result and their figures would not fit into memory.
+void checkMemoryForMaps(const ExemplarFile& result, const std::vector<ExemplarFile>& exemplars);
 /// @throws UsageError if a map is not of a result's size.
 void checkMapOf(const PositionMap& map, const ExemplarFile& result);
 

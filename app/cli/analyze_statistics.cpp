@@ -54,6 +54,8 @@ void run(const StatisticsOptions& options) {
     if (smallest > file.image->size().shorterSide())
         failUsage("--patch {}: {} is {} × {} px; choose a patch of at most {} px.", smallest, file.name(),
                   file.image->width(), file.image->height(), file.image->size().shorterSide());
+    checkEnoughMemory(file.name(), file.image->size(),
+                      patchVarianceBytesFor(file.image->size(), file.image->channels(), options.sizes));
     Job<PatchVariance> job({options.seed, 0, false}, [&](JobContext& context) {
         context.stage(1, TR("Comparing patches"));
         return patchVariance(*file.image, options.sizes, options.neighbours, options.patches, context);

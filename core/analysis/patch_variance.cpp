@@ -7,6 +7,12 @@
 
 namespace texloom {
 
+std::uint64_t patchVarianceBytesFor(Size image, int channels, const std::vector<int>& sizes) {
+    const int smallest = *std::min_element(sizes.begin(), sizes.end());
+    return PatchDistances::bytesFor(image, channels, smallest, 1, false) +
+           PatchDistances::scratchBytesFor(image, channels);
+}
+
 PatchVariance patchVariance(const ImageView& image, const std::vector<int>& sizes,
                             const std::vector<int>& neighbours, int patches, JobContext& context) {
     PatchVariance result{{}, neighbours, {}};

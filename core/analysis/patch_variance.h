@@ -3,6 +3,7 @@
 #include "core/image/image.h"
 #include "core/job/job_context.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace texloom {
@@ -16,6 +17,9 @@ struct PatchVariance {
     /// where the image has fewer than m patches of this size.
     std::vector<std::vector<double>> deviations;
 };
+
+/// Bytes that patchVariance() needs beside the image.
+std::uint64_t patchVarianceBytesFor(Size image, int channels, const std::vector<int>& sizes);
 
 /// @param patches number of patches to examine, drawn by place with the context's random numbers.
 /// @param context its progress is set.

@@ -77,14 +77,15 @@ void takePng(ImageFileInfo& info, const OIIO::ImageSpec& spec, const PngColor& p
     if ((png.codes && takeCodes(info, *png.codes)) || takeProfile(info, spec))
         return;
     info.space = "srgb";
-    if (png.srgb || !png.gamma)
+    if (png.srgb || (!png.gamma && !png.primaries))
         return;
     constexpr double kSrgbGamma = 0.45455, kNear = 0.001; // how files of sRGB call their curve
+    const double gamma = png.gamma.value_or(kSrgbGamma);
     FileColor color;
-    color.power = 1 / *png.gamma;
-    color.curve = std::abs(*png.gamma - kSrgbGamma) < kNear ? FileColor::Curve::Srgb
-                  : std::abs(*png.gamma - 1) < kNear        ? FileColor::Curve::Linear
-                                                            : FileColor::Curve::Power;
+    color.power = 1 / gamma;
+    color.curve = std::abs(gamma - kSrgbGamma) < kNear ? FileColor::Curve::Srgb
+                  : std::abs(gamma - 1) < kNear        ? FileColor::Curve::Linear
+                                                       : FileColor::Curve::Power;
     color.name = message("gamma {:.3g}", color.power);
     if (png.primaries) {
         color.toRec709 = toRec709(*png.primaries);

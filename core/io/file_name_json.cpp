@@ -55,7 +55,7 @@ std::filesystem::path fileNameFrom(const JsonField& object, const std::string& k
     if (name.empty())
         field.wrong(TR("the name of a file"));
     if (name.find('\0') != std::string::npos)
-        field.wrong(TR("the name of a file, in which there is no zero byte"));
+        field.wrong(TR("text without a zero byte"));
     return name;
 }
 

@@ -58,7 +58,11 @@ void JsonField::needArray(std::size_t least, std::size_t most) const {
 std::string JsonField::text() const {
     if (!m_json.is_string())
         wrong(TR("text"));
-    return m_json.get<std::string>();
+    auto text = m_json.get<std::string>();
+    // The system would take a name to end there.
+    if (text.find('\0') != std::string::npos)
+        wrong(TR("text without a zero byte"));
+    return text;
 }
 
 double JsonField::number() const {

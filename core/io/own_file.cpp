@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -24,6 +25,7 @@ namespace {
 /// The names of fields, all of which only Texloom puts into one object.
 using Marks = std::vector<const char*>;
 
+const Marks kVolumeMarks = {"texloom-volume"};
 const std::array<Marks, 7> kMarks = {{
     {"texloom", "outputs"},                 // the recipe beside a picture
     {"texloomReport"},                      // of a run, of a stress test or a batch
@@ -31,7 +33,7 @@ const std::array<Marks, 7> kMarks = {{
     {"shard", "runs", "skipped", "failed"}, // a batch's summary before that
     {"session", "settings", "seedLocked"},
     {"texloomResult"},
-    {"texloom-volume"},
+    kVolumeMarks,
 }};
 
 constexpr std::string_view kPage = "<!-- Written by `texloom-cli ";
@@ -43,9 +45,10 @@ constexpr std::size_t kModelLength = 8, kBeginning = 65536;
 /// The summary of as many runs as a batch may hold is some 30 MB.
 constexpr std::uintmax_t kLargestJson = 256U << 20;
 
-bool hasMarks(const fs::path& path) {
+/// Whether a file is an object with all of the marks of one of these kinds.
+bool isMarked(const fs::path& path, std::span<const Marks> kinds) {
     const nlohmann::json json = nlohmann::json::parse(readText(path, kLargestJson), nullptr, false);
-    return json.is_object() && std::any_of(kMarks.begin(), kMarks.end(), [&](const Marks& marks) {
+    return json.is_object() && std::any_of(kinds.begin(), kinds.end(), [&](const Marks& marks) {
                return std::all_of(marks.begin(), marks.end(),
                                   [&](const char* mark) { return json.contains(mark); });
            });
@@ -70,18 +73,21 @@ bool isOwnFile(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error))
         return false;
-    if (path.extension() == ".raw") // the voxels beside a volume's head
-        return isOwnFile(fs::path(path).replace_extension(".json"));
     try {
+        if (path.extension() == ".raw") { // the voxels beside a volume's head
+            const fs::path head = fs::path(path).replace_extension(".json");
+            return fs::is_regular_file(head, error) && isMarked(head, {&kVolumeMarks, 1});
+        }
         const std::string begin = beginningOf(path);
         if (begin.starts_with(kPage) || begin.starts_with(kMesh) || begin.starts_with(kRadiance) ||
             isModel(begin))
             return true;
         if (begin.starts_with('{'))
-            return hasMarks(path);
+            return isMarked(path, kMarks);
+        // Other programs that change a picture keep what else Texloom wrote into it.
         const std::map<std::string, std::string> texts = readImageInfo(path).texts;
         const auto software = texts.find("Software");
-        return texts.contains("texloom:space") || (software != texts.end() && software->second == "Texloom");
+        return software != texts.end() && software->second == "Texloom";
     } catch (const Error&) {
         return false;
     }

@@ -86,7 +86,6 @@ MaterialTexture::MaterialTexture(const Material& material) {
     const Value height(mapOf(material, MapRole::Height), 1);
     const Value opacity(mapOf(material, MapRole::Opacity), 1);
     m_hasHeight = mapOf(material, MapRole::Height) != nullptr;
-    m_hasOpacity = mapOf(material, MapRole::Opacity) != nullptr;
     Level& finest =
         m_levels.emplace_back(Level{size, std::vector<Sample>(static_cast<std::size_t>(size.area()))});
     const int last = colour && colour->channels() >= 3 ? 2 : 0;

@@ -45,7 +45,6 @@ public:
 
     Size size() const { return m_levels.front().size; }
     bool hasHeight() const { return m_hasHeight; }
-    bool hasOpacity() const { return m_hasOpacity; }
 
     /// The material at a place; (0, 0) is the top left of the maps and (1, 1) the bottom right, from where on
     /// they repeat. @param extent what a pixel sees of it, as a share of the maps' side: larger sees
@@ -68,7 +67,7 @@ private:
     float levelFor(float extent) const;
 
     std::vector<Level> m_levels;
-    bool m_hasHeight = false, m_hasOpacity = false;
+    bool m_hasHeight = false;
 };
 
 } // namespace texloom

@@ -4,7 +4,7 @@
 #include "core/base/version.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
-#include "core/methods/method.h"
+#include "core/methods/registry.h"
 #include "core/session/shipped_presets.h"
 
 #include <algorithm>
@@ -52,11 +52,27 @@ std::vector<Preset> presetsIn(const std::filesystem::path& folder,
     return read;
 }
 
+namespace {
+
+/// Whether a preset names a method that this build lacks.
+bool lacksMethods(const ShippedPreset& preset) {
+    const JsonField::Json json = parseJson(TR("preset"), preset.json);
+    const std::vector<RecipeStep> steps = stepsFrom(JsonField(TR("preset"), json).at("steps"));
+    return std::any_of(steps.begin(), steps.end(), [](const RecipeStep& step) {
+        const auto& all = absentMethods();
+        return std::any_of(all.begin(), all.end(),
+                           [&step](const AbsentMethod& absent) { return absent.id == step.method; });
+    });
+}
+
+} // namespace
+
 const std::vector<Preset>& presets() {
     static const std::vector<Preset> shipped = [] {
         std::vector<Preset> read;
         for (const ShippedPreset& preset : shippedPresets())
-            read.push_back(Preset::fromJson(preset.id, preset.json));
+            if (!lacksMethods(preset))
+                read.push_back(Preset::fromJson(preset.id, preset.json));
         return read;
     }();
     return shipped;

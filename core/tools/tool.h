@@ -96,7 +96,6 @@ public:
     Values resolved(const Values& settings) const { return resolvedValues(m_params, m_id, settings, 0); }
 
     bool warps() const { return std::holds_alternative<WarpBy>(m_work); }
-    bool recolors() const { return std::holds_alternative<RecolorBy>(m_work); }
     /// Whether it takes two pictures; the others edit one.
     bool joins() const { return std::holds_alternative<JoinBy>(m_work); }
 

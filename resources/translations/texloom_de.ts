@@ -3097,8 +3097,8 @@
         <translation>die Kennzahlen {}-{}-{}-{} von cICP</translation>
     </message>
     <message>
-        <source>the name of a file, in which there is no zero byte</source>
-        <translation>der Name einer Datei, in dem kein Nullbyte steht</translation>
+        <source>text without a zero byte</source>
+        <translation>Text ohne Nullbyte</translation>
     </message>
     <message>
         <source>the profile “{}”</source>
@@ -3541,8 +3541,8 @@
         <translation>Zwiebel</translation>
     </message>
     <message>
-        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
-        <translation>Nur {} % von {} sind regelmäßig, sodass die Patches kaum geführt werden; senken Sie die Schwelle, oder nehmen Sie das Bild-Quilting.</translation>
+        <source>Only {:.1f} % of {} is regular, less than {:.0f} %, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
+        <translation>Nur {} % von {} sind regelmäßig, weniger als {} %, sodass die Patches kaum geführt werden; senken Sie die Schwelle, oder nehmen Sie das Bild-Quilting.</translation>
     </message>
     <message>
         <source>Order</source>

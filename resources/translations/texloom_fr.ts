@@ -3097,8 +3097,8 @@
         <translation>les codes {}-{}-{}-{} de cICP</translation>
     </message>
     <message>
-        <source>the name of a file, in which there is no zero byte</source>
-        <translation>le nom d&apos;un fichier, sans octet nul</translation>
+        <source>text without a zero byte</source>
+        <translation>un texte sans octet nul</translation>
     </message>
     <message>
         <source>the profile “{}”</source>
@@ -3541,8 +3541,8 @@
         <translation>Oignon</translation>
     </message>
     <message>
-        <source>Only {:.1f} % of {} is regular, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
-        <translation>Seuls {} % de {} sont réguliers : presque rien ne guide les patchs ; baissez le seuil, ou prenez le quilting d’images.</translation>
+        <source>Only {:.1f} % of {} is regular, less than {:.0f} %, so hardly anything guides the patches; lower the threshold, or use image quilting.</source>
+        <translation>Seuls {} % de {} sont réguliers, moins de {} % : presque rien ne guide les patchs ; baissez le seuil, ou prenez le quilting d’images.</translation>
     </message>
     <message>
         <source>Order</source>

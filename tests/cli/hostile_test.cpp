@@ -72,6 +72,14 @@ TEST_F(Hostile, AnAnalysisTakesNoMoreThanItMay) {
     writeImage(m_folder / "a.png", blobs({1200, 1200}, 3), {});
     refused(runCli({"analyze", "lattice", "a.png", "--memory", "220"}, m_folder.path()), "look at a (1200");
     EXPECT_EQ(runCli({"analyze", "lattice", "a.png", "--memory", "2000"}, m_folder.path()).status, 0);
+    for (const std::vector<std::string>& analysis : {std::vector<std::string>{"statistics", "a.png"},
+                                                     {"quality", "a.png", "a.png"},
+                                                     {"maps", "a.png", "a.png"}}) {
+        std::vector<std::string> arguments = {"analyze"};
+        arguments.insert(arguments.end(), analysis.begin(), analysis.end());
+        arguments.insert(arguments.end(), {"--memory", "180"});
+        refused(runCli(arguments, m_folder.path()), "look at a (1200");
+    }
 }
 
 TEST_F(Hostile, AnInterruptEndsDecoding) {

@@ -256,6 +256,17 @@ private Q_SLOTS:
         QVERIFY(method->itemData(line, Qt::ToolTipRole).toString().contains(QStringLiteral("install it")));
     }
 
+    void whatTakesAModelFollowsWhatMakesIt() {
+        choose("learn-moments");
+        m_window->inspector()->setThen({{"draw-moments", {}}});
+        QCOMPARE(m_window->inspector()->steps().size(), std::size_t{2});
+        QSignalSpy finished(m_window->desk()->controller(), &RunController::finished);
+        trigger(*m_window, "run");
+        QVERIFY(finished.wait(60'000));
+        QCOMPARE(m_window->desk()->result()->plan.steps.back().method->id(), std::string("draw-moments"));
+        m_window->inspector()->setThen({});
+    }
+
     void mapsAndMasksComeBackAsTheyWere() {
         run("quilting");
         const auto copied = m_window->desk()->result();

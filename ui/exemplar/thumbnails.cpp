@@ -3,6 +3,7 @@
 #include "core/session/run/exemplar_file.h"
 #include "ui/common/background.h"
 #include "ui/common/text.h"
+#include "ui/exemplar/resource_folder.h"
 #include "ui/picture/display_picture.h"
 
 #include <QFileInfo>
@@ -24,6 +25,18 @@ QImage scaled(const QImage& image, int side) {
     return image.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
+/// The picture made small while it is read; none where Qt does not know the format.
+QImage readSmall(const QString& path, int side) {
+    QImageReader reader(path);
+    reader.setAutoTransform(true);
+    const QSize size = reader.size();
+    if (!size.isValid())
+        return {};
+    reader.setScaledSize(size.scaled(side, side, Qt::KeepAspectRatio));
+    const QImage image = reader.read();
+    return image.isNull() ? image : scaled(image, side);
+}
+
 /// The thumbnail in the middle of a square, so that names stand in line below.
 QIcon squareIcon(const QImage& image, int side) {
     QPixmap square(side, side);
@@ -39,15 +52,11 @@ QIcon squareIcon(const QImage& image, int side) {
 } // namespace
 
 QImage thumbnailOf(const QString& path, int side) {
-    QImageReader reader(path);
-    reader.setAutoTransform(true);
-    const QSize size = reader.size();
-    if (size.isValid()) {
-        reader.setScaledSize(size.scaled(side, side, Qt::KeepAspectRatio));
-        const QImage image = reader.read();
-        if (!image.isNull())
-            return scaled(image, side);
-    }
+    // Files of others are decoded where one that a library breaks down on does no harm.
+    const QString own = resourceFolder(QStringLiteral("exemplars"));
+    if (!own.isEmpty() && path.startsWith(own))
+        if (const QImage image = readSmall(path, side); !image.isNull())
+            return image;
     const std::filesystem::path file = toPath(path);
     if (readImageInfo(file).size.area() > kLargestPixels)
         return {};

@@ -16,6 +16,17 @@
 
 namespace texloom::ui {
 
+namespace {
+
+/// Whether a method takes up what another one makes. Which follow which is for planRun() to say, in a
+/// sentence.
+bool follows(const MethodInfo& info) {
+    return std::any_of(methods().begin(), methods().end(),
+                       [&info](const Method& method) { return !linksBetween(method.info(), info).empty(); });
+}
+
+} // namespace
+
 StepChain::StepChain(QWidget* parent) : QWidget(parent), m_column(new QVBoxLayout(this)) {
     setObjectName(QStringLiteral("stepChain"));
     m_column->setContentsMargins(0, 0, 0, 0);
@@ -28,7 +39,7 @@ void StepChain::addLink() {
     chooser->setObjectName(QStringLiteral("then%1").arg(m_links.size() + 1));
     chooser->setAccessibleName(tr("Method that follows"));
     chooser->addItem(tr("Nothing"));
-    fillWithMethods(chooser, [](const MethodInfo& info) { return info.startsFromImage(); });
+    fillWithMethods(chooser, follows);
     chooser->installEventFilter(this);
     connect(chooser, &QComboBox::currentIndexChanged, this, [this, chooser] { methodChosen(chooser); });
 

@@ -25,7 +25,7 @@ public:
     std::vector<RecipeStep> steps() const;
     /// The same with only what was set by hand: the rest follows from the exemplar.
     std::vector<RecipeStep> changedSteps() const;
-    /// Methods that cannot start from an image must not be among them.
+    /// Each must be able to follow some method.
     void setSteps(const std::vector<RecipeStep>& steps);
     /// Brings every parameter back to its default; the methods stay.
     void resetAll();

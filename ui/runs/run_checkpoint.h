@@ -32,7 +32,6 @@ public:
     void leave() { m_left = true; }
     /// Why the last checkpoint could not be written, told once until that succeeds again; empty if it could.
     QString takeProblem();
-    bool resumes() const { return m_resumed != nullptr; }
 
 private:
     void write(const Recipe& recipe, const Checkpoint& checkpoint);

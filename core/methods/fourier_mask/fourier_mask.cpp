@@ -96,9 +96,10 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     result.outputs.add(kRegularPort, std::make_shared<const Image>(
                                          regular.view().channelRange(0, request.resultChannels())));
     if (model.share < kLeastShare)
-        result.notes.push_back(message("Only {:.1f} % of {} is regular, so hardly anything guides the "
-                                       "patches; lower the threshold, or use image quilting.",
-                                       100 * std::max(0.0, model.share), exemplar.name));
+        result.notes.push_back(
+            message("Only {:.1f} % of {} is regular, less than {:.0f} %, so hardly anything guides the "
+                    "patches; lower the threshold, or use image quilting.",
+                    100 * std::max(0.0, model.share), exemplar.name, 100 * kLeastShare));
     return result;
 }
 

@@ -11,9 +11,9 @@ struct Settings {
     int colours = 2; ///< of edges, on each axis
     int tile = 64;   ///< side of a tile in pixels
     double overlap =
-        0.25;       ///< width of the zone along a tile's diagonals in which cuts may run, over the side
-    int tries = 30; ///< how often samples are drawn, at most
-    double threshold = 0.5; ///< the worst cut's error that is good enough, over that of unlike pixels
+        0.25;        ///< width of the zone along a tile's diagonals in which cuts may run, over the side
+    int tries = 100; ///< how often samples are drawn, at most
+    double threshold = 0.05; ///< the worst cut's error that is good enough, over that of unlike pixels
     Set set = Set::Full;
 };
 

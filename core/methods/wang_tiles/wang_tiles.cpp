@@ -1,3 +1,4 @@
+#include "core/base/at.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/match/whole_patches.h"
@@ -17,6 +18,10 @@ namespace {
 
 /// Rows that are laid between two moments for progress and previews.
 constexpr int kRowsAtOnce = 128;
+/// From this error of the worst cut on seams show.
+constexpr double kPoor = 0.5;
+/// One of so many draws is of all samples.
+constexpr int kWhole = 4;
 
 /// The places that samples may be taken from.
 class SamplePlaces {
@@ -83,12 +88,13 @@ public:
         : m_request(request), m_settings(settings), m_context(context), m_edges(edgesOf(settings)),
           m_places(request, sampleSide(settings), context), m_unlike(unlikeError(request, context)) {}
 
-    /// Draws samples until the worst cut is good enough. @return that error, over that of unlike pixels.
+    /// Draws samples until the worst cut is good enough: all of them a few times, then one after the other of
+    /// the best so far. @return that error, over that of unlike pixels.
     double draw(double weight) {
         m_context.stage(weight, TR("Cutting tiles"));
         double best = 0;
         for (int n = 0; n < m_settings.tries; ++n) {
-            TileSet::Samples samples = drawn(n);
+            TileSet::Samples samples = n * kWhole < m_settings.tries ? drawn(n) : withAnother(n);
             TileSet tiles(m_request, m_settings, samples, {m_settings.tile, m_settings.tile}, m_edges,
                           m_context);
             ++m_tries;
@@ -114,11 +120,27 @@ private:
     TileSet::Samples drawn(int n) const {
         TileSet::Samples samples;
         for (int colour = 0; colour < m_settings.colours; ++colour) {
-            // The tiling's numbers are drawn at places that are not negative.
-            samples.across.push_back(m_places.drawn(m_context.random(), -1 - n, colour, 0));
-            samples.upright.push_back(m_places.drawn(m_context.random(), -1 - n, colour, 3));
+            samples.across.push_back(sampleAcross(n, colour));
+            samples.upright.push_back(sampleUpright(n, colour));
         }
         return samples;
+    }
+    /// The best samples so far but for one, each in its turn.
+    TileSet::Samples withAnother(int n) const {
+        TileSet::Samples samples = m_samples;
+        const int turn = n % (2 * m_settings.colours), colour = turn / 2;
+        if (turn % 2 == 0)
+            samples.across[at(colour)] = sampleAcross(n, colour);
+        else
+            samples.upright[at(colour)] = sampleUpright(n, colour);
+        return samples;
+    }
+    // The tiling's numbers are drawn at places that are not negative.
+    PatchPosition sampleAcross(int n, int colour) const {
+        return m_places.drawn(m_context.random(), -1 - n, colour, 0);
+    }
+    PatchPosition sampleUpright(int n, int colour) const {
+        return m_places.drawn(m_context.random(), -1 - n, colour, 3);
     }
 
     const Request& m_request;
@@ -263,11 +285,11 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     result.figures = {{TR("Tiles"), static_cast<double>(maker.edges().size())},
                       {TR("Draws of samples"), static_cast<double>(maker.tries())},
                       {TR("Error of the worst cut"), error}};
-    if (error > settings.threshold)
+    if (const double poor = std::max(kPoor, settings.threshold); error > poor)
         result.notes.push_back(
             message("The worst cut's error is {:.2f} of that of unlike pixels, more than the {} wished for; "
                     "more tries, larger tiles or fewer colours may help.",
-                    error, numberText(settings.threshold)));
+                    error, numberText(poor)));
     context.progress(1);
     return result;
 }

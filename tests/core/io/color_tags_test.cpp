@@ -49,9 +49,9 @@ const Bytes kP3Codes = {12, 13, 0, 1};
 
 TEST(ColorTags, OfSrgbChangeNothing) {
     const Bytes primaries = chromaticities({31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000});
-    for (const Chunks& chunks :
-         {Chunks{}, Chunks{{"sRGB", {0}}}, Chunks{{"gAMA", number(45455)}},
-          Chunks{{"gAMA", number(45455)}, {"cHRM", primaries}}, Chunks{{"cICP", {1, 13, 0, 1}}}}) {
+    for (const Chunks& chunks : {Chunks{}, Chunks{{"sRGB", {0}}}, Chunks{{"gAMA", number(45455)}},
+                                 Chunks{{"gAMA", number(45455)}, {"cHRM", primaries}},
+                                 Chunks{{"cHRM", primaries}}, Chunks{{"cICP", {1, 13, 0, 1}}}}) {
         const Tagged tagged(chunks);
         EXPECT_EQ(tagged.file.space, "srgb");
         EXPECT_EQ(tagged.at(0), static_cast<double>(static_cast<float>(kHalf)));
@@ -77,6 +77,11 @@ TEST(ColorTags, DisplayP3RedIsMoreThanRed) {
     const Tagged white({{"cICP", kP3Codes}}, {255, 255, 255});
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(white.at(c), 1, 1e-4);
+    // Its primaries alone leave the curve to sRGB.
+    const Bytes primaries = chromaticities({31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000});
+    const Tagged alone({{"cHRM", primaries}}, {255, 0, 0});
+    EXPECT_NEAR(alone.at(0), encoded(1.2249), 1e-3);
+    EXPECT_LT(alone.at(1), 0);
 }
 
 TEST(ColorTags, WhatCannotBeConvertedIsNamed) {

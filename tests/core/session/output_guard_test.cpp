@@ -5,6 +5,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"
 
+#include <OpenImageIO/imagebuf.h>
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -80,12 +81,21 @@ TEST(OwnFile, IsToldByItsMarks) {
         writeImage(folder / name, blobs({16, 16}, 3), options);
         EXPECT_TRUE(isOwnFile(folder / name)) << name;
     }
+    OIIO::ImageBuf retouched((folder / "a.png").string());
+    ASSERT_TRUE(retouched.read());
+    retouched.specmod().attribute("Software", "another program");
+    ASSERT_TRUE(retouched.write((folder / "retouched.png").string()));
+    EXPECT_FALSE(isOwnFile(folder / "retouched.png"));
     EXPECT_TRUE(isOwnFile(made(folder, "side.json", R"({"texloom": 1, "outputs": []})")));
     EXPECT_TRUE(isOwnFile(made(folder, "report.json", R"({"texloomReport": 1})")));
     for (const char* text : {"", "{", "{}", "[]", "mine", R"({"texloom": 1, "method": "quilting"})",
                              R"({"batch": 1, "runs": []})"})
         EXPECT_FALSE(isOwnFile(made(folder, "theirs.json", text))) << text;
     EXPECT_FALSE(isOwnFile(folder / "gone.png"));
+    // The voxels beside a volume's head are, those beside a recipe are somebody else's.
+    made(folder, "block.json", R"({"texloom-volume": 1})");
+    EXPECT_TRUE(isOwnFile(made(folder, "block.raw", "voxels")));
+    EXPECT_FALSE(isOwnFile(made(folder, "side.raw", "a photo")));
     EXPECT_FALSE(isOwnFile(folder.path()));
 }
 

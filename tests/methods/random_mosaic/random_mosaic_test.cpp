@@ -124,10 +124,10 @@ TEST(RandomMosaic, piecesInTheirPlacesNeedNoLevelling) {
     }
 }
 
-/// What pixel b, beside a in the direction (dx, dy), should lie above a: the mean of both pieces' own next
-/// differences where the exemplar has them.
+/// What pixel b, beside a in the direction (dx, dy) on a torus, should lie above a: the mean of both pieces'
+/// own next differences where the exemplar has them.
 double wantedStep(const Image& exemplar, const PositionMap& map, int ax, int ay, int dx, int dy) {
-    const Source &a = map.at(ax, ay), &b = map.at(ax + dx, ay + dy);
+    const Source &a = map.at(ax, ay), &b = map.at((ax + dx) % map.width(), (ay + dy) % map.height());
     double sum = 0;
     int count = 0;
     if (a.x + dx < exemplar.width() && a.y + dy < exemplar.height()) {
@@ -182,23 +182,9 @@ TEST(RandomMosaic, whatWrapsIsLevelledOnATorus) {
     settings["reach"] = 0.0;
     const Synthesis level = made(request, settings);
     EXPECT_EQ(raw.map, level.map);
-    const auto wanted = [&](int x, int y, int dx, int dy) {
-        const Source &a = raw.map.at(x, y), &b = raw.map.at((x + dx) % 96, (y + dy) % 80);
-        double sum = 0;
-        int count = 0;
-        if (a.x + dx < 96 && a.y + dy < 80) {
-            sum += static_cast<double>(exemplar(a.x + dx, a.y + dy, 0) - exemplar(a.x, a.y, 0));
-            ++count;
-        }
-        if (b.x - dx >= 0 && b.y - dy >= 0) {
-            sum += static_cast<double>(exemplar(b.x, b.y, 0) - exemplar(b.x - dx, b.y - dy, 0));
-            ++count;
-        }
-        return count > 0 ? sum / count : 0;
-    };
     const auto lacks = [&](int x, int y, int dx, int dy) {
         return static_cast<double>(level.image((x + dx) % 96, (y + dy) % 80, 0) - level.image(x, y, 0)) -
-               wanted(x, y, dx, dy);
+               wantedStep(exemplar, raw.map, x, y, dx, dy);
     };
     double border = 0;
     for (int y = 0; y < 80; ++y)
