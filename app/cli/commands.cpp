@@ -361,7 +361,7 @@ void runRecipe(const RunOptions& options) {
         unnamed.plan = planRun(input, 0, true);
         out.output = unnamed.fileName() + ".png";
         if (fs::exists(out.output))
-            fail("{} is there already; name the output with -o.", out.output.string());
+            fail("{} already exists; name the output with -o.", out.output.string());
     }
     runInput(std::move(input), out);
 }

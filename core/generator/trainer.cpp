@@ -210,7 +210,7 @@ std::string GeneratorTrainer::state() const {
 
 void GeneratorTrainer::restore(const std::string& text) {
     if (text.size() != state().size())
-        fail("The checkpoint is of a generator of another size; begin anew without it.");
+        fail("The checkpoint is of a generator of another size; start again without it.");
     const char* from = text.data();
     std::memcpy(&m_steps, from, sizeof m_steps);
     from += sizeof m_steps;

@@ -118,10 +118,10 @@ Message messageIn(const Packet& failure) {
     if (answer && answer->kind == Packet::Failure)
         throw Error(messageIn(*answer));
     if (answer && answer->kind == Packet::TooLong)
-        fail("{} takes too long to decode; save it anew with another program.", request.path.string());
+        fail("{} takes too long to decode; save it again with another program.", request.path.string());
     fail(
         "{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. "
-        "Save it anew with another program.",
+        "Save it again with another program.",
         request.path.string());
 }
 

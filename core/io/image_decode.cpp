@@ -156,7 +156,7 @@ void takeRemark(const fs::path& path, const std::string& remark, ImageFileInfo& 
 [[noreturn]] void failReading(const fs::path& path, const std::string& format, const std::string& why) {
     if (format == "hdr")
         fail("{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which "
-             "Texloom does not read. Save it anew with another program.",
+             "Texloom does not read. Save it again with another program.",
              path.string());
     fail("{} cannot be read: {}.", path.string(), reason(why));
 }

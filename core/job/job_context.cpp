@@ -157,6 +157,9 @@ void JobContext::curve(const Message& name, double value) {
 void JobContext::checkpoint(std::chrono::milliseconds every, const std::function<std::string()>& state) {
     if (!m_keep || Clock::now() - m_lastCheckpoint < m_keepEvery.value_or(every))
         return;
+    // What is only made again on the way to a checkpoint leaves that for another time.
+    if (m_resumed && m_step < m_resumed->step)
+        return;
     m_keep({m_step, m_monitor.progress(), state(), m_monitor.curves()});
     m_lastCheckpoint = Clock::now();
 }

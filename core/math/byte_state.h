@@ -57,7 +57,7 @@ public:
 
 private:
     [[noreturn]] static void refuse() {
-        fail(TR("The checkpoint does not suit this run: begin anew without --resume."));
+        fail(TR("The checkpoint does not suit this run: start again without --resume."));
     }
     std::string_view bytes(std::uint64_t count) {
         if (count > m_bytes.size())

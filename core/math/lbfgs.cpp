@@ -202,7 +202,7 @@ void Lbfgs::takeUp(std::string_view state) {
     StateReader from(state);
     std::vector<float> x = from.floats(), gradient = from.floats();
     if (x.size() != m_x.size() || gradient.size() != x.size())
-        fail(TR("The checkpoint does not suit this run: begin anew without --resume."));
+        fail(TR("The checkpoint does not suit this run: start again without --resume."));
     m_x = std::move(x);
     m_gradient = std::move(gradient);
     m_value = from.number<double>();
@@ -244,7 +244,7 @@ void Adam::takeUp(std::string_view state) {
     StateReader from(state);
     std::vector<float> x = from.floats(), mean = from.floats(), square = from.floats();
     if (x.size() != m_x.size() || mean.size() != x.size() || square.size() != x.size())
-        fail(TR("The checkpoint does not suit this run: begin anew without --resume."));
+        fail(TR("The checkpoint does not suit this run: start again without --resume."));
     m_x = std::move(x);
     m_mean = std::move(mean);
     m_square = std::move(square);

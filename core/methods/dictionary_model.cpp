@@ -83,7 +83,7 @@ Port dictionaryOutput() {
 Port dictionaryInput() {
     return {.id = std::string(kDictionaryPort),
             .title = TR("Dictionary"),
-            .help = TR("A learnt dictionary of this exemplar, so that none is learnt anew."),
+            .help = TR("A learnt dictionary of this exemplar, so that none is learned again."),
             .kind = AssetKind::Model};
 }
 

@@ -13,7 +13,8 @@ namespace texloom {
 Port ports::known() {
     return {.id = std::string(kKnownPort),
             .title = TR("Known"),
-            .help = TR("What of the image to start from is kept; the rest, where it is black, is made anew."),
+            .help =
+                TR("What of the image to start from is kept; the rest, where it is black, is made again."),
             .kind = AssetKind::Mask,
             .extent = Extent::Output};
 }

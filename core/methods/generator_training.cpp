@@ -48,7 +48,7 @@ void GeneratorTraining::show(Size full, const std::function<Image()>& made) {
 
 std::vector<Message> GeneratorTraining::notes() const {
     if (m_brokeDown)
-        return {message("Training ended after {} of {} iterations, since the next gave values that are no "
+        return {message("Training ended after {} of {} iterations, since the next gave values that are not "
                         "numbers; the generator is that of the last good step. A smaller learning rate may "
                         "go further.",
                         m_done, m_iterations)};
@@ -65,7 +65,7 @@ std::string GeneratorTraining::state() const {
 
 void GeneratorTraining::takeUp(const std::string& text) {
     if (text.size() < sizeof m_done)
-        fail("The checkpoint is of a generator of another size; begin anew without it.");
+        fail("The checkpoint is of a generator of another size; start again without it.");
     std::memcpy(&m_done, text.data(), sizeof m_done);
     m_trainer.restore(text.substr(sizeof m_done));
 }

@@ -141,7 +141,7 @@ void TextureLoss::learn(std::span<const LossExemplar> exemplars, JobContext& con
     for (std::size_t i = 0; i < count; ++i) {
         const int level = static_cast<int>(i / taps);
         if (!moments[i].products.allFinite())
-            fail(TR("The descriptor gives values that are no numbers at its tap {}: its weights are too "
+            fail(TR("The descriptor gives values that are not numbers at its tap {}: its weights are too "
                     "large."),
                  m_network.taps()[i % taps].name);
         m_targets.push_back({level, TapTarget(moments[i], m_options.statistic)});

@@ -96,7 +96,7 @@ private:
         std::vector<float> values(tensor.count);
         m_file.read(values.data(), values.size() * sizeof(float), tensor.offset * sizeof(float));
         if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
-            fail(TR("The weights of {} hold values that are no numbers."), name);
+            fail(TR("The weights of {} hold values that are not numbers."), name);
         return values;
     }
 

@@ -112,10 +112,9 @@ void checkNoneBehind(const std::vector<fs::path>& files) {
     const std::optional<SliceName> name = splitName(files.front());
     for (const auto& [number, file] : seriesOf(files.front(), *name))
         if (number >= static_cast<int>(files.size()))
-            fail(
-                "{} is there already and would be taken for a part of this volume of {} slices; remove it or "
-                "choose another name.",
-                file.string(), files.size());
+            fail("{} already exists and would be taken for a part of this volume of {} slices; remove it or "
+                 "choose another name.",
+                 file.string(), files.size());
 }
 
 bool sameKind(const ImageFileInfo& a, const ImageFileInfo& b) {

@@ -1945,7 +1945,7 @@
         <translation>{} ist nicht die Datei, zu der {} geschrieben wurde: Ihr SHA-1 ist ein anderer.</translation>
     </message>
     <message>
-        <source>{} is there already and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
+        <source>{} already exists and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
         <translation>{} ist schon da und würde für einen Teil dieses Volumens von {} Schnitten gehalten; löschen Sie es oder wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -2117,7 +2117,7 @@
         <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
     </message>
     <message>
-        <source>How often the samples are drawn anew, at most, until the worst cut is good enough; the best are kept.</source>
+        <source>How often the samples are drawn again, at most, until the worst cut is good enough; the best are kept.</source>
         <translation>Wie oft die Proben höchstens neu gezogen werden, bis der schlechteste Schnitt gut genug ist; die besten bleiben.</translation>
     </message>
     <message>
@@ -2257,12 +2257,8 @@
         <translation>Dünn besetzt</translation>
     </message>
     <message>
-        <source>The checkpoint is of a run with other settings or exemplars; begin the run anew.</source>
+        <source>The checkpoint is of a run with other settings or exemplars; start the run again.</source>
         <translation>Der Zwischenstand gehört zu einem Lauf mit anderen Einstellungen oder Vorlagen; beginnen Sie den Lauf neu.</translation>
-    </message>
-    <message>
-        <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the run anew, or use that version.</source>
-        <translation>Der Zwischenstand ist von Texloom {}; dies ist {}, das anders weiterrechnen kann. Beginnen Sie den Lauf neu, oder nehmen Sie jene Version.</translation>
     </message>
     <message>
         <source>The earlier result in {} is left out: {}</source>
@@ -2585,7 +2581,7 @@
         <translation>{} enthält {} Werte, die keine endlichen Zahlen sind, den ersten bei Pixel ({}, {}); Texloom braucht endliche.</translation>
     </message>
     <message>
-        <source>{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Begin the run anew.</source>
+        <source>{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Start the run again.</source>
         <translation>{} ist ein Zwischenstand im Format {}; dieses Texloom ({}) liest Format {}. Beginnen Sie den Lauf neu.</translation>
     </message>
     <message>
@@ -2597,7 +2593,7 @@
         <translation>{} ist länger als {}, zu lang für eine Datei dieser Art.</translation>
     </message>
     <message>
-        <source>{} is not a checkpoint, or it is damaged; begin the run anew.</source>
+        <source>{} is not a checkpoint, or it is damaged; start the run again.</source>
         <translation>{} ist kein Zwischenstand oder beschädigt; beginnen Sie den Lauf neu.</translation>
     </message>
     <message>
@@ -2629,7 +2625,7 @@
         <translation>{} nimmt keine Vorlage.</translation>
     </message>
     <message>
-        <source>{} takes up nothing that {} makes, so that it cannot follow it.</source>
+        <source>{} uses nothing that {} makes, so it cannot follow it.</source>
         <translation>{} kann nichts aufnehmen, was {} macht, und darum nicht darauf folgen.</translation>
     </message>
     <message>
@@ -3141,7 +3137,7 @@
         <translation>{} = {}: diese Zahl ist zu groß oder zu nahe an 0, um sich darstellen zu lassen; {}: {}.</translation>
     </message>
     <message>
-        <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it anew with another program.</source>
+        <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it again with another program.</source>
         <translation>{} kann nicht gelesen werden: Der Decoder ist abgestürzt; die Datei ist beschädigt oder von einer Art, die er nicht kennt. Speichern Sie sie mit einem anderen Programm neu.</translation>
     </message>
     <message>
@@ -3225,7 +3221,7 @@
         <translation>{} braucht zum Decodieren mehr Speicher, als da ist.</translation>
     </message>
     <message>
-        <source>{} takes too long to decode; save it anew with another program.</source>
+        <source>{} takes too long to decode; save it again with another program.</source>
         <translation>{} braucht zu lange zum Decodieren; speichern Sie die Datei mit einem anderen Programm neu.</translation>
     </message>
     <message>
@@ -3265,7 +3261,7 @@
         <translation>↻ 90°</translation>
     </message>
     <message>
-        <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it anew with another program.</source>
+        <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it again with another program.</source>
         <translation>{} kann nicht gelesen werden: Die Pixel sind beschädigt oder in der alten RLE-Art von Radiance gepackt, die Texloom nicht liest. Speichern Sie die Datei mit einem anderen Programm neu.</translation>
     </message>
     <message>
@@ -3477,11 +3473,11 @@
         <translation>Wie viel schlechter als das beste ein Fenster passen und doch gezogen werden darf: größer variiert mehr, kleiner kopiert längere Strecken.</translation>
     </message>
     <message>
-        <source>How often each scale is made: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <source>How often each scale is made: passes after the first see all that surrounds a pixel, which repairs seams.</source>
         <translation>Wie oft jede Skala gemacht wird: Durchgänge nach dem ersten sehen alles, was ein Pixel umgibt, und bessern Nähte aus.</translation>
     </message>
     <message>
-        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which repairs seams.</source>
         <translation>Wie oft das Ergebnis durchlaufen wird: Durchgänge nach dem ersten sehen alles, was ein Pixel umgibt, und bessern Nähte aus.</translation>
     </message>
     <message>
@@ -3685,11 +3681,11 @@
         <translation>Wei–Levoy</translation>
     </message>
     <message>
-        <source>What is to be kept of the image to start from is not said; give a mask of what is known.</source>
+        <source>Nothing says what to keep of the image to start from; give a mask of what is known.</source>
         <translation>Was vom Ausgangsbild bleiben soll, ist nicht gesagt; geben Sie eine Maske dessen, was bekannt ist.</translation>
     </message>
     <message>
-        <source>What of the image to start from is kept; the rest, where it is black, is made anew.</source>
+        <source>What of the image to start from is kept; the rest, where it is black, is made again.</source>
         <translation>Was vom Ausgangsbild bleibt; der Rest, wo sie schwarz ist, wird neu gemacht.</translation>
     </message>
     <message>
@@ -3737,7 +3733,7 @@
         <translation>Ein Loch hat keine gleich breiten Überlappungen, die sich mischen ließen; wählen Sie die Naht cut, smooth-cut, none oder poisson.</translation>
     </message>
     <message>
-        <source>A learnt dictionary of this exemplar, so that none is learnt anew.</source>
+        <source>A learnt dictionary of this exemplar, so that none is learned again.</source>
         <translation>Ein gelerntes Wörterbuch dieser Vorlage, damit keines neu gelernt wird.</translation>
     </message>
     <message>
@@ -4817,7 +4813,7 @@
         <translation>Ein Körper mit {} Voxeln je Seite enthält keine Nachbarschaft von {}.</translation>
     </message>
     <message>
-        <source>A step gave values that are no numbers: the optimisation ended with the last that are.</source>
+        <source>A step gave values that are not numbers: the optimisation ended with the last that are.</source>
         <translation>Ein Schritt ergab Werte, die keine Zahlen sind: die Optimierung endete mit den letzten, die welche sind.</translation>
     </message>
     <message>
@@ -4981,7 +4977,7 @@
         <translation>Wie das Netz seine Merkmalskarten halbiert: durch ihr Mittel oder den größten von vier Werten.</translation>
     </message>
     <message>
-        <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights anew with every atom, which follows the patch more closely and takes a little longer.</source>
+        <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights again with every atom, which follows the patch more closely and takes a little longer.</source>
         <translation>Wie die Gewichte der Atome eines Patches gefunden werden: einfach, wie veröffentlicht, fügt ein Atom nach dem anderen hinzu; orthogonal bestimmt mit jedem Atom alle Gewichte neu, folgt dem Patch enger und braucht etwas länger.</translation>
     </message>
     <message>
@@ -5217,15 +5213,15 @@
         <translation>Der von Texloom</translation>
     </message>
     <message>
-        <source>The checkpoint does not suit this run: begin anew without --resume.</source>
+        <source>The checkpoint does not suit this run: start again without --resume.</source>
         <translation>Der Zwischenstand passt nicht zu diesem Lauf: beginnen Sie ohne --resume von vorn.</translation>
     </message>
     <message>
-        <source>The checkpoint holds no solid; begin anew without it.</source>
+        <source>The checkpoint holds no solid; start again without it.</source>
         <translation>Der Zwischenstand enthält keinen Körper; ohne ihn neu beginnen.</translation>
     </message>
     <message>
-        <source>The checkpoint is of a generator of another size; begin anew without it.</source>
+        <source>The checkpoint is of a generator of another size; start again without it.</source>
         <translation>Der Zwischenstand gehört zu einem Generator anderer Größe; ohne ihn neu beginnen.</translation>
     </message>
     <message>
@@ -5233,7 +5229,7 @@
         <translation>Der Deskriptor ist nicht brauchbar: {}.</translation>
     </message>
     <message>
-        <source>The descriptor gives values that are no numbers at its tap {}: its weights are too large.</source>
+        <source>The descriptor gives values that are not numbers at its tap {}: its weights are too large.</source>
         <translation>Der Deskriptor ergibt an seinem Abgriff {} Werte, die keine Zahlen sind: seine Gewichte sind zu groß.</translation>
     </message>
     <message>
@@ -5313,7 +5309,7 @@
         <translation>Die Gewichte von {} passen nicht zu {} Kanälen und einem Quadrat ungerader Seite, oder haben keinen Bias.</translation>
     </message>
     <message>
-        <source>The weights of {} hold values that are no numbers.</source>
+        <source>The weights of {} hold values that are not numbers.</source>
         <translation>Die Gewichte von {} enthalten Werte, die keine Zahlen sind.</translation>
     </message>
     <message>
@@ -5485,7 +5481,7 @@
         <translation>{} ist keine .json: nennen Sie die, die neben der .bin mit den Gewichten liegt.</translation>
     </message>
     <message>
-        <source>{} is there already; choose a folder without pictures of an earlier turn.</source>
+        <source>{} already exists; choose a folder without pictures of an earlier turn.</source>
         <translation>{} gibt es schon; wählen Sie einen Ordner ohne Bilder einer früheren Umdrehung.</translation>
     </message>
     <message>
@@ -5777,16 +5773,12 @@
         <translation>Es gibt weder eine Vorlage, von der zu lernen wäre, noch einen trainierten Generator, der eine Textur macht.</translation>
     </message>
     <message>
-        <source>There is no generator to train further: give one, or train anew.</source>
+        <source>There is no generator to train further: give one, or train a new one.</source>
         <translation>Es gibt keinen Generator, der weiter zu trainieren wäre: einen angeben oder neu trainieren.</translation>
     </message>
     <message>
         <source>Train further</source>
         <translation>Weiter trainieren</translation>
-    </message>
-    <message>
-        <source>Training ended after {} of {} iterations, since the next gave values that are no numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
-        <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
     </message>
     <message>
         <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
@@ -5883,6 +5875,14 @@
     <message>
         <source>{} edits one image and joins no two; leave it to the edits of an exemplar.</source>
         <translation>{} bearbeitet ein Bild und verbindet keine zwei; es gehört zu den Bearbeitungen einer Vorlage.</translation>
+    </message>
+    <message>
+        <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Start the run again, or use that version.</source>
+        <translation>Der Zwischenstand ist von Texloom {}; dies ist {}, das anders weiterrechnen kann. Beginnen Sie den Lauf neu, oder nehmen Sie jene Version.</translation>
+    </message>
+    <message>
+        <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
+        <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
     </message>
 </context>
 <context>
@@ -6898,6 +6898,21 @@
     <message>
         <source>Opened to learn from</source>
         <translation>Zum Lernen geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExampleSessions</name>
+    <message>
+        <source>Exa&amp;mple sessions</source>
+        <translation>Beispielsitzun&amp;gen</translation>
+    </message>
+    <message>
+        <source>None were found beside the program</source>
+        <translation>Neben dem Programm wurden keine gefunden</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -1945,7 +1945,7 @@
         <translation>{} n’est pas le fichier pour lequel {} a été écrit : son SHA-1 est différent.</translation>
     </message>
     <message>
-        <source>{} is there already and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
+        <source>{} already exists and would be taken for a part of this volume of {} slices; remove it or choose another name.</source>
         <translation>{} existe déjà et passerait pour une partie de ce volume de {} coupes ; supprimez-le ou choisissez un autre nom.</translation>
     </message>
     <message>
@@ -2117,7 +2117,7 @@
         <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
     </message>
     <message>
-        <source>How often the samples are drawn anew, at most, until the worst cut is good enough; the best are kept.</source>
+        <source>How often the samples are drawn again, at most, until the worst cut is good enough; the best are kept.</source>
         <translation>Combien de fois, au plus, les échantillons sont tirés à nouveau jusqu’à ce que la pire coupe soit assez bonne ; les meilleurs sont gardés.</translation>
     </message>
     <message>
@@ -2257,12 +2257,8 @@
         <translation>Parcimonie</translation>
     </message>
     <message>
-        <source>The checkpoint is of a run with other settings or exemplars; begin the run anew.</source>
+        <source>The checkpoint is of a run with other settings or exemplars; start the run again.</source>
         <translation>Le point de reprise vient d’un calcul avec d’autres réglages ou échantillons ; recommencez le calcul.</translation>
-    </message>
-    <message>
-        <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the run anew, or use that version.</source>
-        <translation>Le point de reprise vient de Texloom {} ; celui-ci est {}, qui peut poursuivre autrement. Recommencez le calcul, ou prenez cette version-là.</translation>
     </message>
     <message>
         <source>The earlier result in {} is left out: {}</source>
@@ -2585,7 +2581,7 @@
         <translation>{} contient {} valeurs qui ne sont pas des nombres finis, la première au pixel ({}, {}) ; Texloom en veut de finis.</translation>
     </message>
     <message>
-        <source>{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Begin the run anew.</source>
+        <source>{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Start the run again.</source>
         <translation>{} est un point de reprise au format {} ; ce Texloom ({}) lit le format {}. Recommencez le calcul.</translation>
     </message>
     <message>
@@ -2597,7 +2593,7 @@
         <translation>{} dépasse {}, trop long pour un fichier de cette sorte.</translation>
     </message>
     <message>
-        <source>{} is not a checkpoint, or it is damaged; begin the run anew.</source>
+        <source>{} is not a checkpoint, or it is damaged; start the run again.</source>
         <translation>{} n’est pas un point de reprise ou est endommagé ; recommencez le calcul.</translation>
     </message>
     <message>
@@ -2629,7 +2625,7 @@
         <translation>{} ne prend pas d’échantillon.</translation>
     </message>
     <message>
-        <source>{} takes up nothing that {} makes, so that it cannot follow it.</source>
+        <source>{} uses nothing that {} makes, so it cannot follow it.</source>
         <translation>{} ne reprend rien de ce que fait {} et ne peut donc le suivre.</translation>
     </message>
     <message>
@@ -3141,7 +3137,7 @@
         <translation>{} = {} : ce nombre est trop grand, ou trop près de 0, pour être représenté ; {} : {}.</translation>
     </message>
     <message>
-        <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it anew with another program.</source>
+        <source>{} cannot be read: its decoder broke down; the file is damaged, or of a kind that it does not know. Save it again with another program.</source>
         <translation>{} ne peut pas être lu : son décodeur s&apos;est arrêté net ; le fichier est abîmé, ou d&apos;une sorte qu&apos;il ne connaît pas. Enregistrez-le de nouveau avec un autre programme.</translation>
     </message>
     <message>
@@ -3225,7 +3221,7 @@
         <translation>{} demande pour être décodé plus de mémoire qu&apos;il n&apos;y en a.</translation>
     </message>
     <message>
-        <source>{} takes too long to decode; save it anew with another program.</source>
+        <source>{} takes too long to decode; save it again with another program.</source>
         <translation>{} est trop long à décoder ; enregistrez-le de nouveau avec un autre programme.</translation>
     </message>
     <message>
@@ -3265,7 +3261,7 @@
         <translation>↻ 90°</translation>
     </message>
     <message>
-        <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it anew with another program.</source>
+        <source>{} cannot be read: its pixels are damaged, or packed in the old-style RLE of Radiance, which Texloom does not read. Save it again with another program.</source>
         <translation>{} ne peut pas être lu : ses pixels sont abîmés, ou empaquetés dans l&apos;ancien RLE de Radiance, que Texloom ne lit pas. Enregistrez-le de nouveau avec un autre programme.</translation>
     </message>
     <message>
@@ -3477,11 +3473,11 @@
         <translation>De combien une fenêtre peut convenir moins bien que la meilleure et être tirée quand même : plus grand, cela varie davantage ; plus petit, cela copie de plus longs passages.</translation>
     </message>
     <message>
-        <source>How often each scale is made: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <source>How often each scale is made: passes after the first see all that surrounds a pixel, which repairs seams.</source>
         <translation>Combien de fois chaque échelle est faite : les passages après le premier voient tout ce qui entoure un pixel, ce qui répare les raccords.</translation>
     </message>
     <message>
-        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which mends joins.</source>
+        <source>How often the output is gone through: passes after the first see all that surrounds a pixel, which repairs seams.</source>
         <translation>Combien de fois le résultat est parcouru : les passages après le premier voient tout ce qui entoure un pixel, ce qui répare les raccords.</translation>
     </message>
     <message>
@@ -3685,11 +3681,11 @@
         <translation>Wei–Levoy</translation>
     </message>
     <message>
-        <source>What is to be kept of the image to start from is not said; give a mask of what is known.</source>
+        <source>Nothing says what to keep of the image to start from; give a mask of what is known.</source>
         <translation>Ce qui doit rester de l’image de départ n’est pas dit ; donnez un masque de ce qui est connu.</translation>
     </message>
     <message>
-        <source>What of the image to start from is kept; the rest, where it is black, is made anew.</source>
+        <source>What of the image to start from is kept; the rest, where it is black, is made again.</source>
         <translation>Ce qui reste de l’image de départ ; le reste, là où il est noir, est refait.</translation>
     </message>
     <message>
@@ -3737,7 +3733,7 @@
         <translation>Un trou n’a pas de recouvrements de largeur égale à mélanger ; choisissez la couture cut, smooth-cut, none ou poisson.</translation>
     </message>
     <message>
-        <source>A learnt dictionary of this exemplar, so that none is learnt anew.</source>
+        <source>A learnt dictionary of this exemplar, so that none is learned again.</source>
         <translation>Un dictionnaire appris de cet exemplaire, afin de n’en pas apprendre un nouveau.</translation>
     </message>
     <message>
@@ -4817,7 +4813,7 @@
         <translation>Un solide de {} voxels de côté ne contient aucun voisinage de {}.</translation>
     </message>
     <message>
-        <source>A step gave values that are no numbers: the optimisation ended with the last that are.</source>
+        <source>A step gave values that are not numbers: the optimisation ended with the last that are.</source>
         <translation>Un pas a donné des valeurs qui ne sont pas des nombres : l&apos;optimisation s&apos;est arrêtée aux dernières qui en sont.</translation>
     </message>
     <message>
@@ -4981,7 +4977,7 @@
         <translation>Comment le réseau réduit de moitié ses cartes : par leur moyenne ou par la plus grande de quatre valeurs.</translation>
     </message>
     <message>
-        <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights anew with every atom, which follows the patch more closely and takes a little longer.</source>
+        <source>How the weights of a patch&apos;s atoms are found: plain, as published, adds one atom after another; orthogonal finds all weights again with every atom, which follows the patch more closely and takes a little longer.</source>
         <translation>Comment sont trouvés les poids des atomes d’un patch : simple, comme publié, ajoute un atome après l’autre ; orthogonale retrouve tous les poids à chaque atome, suit le patch de plus près et prend un peu plus de temps.</translation>
     </message>
     <message>
@@ -5217,15 +5213,15 @@
         <translation>Celui de Texloom</translation>
     </message>
     <message>
-        <source>The checkpoint does not suit this run: begin anew without --resume.</source>
+        <source>The checkpoint does not suit this run: start again without --resume.</source>
         <translation>Le point de reprise ne convient pas à ce calcul : recommencez sans --resume.</translation>
     </message>
     <message>
-        <source>The checkpoint holds no solid; begin anew without it.</source>
+        <source>The checkpoint holds no solid; start again without it.</source>
         <translation>Le point de reprise ne contient pas de solide ; recommencez sans lui.</translation>
     </message>
     <message>
-        <source>The checkpoint is of a generator of another size; begin anew without it.</source>
+        <source>The checkpoint is of a generator of another size; start again without it.</source>
         <translation>Le point de reprise est celui d’un générateur d’une autre taille ; recommencez sans lui.</translation>
     </message>
     <message>
@@ -5233,7 +5229,7 @@
         <translation>Le descripteur est inutilisable : {}.</translation>
     </message>
     <message>
-        <source>The descriptor gives values that are no numbers at its tap {}: its weights are too large.</source>
+        <source>The descriptor gives values that are not numbers at its tap {}: its weights are too large.</source>
         <translation>Le descripteur donne à sa prise {} des valeurs qui ne sont pas des nombres : ses poids sont trop grands.</translation>
     </message>
     <message>
@@ -5313,7 +5309,7 @@
         <translation>Les poids de {} ne conviennent pas à {} canaux et à un carré de côté impair, ou n&apos;ont pas de biais.</translation>
     </message>
     <message>
-        <source>The weights of {} hold values that are no numbers.</source>
+        <source>The weights of {} hold values that are not numbers.</source>
         <translation>Les poids de {} contiennent des valeurs qui ne sont pas des nombres.</translation>
     </message>
     <message>
@@ -5485,7 +5481,7 @@
         <translation>{} n&apos;est pas un .json : nommez celui qui se trouve à côté du .bin des poids.</translation>
     </message>
     <message>
-        <source>{} is there already; choose a folder without pictures of an earlier turn.</source>
+        <source>{} already exists; choose a folder without pictures of an earlier turn.</source>
         <translation>{} existe déjà ; choisissez un dossier sans images d’un tour précédent.</translation>
     </message>
     <message>
@@ -5777,16 +5773,12 @@
         <translation>Il n’y a ni exemple dont apprendre, ni générateur entraîné pour faire une texture.</translation>
     </message>
     <message>
-        <source>There is no generator to train further: give one, or train anew.</source>
+        <source>There is no generator to train further: give one, or train a new one.</source>
         <translation>Il n’y a pas de générateur à entraîner davantage : en donner un, ou entraîner de nouveau.</translation>
     </message>
     <message>
         <source>Train further</source>
         <translation>Entraîner davantage</translation>
-    </message>
-    <message>
-        <source>Training ended after {} of {} iterations, since the next gave values that are no numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
-        <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
     </message>
     <message>
         <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
@@ -5883,6 +5875,14 @@
     <message>
         <source>{} edits one image and joins no two; leave it to the edits of an exemplar.</source>
         <translation>{} modifie une image et n’en joint pas deux ; laissez-le aux retouches d’un exemple.</translation>
+    </message>
+    <message>
+        <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Start the run again, or use that version.</source>
+        <translation>Le point de reprise vient de Texloom {} ; celui-ci est {}, qui peut poursuivre autrement. Recommencez le calcul, ou prenez cette version-là.</translation>
+    </message>
+    <message>
+        <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
+        <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
     </message>
 </context>
 <context>
@@ -6898,6 +6898,21 @@
     <message>
         <source>Opened to learn from</source>
         <translation>Ouvert pour en apprendre</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExampleSessions</name>
+    <message>
+        <source>Exa&amp;mple sessions</source>
+        <translation>Sessions d’exe&amp;mple</translation>
+    </message>
+    <message>
+        <source>None were found beside the program</source>
+        <translation>Aucun n’a été trouvé auprès du programme</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>

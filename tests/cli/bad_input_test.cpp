@@ -141,7 +141,7 @@ const std::vector<Row>& rows() {
         {"FollowedByWhatCannotStartFromAnImage",
          synth("bark.png", {"--then", "random-phase"}),
          kUsage,
-         {"Random phase", "takes up nothing"}},
+         {"Random phase", "uses nothing"}},
         {"SettingOfAMethodThatIsNotRun",
          synth("bark.png", {"--set", "random-phase.model=spot-noise"}),
          kUsage,

@@ -14,8 +14,10 @@
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
+#include "ui/jobs/run_panel.h"
 #include "ui/maps/result_view.h"
 #include "ui/session/document.h"
+#include "ui/session/example_sessions.h"
 #include "ui/session/missing_files_dialog.h"
 #include "ui/session/preset_menu.h"
 #include "ui/session/undo_history.h"
@@ -205,6 +207,23 @@ private Q_SLOTS:
                 QVERIFY(mask(map.at(x, y).x, map.at(x, y).y, 0) != 0);
         trigger(*m_window, "undo");
         QTRY_VERIFY(!m_window->store()->current()->exemplar.mask);
+    }
+
+    void exampleSessionsOpenWithoutAFileAndRun() {
+        const QStringList files = ExampleSessions::files();
+        QVERIFY(files.size() >= 8);
+        for (const QString& file : files) {
+            const Session session = readSession(toPath(file));
+            trigger(*m_window, qPrintable(QStringLiteral("example-") + QFileInfo(file).completeBaseName()));
+            const std::string method = session.settings.steps.front().method;
+            QTRY_COMPARE(m_window->inspector()->method()->id(), method);
+            QTRY_VERIFY(m_window->store()->current() != nullptr &&
+                        m_window->store()->current()->file().path.filename() ==
+                            session.settings.exemplars.front().image.path.filename());
+            QVERIFY(m_window->document()->file().isEmpty());
+            QVERIFY2(m_window->messages()->text().isEmpty(), qPrintable(m_window->messages()->text()));
+            QTRY_VERIFY2(m_window->desk()->canRun(), qPrintable(m_window->runPanel()->refusal()));
+        }
     }
 
     void settingsAreUndoneAndOneDragIsOneStep() {

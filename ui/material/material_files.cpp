@@ -52,7 +52,7 @@ int writePicture(const Scene& scene, const fs::path& path, JobContext& context) 
 int writeTurn(const Scene& scene, const fs::path& folder, int pictures, JobContext& context) {
     for (int i = 0; i < pictures; ++i)
         if (fs::exists(turnFile(folder, i)))
-            failUsage("{} is there already; choose a folder without pictures of an earlier turn.",
+            failUsage("{} already exists; choose a folder without pictures of an earlier turn.",
                       turnFile(folder, i).string());
     context.stage(1, TR("Writing a turn"));
     for (int i = 0; i < pictures; ++i) {

@@ -6,6 +6,7 @@
 #include "ui/common/readings.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
+#include "ui/session/example_sessions.h"
 #include "ui/session/missing_files_dialog.h"
 
 #include <QAction>
@@ -105,6 +106,9 @@ void Document::addTo(QMenu* menu) {
     QMenu* const recent = menu->addMenu(tr("Recent sess&ions"));
     recent->setToolTipsVisible(true);
     connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+    auto* const examples = new ExampleSessions(menu);
+    menu->addMenu(examples);
+    connect(examples, &ExampleSessions::chosen, this, &Document::openExample);
     add(menu, "saveSession", tr("S&ave session"), QKeySequence::Save, &Document::save);
     add(menu, "saveSessionAs", tr("Save session &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
         &Document::saveAs);
@@ -174,8 +178,17 @@ void Document::open(const QString& path) {
         return;
     const QString file = QFileInfo(path).absoluteFilePath();
     QSettings().setValue(kFolder, QFileInfo(file).path());
+    read(file, file);
+}
+
+void Document::openExample(const QString& path) {
+    if (askToSave())
+        read(path, {});
+}
+
+void Document::read(const QString& path, const QString& file) {
     inBackground(
-        this, [file = toPath(file)] { return readSession(file); },
+        this, [path = toPath(path)] { return readSession(path); },
         [this, file](const Session& session) { resolve(session, file, {}); },
         [this](const QString& why) { m_window.refuse(why); });
 }

@@ -58,6 +58,8 @@ public:
     /// The session's file; empty before it was first saved.
     const QString& file() const { return m_file; }
     void open(const QString& path);
+    /// Opens one that comes with Texloom, as a session that has no file yet.
+    void openExample(const QString& path);
     /// @param packed with copies of all images beside it.
     void saveTo(const QString& path, bool packed);
     /// Whether the window may close: asks where changes of a saved session, or what was made by hand in one
@@ -86,6 +88,8 @@ private:
     void savePacked();
     QString askForFile(const QString& title);
     void fillRecent(QMenu* menu) const;
+    /// @param file that it is saved to from now on; empty for none.
+    void read(const QString& path, const QString& file);
     /// The steps of opening a session. @param copy the file it is recovered from, which stays for another
     /// time if it is not opened; empty if it is opened from `file`.
     void resolve(const Session& session, const QString& file, const QString& copy);

@@ -61,7 +61,7 @@ const Method self = method<Settings>(
      passesField(&Settings::passes, 10)
          .help(TR(
              "How often the output is gone through: passes after the first see all that surrounds a pixel, "
-             "which mends joins.")),
+             "which repairs seams.")),
      field(&Settings::targetWeight, "target-weight", TR("Target weight"))
          .range(0, 10)
          .symbol("w")

@@ -25,7 +25,7 @@ Request prepared(
 void check(const Request& request, const Settings& settings) {
     checkSquares(prepared(request, settings), Grower::window(settings));
     if (request.initial() && !knownOf(request))
-        failUsage("What is to be kept of the image to start from is not said; give a mask of what is known.");
+        failUsage("Nothing says what to keep of the image to start from; give a mask of what is known.");
     checkFill(request);
 }
 

@@ -270,7 +270,7 @@ Synthesis Synthesizer::finish() {
     }
     if (m_brokeDown)
         result.notes.emplace_back(
-            TR("A step gave values that are no numbers: the optimisation ended with the last that are."));
+            TR("A step gave values that are not numbers: the optimisation ended with the last that are."));
     m_context.progress(1);
     return result;
 }

@@ -132,7 +132,7 @@ std::string Progress::bytes() const {
 Progress Progress::from(const std::string& text) {
     std::array<std::int64_t, 6> head{};
     if (text.size() < sizeof head)
-        fail("The checkpoint holds no solid; begin anew without it.");
+        fail("The checkpoint holds no solid; start again without it.");
     std::memcpy(head.data(), text.data(), sizeof head);
     Progress made;
     made.scale = static_cast<int>(head[0]);
@@ -144,7 +144,7 @@ Progress Progress::from(const std::string& text) {
     const std::size_t wanted =
         sizeof head + plane * at(made.solid.channels()) + made.matches.size() * sizeof(std::int32_t);
     if (text.size() != wanted)
-        fail("The checkpoint holds no solid; begin anew without it.");
+        fail("The checkpoint holds no solid; start again without it.");
     const char* from = text.data() + sizeof head;
     for (int c = 0; c < made.solid.channels(); ++c, from += plane)
         std::memcpy(made.solid.row(0, 0, c), from, plane);

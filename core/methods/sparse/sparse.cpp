@@ -113,12 +113,13 @@ std::vector<Param> params() {
                       .range(1, 50)
                       .group(TR("Advanced"))
                       .help(TR("Steps of the image in each round, between two codings of its patches.")));
-    all.push_back(field(&Settings::pursuit, "pursuit", TR("Pursuit"))
-                      .choices({{"plain", TR("Plain")}, {"orthogonal", TR("Orthogonal")}})
-                      .group(TR("Advanced"))
-                      .help(TR("How the weights of a patch's atoms are found: plain, as published, adds one "
-                               "atom after another; orthogonal finds all weights anew with every atom, which "
-                               "follows the patch more closely and takes a little longer.")));
+    all.push_back(
+        field(&Settings::pursuit, "pursuit", TR("Pursuit"))
+            .choices({{"plain", TR("Plain")}, {"orthogonal", TR("Orthogonal")}})
+            .group(TR("Advanced"))
+            .help(TR("How the weights of a patch's atoms are found: plain, as published, adds one "
+                     "atom after another; orthogonal finds all weights again with every atom, which "
+                     "follows the patch more closely and takes a little longer.")));
     for (auto& part : {energyFields(), dictionaryLearningFields<Settings>()})
         all.insert(all.end(), part.begin(), part.end());
     return all;

@@ -52,7 +52,7 @@ void check(const Request& request, const Settings& settings) {
         if (!request.exemplars.empty() && made != request.channels())
             failUsage("The generator makes {} channels, and the exemplar has {}.", made, request.channels());
     } else if (settings.further) {
-        failUsage("There is no generator to train further: give one, or train anew.");
+        failUsage("There is no generator to train further: give one, or train a new one.");
     }
     if (trains(request, settings))
         checkTraining(request, settings);

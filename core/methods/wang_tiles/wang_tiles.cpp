@@ -339,9 +339,9 @@ const Method self = method<Settings>(
      field(&Settings::tries, "tries", TR("Tries"))
          .range(1, 1000)
          .group(TR("Advanced"))
-         .help(
-             TR("How often the samples are drawn anew, at most, until the worst cut is good enough; the best "
-                "are kept.")),
+         .help(TR(
+             "How often the samples are drawn again, at most, until the worst cut is good enough; the best "
+             "are kept.")),
      field(&Settings::threshold, "threshold", TR("Good enough"))
          .range(0, 2)
          .group(TR("Advanced"))

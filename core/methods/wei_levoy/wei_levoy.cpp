@@ -50,7 +50,7 @@ const Method self = method<Settings>(
      passesField(&Settings::passes, 5)
          .help(
              TR("How often each scale is made: passes after the first see all that surrounds a pixel, which "
-                "mends joins.")),
+                "repairs seams.")),
      field(&Settings::search, "search", TR("Search"))
          .choices({{"tree", TR("Tree")}, {"exact", TR("Exact")}})
          .group(TR("Advanced"))

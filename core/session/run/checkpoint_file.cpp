@@ -19,13 +19,13 @@ namespace {
 constexpr const char* kName = "texloomCheckpoint";
 
 [[noreturn]] void damaged(const fs::path& path) {
-    failUsage("{} is not a checkpoint, or it is damaged; begin the run anew.", path.string());
+    failUsage("{} is not a checkpoint, or it is damaged; start the run again.", path.string());
 }
 
 CheckpointFile checkpointFrom(const Json& head, std::string state, const fs::path& path) {
     CheckpointFile file;
     if (head.at(kName).get<int>() != CheckpointFile::kFormat)
-        failUsage("{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Begin the run anew.",
+        failUsage("{} is a checkpoint of format {}; this Texloom ({}) reads format {}. Start the run again.",
                   path.string(), head.at(kName).get<int>(), kVersion, CheckpointFile::kFormat);
     file.version = head.at("version").get<std::string>();
     file.recipe = Recipe::fromJson(head.at("recipe").dump(), folderOf(path));
@@ -74,13 +74,13 @@ fs::path checkpointFor(const fs::path& output) {
 std::shared_ptr<const Checkpoint> resumable(const CheckpointFile& file, const RunPlan& plan) {
     if (file.version != kVersion)
         failUsage(
-            "The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Begin the "
-            "run anew, or use that version.",
+            "The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Start the "
+            "run again, or use that version.",
             file.version, kVersion);
     Recipe planned = plan.recipe;
     planned.version = file.recipe.version;
     if (planned.toJson("/") != file.recipe.toJson("/"))
-        failUsage("The checkpoint is of a run with other settings or exemplars; begin the run anew.");
+        failUsage("The checkpoint is of a run with other settings or exemplars; start the run again.");
     return std::make_shared<const Checkpoint>(file.checkpoint);
 }
 

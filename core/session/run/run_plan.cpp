@@ -252,7 +252,7 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
         planned.method = &findMethod(step.method);
         const MethodInfo& info = planned.method->info();
         if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
-            failUsage("{} takes up nothing that {} makes, so that it cannot follow it.", Message(info.title),
+            failUsage("{} uses nothing that {} makes, so it cannot follow it.", Message(info.title),
                       Message(plan.lastMethod().info().title));
         Request request = plan.requestFor(plan.steps.size(), info);
         if (!plan.steps.empty())

@@ -369,10 +369,13 @@ TEST(JobContext, TakesUpTheCurvesOfTheCheckpointOnce) {
     broken.curve(energy, 2); // after the last checkpoint: lost
 
     JobMonitor after;
+    int again = 0;
     JobContext context(
-        {.resumed = kept}, [] { return false; }, after);
+        {.keep = [&](const Checkpoint&) { ++again; }, .resumed = kept}, [] { return false; }, after);
     context.step(0, 0.5); // ended before the checkpoint; it is made again
     EXPECT_EQ(context.resumed(), nullptr);
+    context.checkpoint(0ms, [] { return "less than half"; });
+    EXPECT_EQ(again, 0) << "the later one is kept";
     context.curve(energy, 99);
     context.step(1, 0.5);
     context.curve(energy, 8); // of what is done again before the work is taken up
@@ -382,6 +385,8 @@ TEST(JobContext, TakesUpTheCurvesOfTheCheckpointOnce) {
     EXPECT_EQ(*context.resumed(), "half");
     ASSERT_EQ(context.curves().size(), 1U);
     EXPECT_EQ(context.curves().front().values, (std::vector<double>{8, 4, 2}));
+    context.checkpoint(0ms, [] { return "more than half"; });
+    EXPECT_EQ(again, 1);
 }
 
 TEST(JobContext, ShowsNoPreviewWhenNobodyLooks) {

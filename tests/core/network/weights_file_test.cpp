@@ -82,7 +82,7 @@ TEST(WeightsFile, refusesWhatIsDamagedOrOfAnotherNetwork) {
     files.values({1, 2, 3});
     EXPECT_THAT(files.refusal(), HasSubstr("cut short"));
     files.values(std::vector<float>(23, std::nanf("")));
-    EXPECT_THAT(files.refusal(), HasSubstr("no numbers"));
+    EXPECT_THAT(files.refusal(), HasSubstr("not numbers"));
     files.values(std::vector<float>(100, 0));
     files.write("no json");
     EXPECT_NE(files.refusal(), "taken");

@@ -128,7 +128,7 @@ TEST(Pipeline, RefusesAMethodThatCannotStartFromAnImage) {
     SampleRun sample;
     sample.input.steps.push_back({"random-phase", {}});
     EXPECT_THAT([&] { planRun(sample.input); },
-                usageRefusal("Random phase", "takes up nothing", "Image quilting"));
+                usageRefusal("Random phase", "uses nothing", "Image quilting"));
 }
 
 TEST(Pipeline, RefusesAWrongSettingOfALaterStep) {

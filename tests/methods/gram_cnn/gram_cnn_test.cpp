@@ -180,7 +180,7 @@ TEST(GramCnn, weightsThatOverflowAreRefusedInASentence) {
         made(request, {{"iterations", 4}});
         ADD_FAILURE() << "taken";
     } catch (const Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("no numbers at its tap random3"));
+        EXPECT_THAT(error.what(), HasSubstr("not numbers at its tap random3"));
     }
 }
 

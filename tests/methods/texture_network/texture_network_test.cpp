@@ -248,7 +248,7 @@ TEST(TextureNetwork, stepThatBreaksDownLeavesTheLastGoodGenerator) {
         rate);
     EXPECT_EQ(training.iterationsDone(), 3);
     EXPECT_THAT(training.notes().front().text(), HasSubstr("after 3 of 9 iterations"));
-    EXPECT_THAT(training.notes().front().text(), HasSubstr("no numbers"));
+    EXPECT_THAT(training.notes().front().text(), HasSubstr("not numbers"));
     GeneratorWeights kept = training.weights();
     kept.everyRunning([](const std::string&, const std::vector<float>& values) {
         for (const float value : values)
