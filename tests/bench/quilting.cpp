@@ -11,8 +11,7 @@ namespace {
 void quilting(benchmark::State& state) {
     const int side = static_cast<int>(state.range(0)), output = static_cast<int>(state.range(1));
     Request request;
-    request.exemplars.push_back(
-        {"blobs", std::make_shared<const Image>(test::blobs({side, side}, 3)), {}});
+    request.exemplars.push_back({"blobs", std::make_shared<const Image>(test::blobs({side, side}, 3)), {}});
     request.size = {output, output};
     const Method& method = findMethod("quilting");
     const Values settings = method.resolved({{"patch", static_cast<int>(state.range(2))}}, {side, side});
