@@ -55,7 +55,7 @@ QImage thumbnailOf(const QString& path, int side) {
     // Files of others are decoded where one that a library breaks down on does no harm.
     const QString own = resourceFolder(QStringLiteral("exemplars"));
     if (!own.isEmpty() && path.startsWith(own))
-        if (const QImage image = readSmall(path, side); !image.isNull())
+        if (QImage image = readSmall(path, side); !image.isNull())
             return image;
     const std::filesystem::path file = toPath(path);
     if (readImageInfo(file).size.area() > kLargestPixels)
