@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/color/color_pipeline.h"
 #include "core/io/json_field.h"
+#include "core/io/map_file.h"
 #include "core/session/export/export.h"
 #include "core/session/export/output_files.h"
 #include "core/session/preset.h"

@@ -2,6 +2,7 @@
 
 #include "core/methods/method.h"
 #include "core/session/session.h"
+#include "ui/common/background.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/resource_folder.h"
 
