@@ -6,7 +6,6 @@
 #include "ui/common/text.h"
 #include "ui/exemplar/resource_folder.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -98,12 +97,7 @@ ExampleSweeps::ExampleSweeps(QWidget* parent) : QMenu(tr("Exa&mple sweeps"), par
 }
 
 QStringList ExampleSweeps::files() {
-    const QString folder = resourceFolder(QStringLiteral("batches"));
-    QStringList paths;
-    if (!folder.isEmpty())
-        for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.json")}, QDir::Files))
-            paths += file.filePath();
-    return paths;
+    return resourceFiles(QStringLiteral("batches"), QStringLiteral("*.json"));
 }
 
 void ExampleSweeps::fill() {

@@ -23,4 +23,13 @@ QString resourceFolder(const QString& name) {
     return {};
 }
 
+QStringList resourceFiles(const QString& name, const QString& pattern) {
+    const QString folder = resourceFolder(name);
+    QStringList paths;
+    if (!folder.isEmpty())
+        for (const QFileInfo& file : QDir(folder).entryInfoList({pattern}, QDir::Files))
+            paths += file.filePath();
+    return paths;
+}
+
 } // namespace texloom::ui

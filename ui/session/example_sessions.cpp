@@ -7,7 +7,6 @@
 #include "ui/exemplar/resource_folder.h"
 
 #include <QAction>
-#include <QDir>
 #include <QFileInfo>
 
 namespace texloom::ui {
@@ -22,12 +21,7 @@ ExampleSessions::ExampleSessions(QWidget* parent) : QMenu(tr("Exa&mple sessions"
 }
 
 QStringList ExampleSessions::files() {
-    const QString folder = resourceFolder(QStringLiteral("sessions"));
-    QStringList paths;
-    if (!folder.isEmpty())
-        for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.texloom")}, QDir::Files))
-            paths += file.filePath();
-    return paths;
+    return resourceFiles(QStringLiteral("sessions"), QStringLiteral("*.texloom"));
 }
 
 void ExampleSessions::add(const QString& path) {
