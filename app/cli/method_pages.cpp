@@ -56,6 +56,7 @@ std::vector<std::string> abilities(const MethodInfo& info) {
         {info.heedsMasks(), "What a mask hides in an exemplar is left out (`--mask`)."},
         {info.startsFromImage(),
          "It can start from an image (`--init`) or follow another method (`--then`)."},
+        {info.keepsCheckpoints, "A run that was killed goes on from its last checkpoint (`--resume`)."},
     };
     std::vector<std::string> lines;
     for (const auto& [can, line] : all)

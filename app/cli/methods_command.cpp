@@ -41,6 +41,7 @@ Json toJson(const Method& method) {
                  {"gives", Json::array()},
                  {"repeats", info.repeats == Repeats::Bits ? "bits" : "nearly"},
                  {"usesSeed", info.usesSeed},
+                 {"keepsCheckpoints", info.keepsCheckpoints},
                  {"cancelsWithinMilliseconds", info.cancelsWithin.count()},
                  {"parameters", Json::array()}};
     for (const Port& port : info.takes)

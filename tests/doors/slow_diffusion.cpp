@@ -91,7 +91,8 @@ const Method self = method<Settings>(
      .citation = "None: an example that can be taken up again",
      .category = Category::Tools,
      .takes = {ports::exemplar()},
-     .gives = {ports::image()}},
+     .gives = {ports::image()},
+     .keepsCheckpoints = true},
     {field(&Settings::rounds, "rounds", TR("Rounds"))
          .range(0, 1000)
          .help(TR("How often every pixel is mixed with one beside it: more blur more.")),

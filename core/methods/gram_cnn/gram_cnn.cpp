@@ -87,7 +87,8 @@ const Method self = method<Settings>(
      .category = Category::Networks,
      .suits = {.regular = 1, .grain = 4, .objects = 2, .large = 1},
      .takes = {ports::weighedExemplars(), ports::initial(), descriptorInput()},
-     .gives = {ports::wrappingImage()}},
+     .gives = {ports::wrappingImage()},
+     .keepsCheckpoints = true},
     {descriptorField(&Settings::descriptor),
      field(&Settings::scales, "scales", TR("Scales"))
          .range(1, 8)

@@ -132,7 +132,8 @@ const Method self = method<Settings>(
                 .title = TR("Volume"),
                 .help = TR("The solid, which repeats after its side along every axis."),
                 .kind = AssetKind::Volume,
-                .least = 1}}},
+                .least = 1}},
+     .keepsCheckpoints = true},
     fields(), run, check, estimate);
 
 } // namespace texloom::solid_optimise

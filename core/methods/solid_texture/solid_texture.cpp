@@ -210,7 +210,8 @@ const Method self = method<Settings>(
                 .title = TR("Volume"),
                 .help = TR("The solid in space, without end; the picture is its slice at z = 0."),
                 .kind = AssetKind::Volume,
-                .least = 1}}},
+                .least = 1}},
+     .keepsCheckpoints = true},
     fields(), run, check, estimate);
 
 } // namespace texloom::solid_texture

@@ -3,6 +3,7 @@
 #include "core/methods/dictionary_fields.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/sparse/cost.h"
 #include "core/methods/sparse/synthesizer.h"
 
 #include <utility>
@@ -27,8 +28,7 @@ void check(const Request& request, const Settings& settings) {
 }
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    Estimate need{Synthesizer::bytesFor(request, settings, threads),
-                  Synthesizer::secondsFor(request, settings)};
+    Estimate need{bytesFor(request, settings, threads), secondsFor(request, settings)};
     addEstimatedMap(request, need);
     return need;
 }
@@ -138,7 +138,8 @@ const Method self = method<Settings>(
      .category = Category::Sparse,
      .suits = {.regular = 2, .grain = 2, .objects = 2, .large = 1},
      .takes = {ports::exemplar(), ports::mask(), ports::initial(), dictionaryInput()},
-     .gives = {ports::wrappingImage()}},
+     .gives = {ports::wrappingImage()},
+     .keepsCheckpoints = true},
     params(), run, check, estimate);
 
 } // namespace texloom::sparse

@@ -6,9 +6,10 @@
 #include "core/image/mirror.h"
 #include "core/methods/dictionary_fields.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/sparse/cost.h"
+#include "core/methods/sparse/enlarged_cubic.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -34,37 +35,6 @@ std::chrono::milliseconds checkpointPause(Size size) {
     return std::chrono::milliseconds(250 + size.area() / 2000);
 }
 
-/// Weights of the pixels −1, 0, 1 and 2 for a place `t` beyond pixel 0.
-std::array<float, 4> cubicWeights(double t) {
-    return {static_cast<float>(((2 - t) * t - 1) * t / 2), static_cast<float>(((3 * t - 5) * t * t + 2) / 2),
-            static_cast<float>(((4 - 3 * t) * t + 1) * t / 2), static_cast<float>((t - 1) * t * t / 2)};
-}
-
-/// Where the values of one line come from.
-struct CubicLine {
-    struct Tap {
-        std::array<int, 4> from;
-        std::array<float, 4> weights;
-    };
-    CubicLine(int length, int result, bool wraps) {
-        for (int i = 0; i < result; ++i) {
-            const double place = (i + 0.5) * length / result - 0.5, floor = std::floor(place);
-            Tap& tap = taps.emplace_back();
-            tap.weights = cubicWeights(place - floor);
-            for (int k = 0; k < 4; ++k) {
-                const int pixel = static_cast<int>(floor) + k - 1;
-                tap.from[at(k)] =
-                    wraps ? ((pixel % length) + length) % length : std::clamp(pixel, 0, length - 1);
-            }
-        }
-    }
-    std::vector<Tap> taps;
-};
-
-Size halfOf(Size size, int scale) {
-    return {std::max(1, size.width >> scale), std::max(1, size.height >> scale)};
-}
-
 template <class T> void append(std::string& state, const T& value) {
     state.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
@@ -75,35 +45,6 @@ template <class T> void take(const char*& from, T& value) {
 }
 
 } // namespace
-
-Image enlargedCubic(const Image& image, Size size, Wrap wrap, JobContext& context) {
-    const CubicLine across(image.width(), size.width, wrap.x), down(image.height(), size.height, wrap.y);
-    Image rows({size.width, image.height()}, image.channels());
-    context.parallel(0, image.height(), [&](int y) {
-        for (int c = 0; c < image.channels(); ++c) {
-            const float* from = image.plane(c).row(y);
-            float* to = rows.plane(c).row(y);
-            for (const CubicLine::Tap& tap : across.taps) {
-                float sum = 0;
-                for (std::size_t k = 0; k < 4; ++k)
-                    sum += tap.weights[k] * from[tap.from[k]];
-                *to++ = sum;
-            }
-        }
-    });
-    Image large(size, image.channels());
-    context.parallel(0, size.height, [&](int y) {
-        const CubicLine::Tap& tap = down.taps[at(y)];
-        for (int c = 0; c < image.channels(); ++c)
-            for (std::size_t k = 0; k < 4; ++k) {
-                const float* from = rows.plane(c).row(tap.from[k]);
-                float* to = large.plane(c).row(y);
-                for (int x = 0; x < size.width; ++x)
-                    to[x] += tap.weights[k] * from[x];
-            }
-    });
-    return large;
-}
 
 struct Synthesizer::Level {
     Level(const Synthesizer& owner, int scale)
@@ -145,17 +86,6 @@ struct Synthesizer::Level {
     std::optional<LowPassTerm> lowPass;
     std::optional<SpectrumTerm> spectrum;
 };
-
-int Synthesizer::scalesFor(const Request& request, const Settings& settings) {
-    return dictionaryScales(settings.scales, settings.patch, request.exemplars.front().image->size(),
-                            request.size, request.wrap);
-}
-
-Size Synthesizer::canvasFor(const Request& request, const Settings& settings) {
-    const int least = settings.patch << (scalesFor(request, settings) - 1);
-    return {request.wrap.x ? request.size.width : std::max(request.size.width, least),
-            request.wrap.y ? request.size.height : std::max(request.size.height, least)};
-}
 
 double Synthesizer::stepFor(const Settings& settings, double covering) {
     return 0.5 /
@@ -308,7 +238,7 @@ void Synthesizer::startFromNoise(int scale) {
 
 /// The image that a scale starts from.
 void Synthesizer::begin(int scale) {
-    const Size size = halfOf(canvasFor(m_request, m_settings), scale);
+    const Size size = sizeAt(scale, canvasFor(m_request, m_settings));
     if (scale + 1 < m_pyramid->levels()) {
         m_image = enlargedCubic(m_image, size, m_request.wrap, m_context);
         return;
@@ -517,49 +447,6 @@ Synthesis Synthesizer::finished() {
     addDictionaries(result);
     m_context.progress(1);
     return result;
-}
-
-std::uint64_t Synthesizer::bytesFor(const Request& request, const Settings& settings, int threads) {
-    const Size exemplar = request.exemplars.front().image->size(), canvas = canvasFor(request, settings);
-    const int channels = request.channels(), length = channels * settings.patch * settings.patch;
-    const std::int64_t patches =
-        PatchColumns::countFor(canvas, request.wrap, settings.patch, settings.spacing);
-    const std::uint64_t image = Image::bytesFor(canvas, channels);
-    const std::uint64_t dictionaries = 3 * sizeof(float) * at(length) * at(settings.atoms);
-    const std::uint64_t coding = pursuitBytes(patches, length, settings.atoms, settings.sparsity, threads);
-    const std::uint64_t joining = PatchColumns::joinBytes(canvas, channels, settings.patch, settings.spacing);
-    std::uint64_t terms = 0, targets = 0;
-    if (settings.histogram)
-        terms += HistogramTerm::bytesFor(exemplar, canvas, channels, threads);
-    if (settings.lowPass) {
-        terms += LowPassTerm::bytesFor(canvas, channels, settings.patch);
-        targets = randomPhaseBytes(exemplar, canvas, request.wrap, channels);
-    }
-    if (settings.spectrum)
-        terms += SpectrumTerm::bytesFor(exemplar, canvas, channels);
-    return 4 * Image::bytesFor(exemplar, channels) + 4 * image + dictionaries + terms +
-           ExemplarPyramid::bytesFor(request.exemplarSizes(), channels) +
-           std::max({coding, joining + SparseCode::bytesFor(patches, settings.sparsity), targets,
-                     textureDictionaryBytes(exemplar, channels, learningOf(settings, 0), threads)}) +
-           (8U << 20U);
-}
-
-double Synthesizer::secondsFor(const Request& request, const Settings& settings) {
-    const Size exemplar = request.exemplars.front().image->size(), canvas = canvasFor(request, settings);
-    const int channels = request.channels();
-    const double length = static_cast<double>(channels) * settings.patch * settings.patch;
-    const double patches = PatchColumns::countFor(canvas, request.wrap, settings.patch, settings.spacing);
-    const auto pixels = static_cast<double>(canvas.area()) * channels;
-    const double coding = patches * settings.atoms * (length * 1.1e-10 + 4e-9 * settings.sparsity);
-    const double joining = patches * length * (2e-9 * settings.sparsity + 8e-9);
-    const double descent = settings.gradientSteps * pixels *
-                           (4e-9 + (settings.histogram ? 4e-8 : 0) + (settings.lowPass ? 1.5e-8 : 0) +
-                            (settings.spectrum ? 1e-9 * std::log2(pixels) : 0));
-    double seconds = settings.iterations * (coding + joining + descent) * 4 / 3;
-    if (!request.inputs.first<Model>(kDictionaryPort))
-        for (int j = 0; j < scalesFor(request, settings); ++j)
-            seconds += textureDictionarySeconds(halfOf(exemplar, j), channels, learningOf(settings, j));
-    return seconds;
 }
 
 } // namespace texloom::sparse

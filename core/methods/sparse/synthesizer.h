@@ -21,11 +21,6 @@ public:
 
     Synthesis run();
 
-    static int scalesFor(const Request& request, const Settings& settings);
-    /// The finest image that is worked on: the output, or larger so that every scale holds a patch.
-    static Size canvasFor(const Request& request, const Settings& settings);
-    static std::uint64_t bytesFor(const Request& request, const Settings& settings, int threads);
-    static double secondsFor(const Request& request, const Settings& settings);
     /// A step of the gradient that always leads down: 0.5 / (ρ + α + β + γ). The source prints 4 / (1 + α +
     /// β), which diverges: the gradient's Lipschitz constant is 2 (ρ + α + β + γ), so that steps must be
     /// below 1 / (ρ + α + β + γ). @param covering largest number of patches over a pixel, divided by Z.
@@ -69,9 +64,5 @@ private:
     double m_energy = 0;    ///< the least of the scale so far, of a pixel
     bool m_resumed = false; ///< m_image is what a checkpoint held
 };
-
-/// Twice the size, by Catmull and Rom's cubic; pixel x of the image lies in the middle of the pixels 2x and
-/// 2x + 1. @param size of the result.
-Image enlargedCubic(const Image& image, Size size, Wrap wrap, JobContext& context);
 
 } // namespace texloom::sparse

@@ -230,7 +230,8 @@ const Method self = method<Settings>(
                 .help = TR("What was learned, under half a megabyte: given to this method, it makes any size "
                            "and any part of the texture without training."),
                 .kind = AssetKind::Model,
-                .least = 1}}},
+                .least = 1}},
+     .keepsCheckpoints = true},
     fields(), run, check, estimate, channels);
 
 } // namespace texloom::texture_network

@@ -1,3 +1,4 @@
+#include "core/methods/sparse/enlarged_cubic.h"
 #include "core/methods/sparse/synthesizer.h"
 #include "core/methods/sparse/terms.h"
 #include "tests/support/textures.h"
