@@ -1,6 +1,6 @@
 # texloom_unity_groups(target source…): in a build that compiles several sources as one, those of a folder go together, so
 # that a file that is new or edited costs its folder and no other. Methods and tools, whose folders hold few sources and
-# have a namespace each, share theirs. More than twelve sources are divided by a hash of the file's name.
+# have a namespace each, share theirs. More than two dozen sources are divided by a hash of the file's name.
 function(texloom_unity_groups target)
   set(_folders "")
   foreach(_source IN LISTS ARGN)
@@ -14,7 +14,7 @@ function(texloom_unity_groups target)
   list(REMOVE_DUPLICATES _folders)
   foreach(_folder IN LISTS _folders)
     list(LENGTH _sources_of_${_folder} _count)
-    math(EXPR _groups "(${_count} + 11) / 12")
+    math(EXPR _groups "(${_count} + 23) / 24")
     foreach(_source IN LISTS _sources_of_${_folder})
       cmake_path(GET _source FILENAME _name)
       string(MD5 _hash ${_name})

@@ -291,13 +291,13 @@ TEST(Generator, ofPicturesIsWhatTheSourceWritesDown) {
 TEST(Generator, ofPicturesShiftsWithItsNoise) {
     Work work;
     const Generator generator(stirred(smallShape(2)));
-    constexpr int kSide = 24, kShift = 8; // 2^K
-    const GeneratorNoise noise(5, {kSide, kSide, 0});
-    const Volume all = generator.evaluate({0, 0, 0, {kSide, kSide, 1}}, noise, work.context);
-    const Volume shifted = generator.evaluate({kShift, -kShift, 0, {kSide, kSide, 1}}, noise, work.context);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
-            ASSERT_EQ(shifted(x, y, 0, 0), all((x + kShift) % kSide, (y + kSide - kShift) % kSide, 0, 0));
+    constexpr int kSlice = 24, kShift = 8; // 2^K
+    const GeneratorNoise noise(5, {kSlice, kSlice, 0});
+    const Volume all = generator.evaluate({0, 0, 0, {kSlice, kSlice, 1}}, noise, work.context);
+    const Volume shifted = generator.evaluate({kShift, -kShift, 0, {kSlice, kSlice, 1}}, noise, work.context);
+    for (int y = 0; y < kSlice; ++y)
+        for (int x = 0; x < kSlice; ++x)
+            ASSERT_EQ(shifted(x, y, 0, 0), all((x + kShift) % kSlice, (y + kSlice - kShift) % kSlice, 0, 0));
 }
 
 TEST(Generator, ofPicturesClosesOnItselfAfterAnyNumberOfPixels) {
@@ -439,16 +439,16 @@ TEST(GeneratorTrainer, goesOnFromItsStateBitForBit) {
 }
 
 TEST(GeneratorTrainer, evaluationIsTrainingWithItsOwnStatistics) {
-    constexpr int kSide = 64;
+    constexpr int kSlice = 64;
     Work work;
-    const Box box{0, 0, 0, {kSide, kSide, 1}};
+    const Box box{0, 0, 0, {kSlice, kSlice, 1}};
     GeneratorTrainer trainer(stirred(smallShape()));
     for (int n = 0; n < 200; ++n) // until the running statistics are those of this box
         trainer.forward(box, GeneratorNoise(4), work.context);
     const Volume trained = trainer.forward(box, GeneratorNoise(4), work.context);
     const Volume evaluated = Generator(trainer.weights()).evaluate(box, GeneratorNoise(4), work.context);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
+    for (int y = 0; y < kSlice; ++y)
+        for (int x = 0; x < kSlice; ++x)
             EXPECT_NEAR(evaluated(x, y, 0, 0), trained(x, y, 0, 0), 0.03)
                 << "the running variance is that of a larger population";
 }
