@@ -20,7 +20,7 @@ private:
     std::uint64_t m_value = 0xcbf29ce484222325ULL;
 };
 
-/// How this machine rounds: a hash of Fourier transforms and of the C library's functions. Both choose their
+/// How this machine rounds: a hash of FFTW's transforms and of the C library's functions. Both choose their
 /// code by the processor, so that equal results are to be expected only where this number is the same.
 std::uint64_t roundingOfThisMachine();
 
