@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 namespace texloom::cli {
@@ -25,6 +27,7 @@ struct BatchOptions {
     fs::path file;
     std::string shard = "1/1";
     fs::path summary;
+    std::string rank; ///< name of a figure, or empty
     fs::path outputs;
     int threads = 0;
     bool list = false;
@@ -33,20 +36,44 @@ struct BatchOptions {
     bool quiet = false;
 };
 
+/// How one run ended.
+struct Ending {
+    std::string problem; ///< why it failed, or empty
+    std::vector<Figure> figures = {};
+};
+
+/// A run's place by a figure.
+struct Ranked {
+    double value;
+    std::string label;
+};
+
 /// How the runs of a batch ended.
 struct Tally {
     Json runs = Json::array();
+    std::vector<Ranked> ranked;    ///< those that have the figure that was asked for
+    std::set<std::string> figures; ///< all names
     std::vector<std::string> failed;
     int done = 0;
     int skipped = 0;
 
-    void add(std::size_t number, const BatchItem& item, const char* status, const std::string& problem = {}) {
+    void add(std::size_t number, const BatchItem& item, const char* status, const Ending& ending = {}) {
         Json run = {{"run", number}, {"output", item.output.string()}, {"status", status}};
         if (!item.cell.empty())
             run["cell"] = item.cell;
-        if (!problem.empty())
-            run["problem"] = problem;
+        if (!ending.problem.empty())
+            run["problem"] = ending.problem;
+        for (const Figure& figure : ending.figures)
+            run["figures"][figure.name.text()] = figure.value;
         runs.push_back(std::move(run));
+    }
+
+    void rank(const std::string& name, const std::string& label, const Ending& ending) {
+        for (const Figure& figure : ending.figures) {
+            figures.insert(figure.name.text());
+            if (figure.name.text() == name)
+                ranked.push_back({figure.value, label});
+        }
     }
 };
 
@@ -65,18 +92,18 @@ OutputOptions outputOf(const BatchItem& item, const BatchOptions& options, const
     return out;
 }
 
-/// @return why it failed, or an empty text. @throws Cancelled
-std::string attempt(const BatchItem& item, const BatchOptions& options, const OutputGuard& around) {
+/// @throws Cancelled
+Ending attempt(const BatchItem& item, const BatchOptions& options, const OutputGuard& around) {
     try {
         if (!item.problem.empty())
             throw Error(item.problem);
         if (item.join != nullptr) // what it may replace was checked before anything ran
             writeJoin(loadJoin(item), item.output, options.threads, options.quiet);
         else
-            runInput(loadAndWarn(item.whole()), outputOf(item, options, around));
+            return {{}, runInput(loadAndWarn(item.whole()), outputOf(item, options, around))};
         return {};
     } catch (const std::exception& error) {
-        return messageOf(error).text();
+        return {messageOf(error).text()};
     }
 }
 
@@ -93,15 +120,16 @@ void runItem(std::size_t number, const BatchItem& item, const BatchOptions& opti
         tally.add(number, item, "skipped");
         return;
     }
-    const std::string problem = attempt(item, options, around);
-    if (problem.empty()) {
+    const Ending ending = attempt(item, options, around);
+    if (ending.problem.empty()) {
         ++tally.done;
-        tally.add(number, item, "done");
+        tally.add(number, item, "done", ending);
+        tally.rank(options.rank, item.label(number), ending);
         return;
     }
-    fmt::print(messages(), "texloom-cli: {}: {}\n", item.label(number), problem);
+    fmt::print(messages(), "texloom-cli: {}: {}\n", item.label(number), ending.problem);
     tally.failed.push_back(std::to_string(number));
-    tally.add(number, item, "failed", problem);
+    tally.add(number, item, "failed", ending);
 }
 
 void printItems(const Batch& batch, const Shard& shard) {
@@ -120,6 +148,19 @@ void writeSummary(const BatchOptions& options, const Tally& tally) {
                        {"skipped", tally.skipped}, {"failed", tally.failed.size()},
                        {"runs", tally.runs}};
     writeText(options.summary, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// The runs by the figure that was asked for, the least first.
+void printRanking(const BatchOptions& options, Tally& tally) {
+    if (options.rank.empty())
+        return;
+    if (tally.ranked.empty())
+        failUsage("No run that was made now has a figure \"{}\"; there are: {}.", options.rank,
+                  tally.figures.empty() ? "none" : fmt::format("{}", fmt::join(tally.figures, ", ")));
+    std::stable_sort(tally.ranked.begin(), tally.ranked.end(),
+                     [](const Ranked& a, const Ranked& b) { return a.value < b.value; });
+    for (const Ranked& run : tally.ranked)
+        fmt::print("{} {:.6g}: {}\n", options.rank, run.value, run.label);
 }
 
 void announce(const BatchItem& item, OutputGuard& guard) {
@@ -176,6 +217,7 @@ void run(const BatchOptions& options) {
              fmt::join(tally.failed, ", "), tally.done, skipped);
     if (!options.quiet)
         fmt::print("{} runs done{}.\n", tally.done, skipped);
+    printRanking(options, tally);
 }
 
 } // namespace
@@ -186,6 +228,8 @@ void addBatch(CLI::App& app) {
     command->add_option("file", options.file, "JSON file with the runs; see README.md")->required();
     command->add_option("--shard", options.shard, "Make only every Nth run, beginning with the Ith, as I/N");
     command->add_option("--summary", options.summary, "JSON file that says how each run ended");
+    command->add_option("--rank", options.rank,
+                        "Name of a figure, such as Loss: lists the runs by it at the end, the least first");
     command->add_option("--to", options.outputs,
                         "Folder for outputs with relative names, rather than that of the batch");
     command->add_option("--threads", options.threads, "Number of threads; one per core if not given")

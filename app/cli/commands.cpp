@@ -263,8 +263,9 @@ Result runWithCheckpoints(RunPlan plan, const OutputOptions& out) {
     return followed(*startRun(std::move(plan), false, {}, std::move(checkpoints)), out.quiet);
 }
 
-/// Runs a planned synthesis to the end and writes what was asked for.
-void execute(RunPlan plan, const OutputOptions& out) {
+/// Runs a planned synthesis to the end and writes what was asked for. @return the method's figures; those of
+/// an output that is made in strips are the last strip's, and none is returned.
+std::vector<Figure> execute(RunPlan plan, const OutputOptions& out) {
     ExportOptions options;
     options.image = out.output;
     options.depth = parseDepth(out.depth, plan.exemplarInfo, out.output);
@@ -293,6 +294,7 @@ void execute(RunPlan plan, const OutputOptions& out) {
     if (!out.quiet)
         fmt::print("{}: {} × {} px in {}\n", out.output.string(), result.plan.request.part().size.width,
                    result.plan.request.part().size.height, durationText(result.seconds));
+    return result.plan.stripRows > 0 ? std::vector<Figure>() : result.synthesis.figures;
 }
 
 } // namespace
@@ -340,10 +342,10 @@ RunInput loadAndWarn(const Recipe& recipe) {
     });
 }
 
-void runInput(RunInput input, const OutputOptions& out) {
+std::vector<Figure> runInput(RunInput input, const OutputOptions& out) {
     input.threads = out.threads;
     input.judged = !out.report.empty();
-    execute(planRun(input, 0, true), out);
+    return execute(planRun(input, 0, true), out);
 }
 
 void synth(const SynthOptions& options) {

@@ -75,8 +75,9 @@ struct StressOptions {
     int rounds = 5;
 };
 
-/// Runs an input to the end and writes what was asked for. @throws Error, UsageError, Cancelled
-void runInput(RunInput input, const OutputOptions& out);
+/// Runs an input to the end and writes what was asked for. @return the method's figures, none for an output
+/// that is made in strips. @throws Error, UsageError, Cancelled
+std::vector<Figure> runInput(RunInput input, const OutputOptions& out);
 /// loadRecipe() that tells of files that have changed, and of another build that made the recipe.
 RunInput loadAndWarn(const Recipe& recipe);
 /// Checks that one command's only output replaces nothing that it reads, nor a file of others.

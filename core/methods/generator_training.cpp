@@ -6,9 +6,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace texloom {
+
+namespace {
+
+/// What a checkpoint holds before the trainer's own state.
+struct Head {
+    double loss = 0;
+    std::int64_t next = 0; ///< the iteration to go on with
+};
+
+} // namespace
 
 void GeneratorTraining::run(const std::function<double(int)>& iteration,
                             const std::function<double(int)>& rate) {
@@ -21,9 +32,9 @@ void GeneratorTraining::run(const std::function<double(int)>& iteration,
             m_brokeDown = true;
             return;
         }
-        m_loss = loss;
+        m_loss += (loss - m_loss) / std::min(m_done + 1, kRecent);
         m_trainer.step(rate(m_done));
-        m_context.curve(TR("Loss"), m_loss);
+        m_context.curve(TR("Loss"), loss);
         m_context.progress((m_done + 1.0) / m_iterations);
         m_context.checkpoint(std::chrono::seconds(30), [&] { return state(); });
     }
@@ -59,15 +70,18 @@ std::vector<Message> GeneratorTraining::notes() const {
 }
 
 std::string GeneratorTraining::state() const {
-    const int next = m_done + 1;
-    return std::string(reinterpret_cast<const char*>(&next), sizeof next) + m_trainer.state();
+    const Head head{m_loss, m_done + 1};
+    return std::string(reinterpret_cast<const char*>(&head), sizeof head) + m_trainer.state();
 }
 
 void GeneratorTraining::takeUp(const std::string& text) {
-    if (text.size() < sizeof m_done)
+    Head head;
+    if (text.size() < sizeof head)
         fail("The checkpoint is of a generator of another size; start again without it.");
-    std::memcpy(&m_done, text.data(), sizeof m_done);
-    m_trainer.restore(text.substr(sizeof m_done));
+    std::memcpy(&head, text.data(), sizeof head);
+    m_loss = head.loss;
+    m_done = static_cast<int>(head.next);
+    m_trainer.restore(text.substr(sizeof head));
 }
 
 Image planeOf(const VolumeSource& solid, const Region& part, JobContext& context) {

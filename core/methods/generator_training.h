@@ -30,11 +30,14 @@ public:
     /// What was learned, up to the last good step.
     const GeneratorWeights& weights() const { return m_brokeDown ? m_good : m_trainer.weights(); }
     int iterationsDone() const { return m_done; }
+    /// Mean over about the last kRecent iterations, each of which saw other slices.
     double loss() const { return m_loss; }
     /// What the user is told of an early end; empty if there was none.
     std::vector<Message> notes() const;
 
 private:
+    static constexpr int kRecent = 50;
+
     std::string state() const;
     void takeUp(const std::string& text);
 

@@ -5,6 +5,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace texloom::test {
 
 namespace {
@@ -57,6 +61,31 @@ TEST_F(Batch, OneFailureDoesNotStopTheOthersAndIsNamed) {
     EXPECT_EQ(again.status, 0);
     EXPECT_TRUE(
         samePixels(readImage(m_folder / "again.png").image, readImage(m_folder / "bark_12_s2.png").image));
+}
+
+TEST_F(Batch, RunsAreRankedByAFigure) {
+    const Json recipe = {{"texloom", 1},
+                         {"method", "sparse"},
+                         {"parameters", {{"scales", 1}, {"atoms", 32}, {"learning-iterations", 2}}},
+                         {"exemplars", {{{"file", "bark.png"}}}},
+                         {"size", {40, 40}},
+                         {"seed", 3}};
+    write({{{"recipe", recipe}, {"output", "$iterations.png"}, {"sweep", {{"iterations", {1, 9, 4}}}}}});
+    const Ended ended = run({"--summary", "summary.json", "--rank", "Energy of a pixel", "--quiet"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    std::vector<std::pair<double, std::string>> wanted;
+    const Json summary = Json::parse(readText(m_folder / "summary.json"));
+    for (const Json& made : summary.at("runs"))
+        wanted.emplace_back(made.at("figures").at("Energy of a pixel"), made.at("cell"));
+    std::sort(wanted.begin(), wanted.end());
+    std::size_t from = 0;
+    for (const auto& [energy, cell] : wanted) {
+        from = ended.out.find(cell, from);
+        ASSERT_NE(from, std::string::npos) << ended.out;
+    }
+    const Ended unknown = run({"--rank", "Energie", "--quiet", "--overwrite"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("\"Energie\"; there are: Energy of a pixel"));
 }
 
 TEST_F(Batch, ARunThatIsRefusedByTheSystemDoesNotStopTheOthers) {
