@@ -20,14 +20,15 @@ Batch batchIn(const QString& path) {
     return Batch::fromJson(readText(file), file.parent_path());
 }
 
-/// "Window 5 px"; where nothing is varied, the run's title or the method's.
+/// The run's title, if it has one, and what is varied: "Patch size, fig. 9 · Patch size 10 px"; else the
+/// method's.
 QString labelOf(const BatchItem& item) {
     const Method& method = findMethod(item.recipe.steps.front().method);
-    if (item.cell.empty() && !item.title.empty())
-        return translated(item.title);
     if (item.cell.empty())
-        return translated(method.info().title);
+        return translated(item.title.empty() ? method.info().title : item.title);
     QStringList parts;
+    if (!item.title.empty())
+        parts += translated(item.title);
     for (const QString& part : QString::fromStdString(item.cell).split(QStringLiteral(", "))) {
         const std::string name = part.section(QLatin1Char('='), 0, 0).toStdString();
         const auto& params = method.params();
