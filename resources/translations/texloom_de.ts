@@ -5884,6 +5884,170 @@
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
     </message>
+    <message>
+        <source>Aggregation, fig. 3.14</source>
+        <translation>Zusammensetzen, Abb. 3.14</translation>
+    </message>
+    <message>
+        <source>Blended band, fig. 5.12</source>
+        <translation>Überblendeter Streifen, Abb. 5.12</translation>
+    </message>
+    <message>
+        <source>Constrained sampling</source>
+        <translation>Gebundenes Ziehen</translation>
+    </message>
+    <message>
+        <source>Figure 4.19 of Gutierrez&apos; thesis: the same exemplar wanted square to one axis, to two and to three. What no solid can have from all sides, such as bricks, gets worse with each.</source>
+        <translation>Abbildung 4.19 aus Gutierrez’ Dissertation: dieselbe Vorlage quer zu einer, zu zwei und zu drei Achsen verlangt. Was kein Körper von allen Seiten haben kann, etwa Ziegel, wird mit jeder schlechter.</translation>
+    </message>
+    <message>
+        <source>Figure 4.22 of Gutierrez&apos; thesis: one exemplar square to z and another square to the other axes, with their own colours and with those of the first given to both, without which slices cannot agree.</source>
+        <translation>Abbildung 4.22 aus Gutierrez’ Dissertation: eine Vorlage quer zu z und eine andere quer zu den übrigen Achsen, mit eigenen Farben und mit denen der ersten für beide, ohne die Schnitte nicht zusammenpassen.</translation>
+    </message>
+    <message>
+        <source>Figure 5.23 of Raad&apos;s thesis: patches of a local Gaussian model alone (LG), then quilted over with pieces of the exemplar (LG+EF), or given the exemplar&apos;s statistics (LG+PS), which brings the grain back.</source>
+        <translation>Abbildung 5.23 aus Raads Dissertation: Patches eines lokalen Gauß-Modells allein (LG), dann mit Stücken der Vorlage überlegt (LG+EF) oder auf die Statistik der Vorlage gebracht (LG+PS), was die Körnung zurückbringt.</translation>
+    </message>
+    <message>
+        <source>Figures 3.8 and 3.9 of Raad&apos;s thesis: patches of 10, 20 and 40 px from 10, 50 and 150 neighbours at two scales, then one, two and three scales. More neighbours smooth; one scale alone loses the layout.</source>
+        <translation>Abbildungen 3.8 und 3.9 aus Raads Dissertation: Patches von 10, 20 und 40 px aus 10, 50 und 150 Nachbarn in zwei Maßstäben, dann ein, zwei und drei Maßstäbe. Mehr Nachbarn glätten; ein Maßstab allein verliert die Anordnung.</translation>
+    </message>
+    <message>
+        <source>Figures 3.8 to 3.18 of Gutierrez&apos; thesis: where patches are taken, how they are put together, how strictly each is used once, how exactly the assignment is solved, and four other methods beside it. The energy of each run is in its curves.</source>
+        <translation>Abbildungen 3.8 bis 3.18 aus Gutierrez’ Dissertation: wo Patches genommen, wie sie zusammengesetzt werden, wie streng jedes einmal verwendet, wie genau die Zuordnung gelöst wird, und vier andere Verfahren daneben. Die Energie jedes Laufs zeigen seine Kurven.</translation>
+    </message>
+    <message>
+        <source>Figures 5.2 to 5.13 of López Recas&apos; thesis: the best tile repeated, constrained random sampling and quilting on near-regular exemplars; narrow and wide blended bands; and irregular exemplars, sampled without a lattice.</source>
+        <translation>Abbildungen 5.2 bis 5.13 aus López Recas’ Arbeit: die beste Kachel wiederholt, gebundenes Ziehen und Quilting auf fast regelmäßigen Vorlagen; schmale und breite Überblendung; und unregelmäßige Vorlagen, ohne Gitter gezogen.</translation>
+    </message>
+    <message>
+        <source>Figures 9 to 11 of Raad &amp; Galerne (IPOL 2017): each of the three settings is varied while the others keep their published values. Small patches lose the structure, large ones copy verbatim; the position map of each result shows how much.</source>
+        <translation>Abbildungen 9 bis 11 aus Raad &amp; Galerne (IPOL 2017): Jede der drei Einstellungen wird verändert, während die anderen ihre veröffentlichten Werte behalten. Kleine Patches verlieren die Struktur, große kopieren wörtlich; wie sehr, zeigt die Positionskarte jedes Ergebnisses.</translation>
+    </message>
+    <message>
+        <source>Grid, fig. 3.12</source>
+        <translation>Raster, Abb. 3.12</translation>
+    </message>
+    <message>
+        <source>Irregular, fig. 5.13</source>
+        <translation>Unregelmäßig, Abb. 5.13</translation>
+    </message>
+    <message>
+        <source>LG</source>
+        <translation>LG</translation>
+    </message>
+    <message>
+        <source>LG+EF</source>
+        <translation>LG+EF</translation>
+    </message>
+    <message>
+        <source>LG+PS</source>
+        <translation>LG+PS</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian, and what follows it</source>
+        <translation>Lokal gaußsch, und was darauf folgt</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian: patch, neighbours, scales</source>
+        <translation>Mehrskalig gaußsch: Patch, Nachbarn, Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Near-optimal, fig. 3.18</source>
+        <translation>Fast optimal, Abb. 3.18</translation>
+    </message>
+    <message>
+        <source>Near-regular textures beside tiles and quilting</source>
+        <translation>Fast regelmäßige Texturen neben Kacheln und Quilting</translation>
+    </message>
+    <message>
+        <source>One direction</source>
+        <translation>Eine Richtung</translation>
+    </message>
+    <message>
+        <source>Overlap, fig. 10</source>
+        <translation>Überlappung, Abb. 10</translation>
+    </message>
+    <message>
+        <source>Patch and neighbours, fig. 3.8</source>
+        <translation>Patch und Nachbarn, Abb. 3.8</translation>
+    </message>
+    <message>
+        <source>Patch assignment: grids, aggregation, relaxation, tolerance</source>
+        <translation>Patch-Zuordnung: Raster, Zusammensetzen, Lockerung, Toleranz</translation>
+    </message>
+    <message>
+        <source>Patch size, fig. 9</source>
+        <translation>Patchgröße, Abb. 9</translation>
+    </message>
+    <message>
+        <source>PatchMatch, fig. 3.13</source>
+        <translation>PatchMatch, Abb. 3.13</translation>
+    </message>
+    <message>
+        <source>Portilla–Simoncelli, fig. 3.13</source>
+        <translation>Portilla–Simoncelli, Abb. 3.13</translation>
+    </message>
+    <message>
+        <source>Quilting</source>
+        <translation>Quilting</translation>
+    </message>
+    <message>
+        <source>Quilting: patch, overlap, tolerance</source>
+        <translation>Quilting: Patch, Überlappung, Toleranz</translation>
+    </message>
+    <message>
+        <source>Relaxed, fig. 3.16</source>
+        <translation>Gelockert, Abb. 3.16</translation>
+    </message>
+    <message>
+        <source>Scales, fig. 3.9</source>
+        <translation>Maßstäbe, Abb. 3.9</translation>
+    </message>
+    <message>
+        <source>Solids: one, two and three directions</source>
+        <translation>Körper: eine, zwei und drei Richtungen</translation>
+    </message>
+    <message>
+        <source>Solids: two exemplars</source>
+        <translation>Körper: zwei Vorlagen</translation>
+    </message>
+    <message>
+        <source>Solids: which way the exemplar is turned</source>
+        <translation>Körper: wie die Vorlage gedreht ist</translation>
+    </message>
+    <message>
+        <source>Sparse, fig. 3.13</source>
+        <translation>Dünn besetzt, Abb. 3.13</translation>
+    </message>
+    <message>
+        <source>Texture optimization, fig. 3.13</source>
+        <translation>Texturoptimierung, Abb. 3.13</translation>
+    </message>
+    <message>
+        <source>The best tile, repeated</source>
+        <translation>Die beste Kachel, wiederholt</translation>
+    </message>
+    <message>
+        <source>Three directions</source>
+        <translation>Drei Richtungen</translation>
+    </message>
+    <message>
+        <source>Tolerance, fig. 11</source>
+        <translation>Toleranz, Abb. 11</translation>
+    </message>
+    <message>
+        <source>Twice the size, fig. 3.8</source>
+        <translation>Doppelte Größe, Abb. 3.8</translation>
+    </message>
+    <message>
+        <source>Two directions</source>
+        <translation>Zwei Richtungen</translation>
+    </message>
+    <message>
+        <source>Figure 4.20 of Gutierrez&apos; thesis: the exemplar turned or not in each direction. Turns that agree where slices cross have the smallest loss, which is under Figures.</source>
+        <translation>Abbildung 4.20 aus Gutierrez’ Dissertation: die Vorlage in jeder Richtung gedreht oder nicht. Drehungen, die übereinstimmen, wo Schnitte sich kreuzen, haben den kleinsten Verlust; er steht unter Kennzahlen.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

@@ -5884,6 +5884,170 @@
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
     </message>
+    <message>
+        <source>Aggregation, fig. 3.14</source>
+        <translation>Agrégation, fig. 3.14</translation>
+    </message>
+    <message>
+        <source>Blended band, fig. 5.12</source>
+        <translation>Bande fondue, fig. 5.12</translation>
+    </message>
+    <message>
+        <source>Constrained sampling</source>
+        <translation>Tirage sous contrainte</translation>
+    </message>
+    <message>
+        <source>Figure 4.19 of Gutierrez&apos; thesis: the same exemplar wanted square to one axis, to two and to three. What no solid can have from all sides, such as bricks, gets worse with each.</source>
+        <translation>Figure 4.19 de la thèse de Gutierrez : le même modèle demandé perpendiculairement à un axe, à deux, à trois. Ce qu’aucun solide ne peut montrer de tous les côtés, comme des briques, se dégrade à chaque fois.</translation>
+    </message>
+    <message>
+        <source>Figure 4.22 of Gutierrez&apos; thesis: one exemplar square to z and another square to the other axes, with their own colours and with those of the first given to both, without which slices cannot agree.</source>
+        <translation>Figure 4.22 de la thèse de Gutierrez : un modèle perpendiculaire à z et un autre aux deux autres axes, avec leurs propres couleurs, puis avec celles du premier pour les deux, sans quoi les coupes ne peuvent s’accorder.</translation>
+    </message>
+    <message>
+        <source>Figure 5.23 of Raad&apos;s thesis: patches of a local Gaussian model alone (LG), then quilted over with pieces of the exemplar (LG+EF), or given the exemplar&apos;s statistics (LG+PS), which brings the grain back.</source>
+        <translation>Figure 5.23 de la thèse de Raad : les patchs d’un modèle gaussien local seuls (LG), puis recouverts de morceaux du modèle (LG+EF), ou ramenés à ses statistiques (LG+PS), ce qui rend le grain.</translation>
+    </message>
+    <message>
+        <source>Figures 3.8 and 3.9 of Raad&apos;s thesis: patches of 10, 20 and 40 px from 10, 50 and 150 neighbours at two scales, then one, two and three scales. More neighbours smooth; one scale alone loses the layout.</source>
+        <translation>Figures 3.8 et 3.9 de la thèse de Raad : patchs de 10, 20 et 40 px tirés de 10, 50 et 150 voisins à deux échelles, puis une, deux et trois échelles. Plus de voisins lissent ; une seule échelle perd la disposition.</translation>
+    </message>
+    <message>
+        <source>Figures 3.8 to 3.18 of Gutierrez&apos; thesis: where patches are taken, how they are put together, how strictly each is used once, how exactly the assignment is solved, and four other methods beside it. The energy of each run is in its curves.</source>
+        <translation>Figures 3.8 à 3.18 de la thèse de Gutierrez : où les patchs sont pris, comment ils sont assemblés, avec quelle rigueur chacun sert une fois, avec quelle exactitude l’affectation est résolue, et quatre autres méthodes à côté. Les courbes de chaque calcul montrent son énergie.</translation>
+    </message>
+    <message>
+        <source>Figures 5.2 to 5.13 of López Recas&apos; thesis: the best tile repeated, constrained random sampling and quilting on near-regular exemplars; narrow and wide blended bands; and irregular exemplars, sampled without a lattice.</source>
+        <translation>Figures 5.2 à 5.13 du mémoire de López Recas : le meilleur carreau répété, le tirage sous contrainte et le quilting sur des modèles presque réguliers ; bandes fondues étroites et larges ; et des modèles irréguliers, tirés sans réseau.</translation>
+    </message>
+    <message>
+        <source>Figures 9 to 11 of Raad &amp; Galerne (IPOL 2017): each of the three settings is varied while the others keep their published values. Small patches lose the structure, large ones copy verbatim; the position map of each result shows how much.</source>
+        <translation>Figures 9 à 11 de Raad &amp; Galerne (IPOL 2017) : chacun des trois réglages varie tandis que les autres gardent leurs valeurs publiées. De petits patchs perdent la structure, de grands copient mot à mot ; la carte de positions de chaque résultat montre combien.</translation>
+    </message>
+    <message>
+        <source>Grid, fig. 3.12</source>
+        <translation>Grille, fig. 3.12</translation>
+    </message>
+    <message>
+        <source>Irregular, fig. 5.13</source>
+        <translation>Irrégulier, fig. 5.13</translation>
+    </message>
+    <message>
+        <source>LG</source>
+        <translation>LG</translation>
+    </message>
+    <message>
+        <source>LG+EF</source>
+        <translation>LG+EF</translation>
+    </message>
+    <message>
+        <source>LG+PS</source>
+        <translation>LG+PS</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian, and what follows it</source>
+        <translation>Localement gaussien, et ce qui le suit</translation>
+    </message>
+    <message>
+        <source>Multiscale Gaussian: patch, neighbours, scales</source>
+        <translation>Gaussien multi-échelle : patch, voisins, échelles</translation>
+    </message>
+    <message>
+        <source>Near-optimal, fig. 3.18</source>
+        <translation>Presque optimal, fig. 3.18</translation>
+    </message>
+    <message>
+        <source>Near-regular textures beside tiles and quilting</source>
+        <translation>Textures presque régulières à côté des carreaux et du quilting</translation>
+    </message>
+    <message>
+        <source>One direction</source>
+        <translation>Une direction</translation>
+    </message>
+    <message>
+        <source>Overlap, fig. 10</source>
+        <translation>Recouvrement, fig. 10</translation>
+    </message>
+    <message>
+        <source>Patch and neighbours, fig. 3.8</source>
+        <translation>Patch et voisins, fig. 3.8</translation>
+    </message>
+    <message>
+        <source>Patch assignment: grids, aggregation, relaxation, tolerance</source>
+        <translation>Affectation de patchs : grilles, agrégation, relâchement, tolérance</translation>
+    </message>
+    <message>
+        <source>Patch size, fig. 9</source>
+        <translation>Taille du patch, fig. 9</translation>
+    </message>
+    <message>
+        <source>PatchMatch, fig. 3.13</source>
+        <translation>PatchMatch, fig. 3.13</translation>
+    </message>
+    <message>
+        <source>Portilla–Simoncelli, fig. 3.13</source>
+        <translation>Portilla–Simoncelli, fig. 3.13</translation>
+    </message>
+    <message>
+        <source>Quilting</source>
+        <translation>Quilting</translation>
+    </message>
+    <message>
+        <source>Quilting: patch, overlap, tolerance</source>
+        <translation>Quilting : patch, recouvrement, tolérance</translation>
+    </message>
+    <message>
+        <source>Relaxed, fig. 3.16</source>
+        <translation>Relâché, fig. 3.16</translation>
+    </message>
+    <message>
+        <source>Scales, fig. 3.9</source>
+        <translation>Échelles, fig. 3.9</translation>
+    </message>
+    <message>
+        <source>Solids: one, two and three directions</source>
+        <translation>Solides : une, deux et trois directions</translation>
+    </message>
+    <message>
+        <source>Solids: two exemplars</source>
+        <translation>Solides : deux modèles</translation>
+    </message>
+    <message>
+        <source>Solids: which way the exemplar is turned</source>
+        <translation>Solides : comment le modèle est tourné</translation>
+    </message>
+    <message>
+        <source>Sparse, fig. 3.13</source>
+        <translation>Parcimonieux, fig. 3.13</translation>
+    </message>
+    <message>
+        <source>Texture optimization, fig. 3.13</source>
+        <translation>Optimisation de texture, fig. 3.13</translation>
+    </message>
+    <message>
+        <source>The best tile, repeated</source>
+        <translation>Le meilleur carreau, répété</translation>
+    </message>
+    <message>
+        <source>Three directions</source>
+        <translation>Trois directions</translation>
+    </message>
+    <message>
+        <source>Tolerance, fig. 11</source>
+        <translation>Tolérance, fig. 11</translation>
+    </message>
+    <message>
+        <source>Twice the size, fig. 3.8</source>
+        <translation>Taille double, fig. 3.8</translation>
+    </message>
+    <message>
+        <source>Two directions</source>
+        <translation>Deux directions</translation>
+    </message>
+    <message>
+        <source>Figure 4.20 of Gutierrez&apos; thesis: the exemplar turned or not in each direction. Turns that agree where slices cross have the smallest loss, which is under Figures.</source>
+        <translation>Figure 4.20 de la thèse de Gutierrez : le modèle tourné ou non dans chaque direction. Les rotations qui s’accordent là où les coupes se croisent ont la plus petite perte, indiquée sous Mesures.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
