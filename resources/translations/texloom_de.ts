@@ -5910,7 +5910,7 @@
     </message>
     <message>
         <source>Figures 3.8 and 3.9 of Raad&apos;s thesis: patches of 10, 20 and 40 px from 10, 50 and 150 neighbours at two scales, then one, two and three scales. More neighbours smooth; one scale alone loses the layout.</source>
-        <translation>Abbildungen 3.8 und 3.9 aus Raads Dissertation: Patches von 10, 20 und 40 px aus 10, 50 und 150 Nachbarn in zwei Maßstäben, dann ein, zwei und drei Maßstäbe. Mehr Nachbarn glätten; ein Maßstab allein verliert die Anordnung.</translation>
+        <translation>Abbildungen 3.8 und 3.9 aus Raads Dissertation: Patches von 10, 20 und 40 px aus 10, 50 und 150 Nachbarn in zwei Skalen, dann eine, zwei und drei Skalen. Mehr Nachbarn glätten; eine Skala allein verliert die Anordnung.</translation>
     </message>
     <message>
         <source>Figures 3.8 to 3.18 of Gutierrez&apos; thesis: where patches are taken, how they are put together, how strictly each is used once, how exactly the assignment is solved, and four other methods beside it. The energy of each run is in its curves.</source>
@@ -5950,7 +5950,7 @@
     </message>
     <message>
         <source>Multiscale Gaussian: patch, neighbours, scales</source>
-        <translation>Mehrskalig gaußsch: Patch, Nachbarn, Maßstäbe</translation>
+        <translation>Mehrskalig gaußsch: Patch, Nachbarn, Skalen</translation>
     </message>
     <message>
         <source>Near-optimal, fig. 3.18</source>
@@ -6002,7 +6002,7 @@
     </message>
     <message>
         <source>Scales, fig. 3.9</source>
-        <translation>Maßstäbe, Abb. 3.9</translation>
+        <translation>Skalen, Abb. 3.9</translation>
     </message>
     <message>
         <source>Solids: one, two and three directions</source>

@@ -5898,15 +5898,15 @@
     </message>
     <message>
         <source>Figure 4.19 of Gutierrez&apos; thesis: the same exemplar wanted square to one axis, to two and to three. What no solid can have from all sides, such as bricks, gets worse with each.</source>
-        <translation>Figure 4.19 de la thèse de Gutierrez : le même modèle demandé perpendiculairement à un axe, à deux, à trois. Ce qu’aucun solide ne peut montrer de tous les côtés, comme des briques, se dégrade à chaque fois.</translation>
+        <translation>Figure 4.19 de la thèse de Gutierrez : le même échantillon demandé perpendiculairement à un axe, à deux, à trois. Ce qu’aucun solide ne peut montrer de tous les côtés, comme des briques, se dégrade à chaque fois.</translation>
     </message>
     <message>
         <source>Figure 4.22 of Gutierrez&apos; thesis: one exemplar square to z and another square to the other axes, with their own colours and with those of the first given to both, without which slices cannot agree.</source>
-        <translation>Figure 4.22 de la thèse de Gutierrez : un modèle perpendiculaire à z et un autre aux deux autres axes, avec leurs propres couleurs, puis avec celles du premier pour les deux, sans quoi les coupes ne peuvent s’accorder.</translation>
+        <translation>Figure 4.22 de la thèse de Gutierrez : un échantillon perpendiculaire à z et un autre aux deux autres axes, avec leurs propres couleurs, puis avec celles du premier pour les deux, sans quoi les coupes ne peuvent s’accorder.</translation>
     </message>
     <message>
         <source>Figure 5.23 of Raad&apos;s thesis: patches of a local Gaussian model alone (LG), then quilted over with pieces of the exemplar (LG+EF), or given the exemplar&apos;s statistics (LG+PS), which brings the grain back.</source>
-        <translation>Figure 5.23 de la thèse de Raad : les patchs d’un modèle gaussien local seuls (LG), puis recouverts de morceaux du modèle (LG+EF), ou ramenés à ses statistiques (LG+PS), ce qui rend le grain.</translation>
+        <translation>Figure 5.23 de la thèse de Raad : les patchs d’un modèle gaussien local seuls (LG), puis recouverts de morceaux de l’échantillon (LG+EF), ou ramenés à ses statistiques (LG+PS), ce qui rend le grain.</translation>
     </message>
     <message>
         <source>Figures 3.8 and 3.9 of Raad&apos;s thesis: patches of 10, 20 and 40 px from 10, 50 and 150 neighbours at two scales, then one, two and three scales. More neighbours smooth; one scale alone loses the layout.</source>
@@ -5918,7 +5918,7 @@
     </message>
     <message>
         <source>Figures 5.2 to 5.13 of López Recas&apos; thesis: the best tile repeated, constrained random sampling and quilting on near-regular exemplars; narrow and wide blended bands; and irregular exemplars, sampled without a lattice.</source>
-        <translation>Figures 5.2 à 5.13 du mémoire de López Recas : le meilleur carreau répété, le tirage sous contrainte et le quilting sur des modèles presque réguliers ; bandes fondues étroites et larges ; et des modèles irréguliers, tirés sans réseau.</translation>
+        <translation>Figures 5.2 à 5.13 du mémoire de López Recas : le meilleur carreau répété, le tirage sous contrainte et le quilting sur des échantillons presque réguliers ; bandes fondues étroites et larges ; et des échantillons irréguliers, tirés sans réseau.</translation>
     </message>
     <message>
         <source>Figures 9 to 11 of Raad &amp; Galerne (IPOL 2017): each of the three settings is varied while the others keep their published values. Small patches lose the structure, large ones copy verbatim; the position map of each result shows how much.</source>
@@ -6010,11 +6010,11 @@
     </message>
     <message>
         <source>Solids: two exemplars</source>
-        <translation>Solides : deux modèles</translation>
+        <translation>Solides : deux échantillons</translation>
     </message>
     <message>
         <source>Solids: which way the exemplar is turned</source>
-        <translation>Solides : comment le modèle est tourné</translation>
+        <translation>Solides : comment l’échantillon est tourné</translation>
     </message>
     <message>
         <source>Sparse, fig. 3.13</source>
@@ -6046,7 +6046,7 @@
     </message>
     <message>
         <source>Figure 4.20 of Gutierrez&apos; thesis: the exemplar turned or not in each direction. Turns that agree where slices cross have the smallest loss, which is under Figures.</source>
-        <translation>Figure 4.20 de la thèse de Gutierrez : le modèle tourné ou non dans chaque direction. Les rotations qui s’accordent là où les coupes se croisent ont la plus petite perte, indiquée sous Mesures.</translation>
+        <translation>Figure 4.20 de la thèse de Gutierrez : l’échantillon tourné ou non dans chaque direction. Les rotations qui s’accordent là où les coupes se croisent ont la plus petite perte, indiquée sous Mesures.</translation>
     </message>
 </context>
 <context>
