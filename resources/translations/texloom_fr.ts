@@ -6413,7 +6413,7 @@
     </message>
     <message>
         <source>Exemplar</source>
-        <translation>Exemplaire</translation>
+        <translation>Échantillon</translation>
     </message>
     <message>
         <source>B′</source>
