@@ -41,6 +41,9 @@ struct Request {
     std::uint64_t seed = 0;
     /// The part of the output to make, which equals that part of the whole; all of it if not given.
     std::optional<Region> region;
+    /// Whether this is a later strip of an output: what the first one learned is among the inputs, and
+    /// nothing is learned anew.
+    bool continues = false;
     /// Channels of the output where no exemplar says how many there are: see Method::channels().
     int freeChannels = kFreeChannels;
     static constexpr int kFreeChannels = 3; ///< colour, unless somebody knows better

@@ -10,9 +10,8 @@
 
 namespace texloom::test {
 
-/// The result of a run of one method, on a made-up exemplar of 48 × 48 px, that is told to stop and keep what
-/// it has as soon as it has begun.
-inline Result stoppedAtOnce(const std::string& method, const Values& settings, Size size) {
+/// A run of one method on a made-up exemplar of 48 × 48 px.
+inline RunPlan madeUpPlan(const std::string& method, const Values& settings, Size size) {
     RunInput input;
     input.steps.front() = {method, settings};
     RunExemplar& exemplar = input.exemplars.emplace_back();
@@ -20,7 +19,12 @@ inline Result stoppedAtOnce(const std::string& method, const Values& settings, S
     exemplar.image.image = std::make_shared<const Image>(blobs({48, 48}, 3));
     input.size = size;
     input.judged = false;
-    const auto job = startRun(planRun(input), false);
+    return planRun(input);
+}
+
+/// The result of such a run that is told to stop and keep what it has as soon as it has begun.
+inline Result stoppedAtOnce(const std::string& method, const Values& settings, Size size) {
+    const auto job = startRun(madeUpPlan(method, settings, size), false);
     job->stopAndKeep();
     Outcome<Result> outcome = job->take();
     if (auto* result = std::get_if<Result>(&outcome))

@@ -21,7 +21,7 @@ std::shared_ptr<const Model> givenModel(const Request& request) {
 }
 
 bool trains(const Request& request, const Settings& settings) {
-    return settings.further || !givenModel(request);
+    return !request.continues && (settings.further || !givenModel(request));
 }
 
 void checkTraining(const Request& request, const Settings& settings) {

@@ -258,12 +258,14 @@ Result exportStrips(const RunPlan& plan, const ExportOptions& options,
     whole.plan = plan;
     const Region part = plan.request.part();
     Result strip;
+    Assets learned;
     const RowSource rows = [&](int y, float* row) {
         if (y % plan.stripRows == 0) {
             strip = {}; // frees the one before
-            strip = make(plan.strip(part.y + y));
+            strip = make(plan.strip(part.y + y, y == 0 ? nullptr : &learned));
             whole.seconds += strip.seconds;
             if (y == 0) {
+                learned = learnedBy(plan.lastMethod().info(), strip.synthesis.outputs);
                 whole.figures = strip.synthesis.figures;
                 whole.synthesis.notes = strip.synthesis.notes;
             }

@@ -83,9 +83,13 @@ struct RunPlan {
     /// What the method of one step is given: of the plan's request what it has ports for. @param info of that
     /// method, which may not be among `steps` yet.
     Request requestFor(std::size_t step, const MethodInfo& info) const;
-    /// The same run for one strip of the output, from row `y` on.
-    RunPlan strip(int y) const;
+    /// The same run for one strip of the output, from row `y` on. @param learned by the first strip: see
+    /// learnedBy(); null for the first one itself.
+    RunPlan strip(int y, const Assets* learned = nullptr) const;
 };
+
+/// The models that a method made and can be given again instead of learning anew.
+Assets learnedBy(const MethodInfo& info, const Assets& made);
 
 /// Checks everything before anything starts; a method whose check needs a close look at the exemplar may take
 /// a moment. @throws Error or UsageError, also where the memory that the run

@@ -386,10 +386,22 @@ Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
     return own;
 }
 
-RunPlan RunPlan::strip(int y) const {
+Assets learnedBy(const MethodInfo& info, const Assets& made) {
+    Assets learned;
+    for (const PortLink& link : linksBetween(info, info))
+        if (const auto model = made.first<Model>(link.from))
+            learned.set(link.to, model);
+    return learned;
+}
+
+RunPlan RunPlan::strip(int y, const Assets* learned) const {
     const Region part = request.part();
     RunPlan one = *this;
     one.request.region = Region{part.x, y, {part.size.width, std::min(stripRows, part.bottom() - y)}};
+    one.request.continues = learned != nullptr;
+    if (learned != nullptr)
+        for (const auto& [port, models] : learned->byPort())
+            one.request.inputs.set(port, models.front());
     one.stripRows = 0;
     one.judged = false;
     return one;

@@ -2,13 +2,18 @@
 
 #include "core/base/at.h"
 #include "core/generator/generator_weights.h"
+#include "core/io/image_file.h"
 #include "core/io/model_file.h"
 #include "core/math/channel_pca.h"
 #include "core/methods/generator_training.h"
 #include "core/methods/method.h"
+#include "core/session/export/export.h"
 #include "core/session/run/exemplar_file.h"
+#include "core/session/run/run.h"
 #include "tests/support/method_run.h"
 #include "tests/support/stopped_run.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/textures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace texloom::test {
 namespace {
@@ -213,6 +219,31 @@ TEST(TextureNetwork, cancelledTrainingLeavesACheckpointToGoOnFrom) {
     EXPECT_TRUE(samePixels(result.image, whole.image));
     EXPECT_EQ(*result.outputs.first<Model>(kPort), *whole.outputs.first<Model>(kPort));
     EXPECT_EQ(result.curves.front().values, whole.curves.front().values);
+}
+
+TEST(TextureNetwork, stripsLearnOnceAndMakeTheWhole) {
+    RunPlan plan = madeUpPlan("texture-network", quick(), {40, 30});
+    std::vector<std::size_t> trainings;
+    const auto make = [&trainings](const RunPlan& part) {
+        JobMonitor monitor;
+        JobContext context(
+            {part.request.seed, 2, false}, [] { return false; }, monitor);
+        Result result = runPlan(part, context);
+        trainings.push_back(monitor.curves().size());
+        return result;
+    };
+    const Image whole = make(plan).synthesis.image;
+    plan.stripRows = 12;
+    const TemporaryFolder folder;
+    ExportOptions options;
+    options.image = folder / "strips.exr";
+    options.depth = Depth::Float;
+    options.space = "raw";
+    options.sidecar = false;
+    trainings.clear();
+    exportStrips(plan, options, make);
+    EXPECT_THAT(trainings, testing::ElementsAre(1U, 0U, 0U));
+    EXPECT_TRUE(samePixels(readImage(options.image).image, whole));
 }
 
 TEST(TextureNetwork, stoppedTrainingKeepsItsGenerator) {
