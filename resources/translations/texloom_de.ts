@@ -6048,6 +6048,10 @@
         <source>Figure 4.20 of Gutierrez&apos; thesis: the exemplar turned or not in each direction. Turns that agree where slices cross have the smallest loss, which is under Figures.</source>
         <translation>Abbildung 4.20 aus Gutierrez’ Dissertation: die Vorlage in jeder Richtung gedreht oder nicht. Drehungen, die übereinstimmen, wo Schnitte sich kreuzen, haben den kleinsten Verlust; er steht unter Kennzahlen.</translation>
     </message>
+    <message>
+        <source>The texture is made by the generator that was given, and the exemplar is not looked at; to teach it the exemplar, train it further.</source>
+        <translation>Die Textur macht der angegebene Generator; die Vorlage wird nicht angesehen. Damit er sie lernt, trainieren Sie ihn weiter.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

@@ -6048,6 +6048,10 @@
         <source>Figure 4.20 of Gutierrez&apos; thesis: the exemplar turned or not in each direction. Turns that agree where slices cross have the smallest loss, which is under Figures.</source>
         <translation>Figure 4.20 de la thèse de Gutierrez : l’échantillon tourné ou non dans chaque direction. Les rotations qui s’accordent là où les coupes se croisent ont la plus petite perte, indiquée sous Mesures.</translation>
     </message>
+    <message>
+        <source>The texture is made by the generator that was given, and the exemplar is not looked at; to teach it the exemplar, train it further.</source>
+        <translation>La texture est faite par le générateur fourni ; l’échantillon n’est pas regardé. Pour le lui apprendre, poursuivez l’entraînement.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

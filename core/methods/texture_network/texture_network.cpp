@@ -100,6 +100,10 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
         context.stage(0.08, TR("Making the texture"));
     } else {
         weights = GeneratorWeights::from(*model);
+        if (!request.exemplars.empty() && !request.continues)
+            made.notes.emplace_back(
+                TR("The texture is made by the generator that was given, and the exemplar is "
+                   "not looked at; to teach it the exemplar, train it further."));
         context.stage(1, TR("Making the texture"));
     }
     const VolumeSize period{request.wrap.x ? request.size.width : 0, request.wrap.y ? request.size.height : 0,

@@ -125,7 +125,14 @@ TEST(TextureNetwork, modelMakesWhatItsTrainingMade) {
     const Synthesis again = made(requestFrom(read, request.size), {});
     EXPECT_TRUE(samePixels(again.image, learned.image));
     EXPECT_TRUE(again.curves.empty()) << "nothing was trained";
+    EXPECT_TRUE(again.notes.empty());
     EXPECT_EQ(*again.outputs.first<Model>(kPort), *model);
+    Request beside = request;
+    beside.inputs.set(kPort, read);
+    const Synthesis same = made(beside, {});
+    EXPECT_TRUE(samePixels(same.image, learned.image));
+    ASSERT_EQ(same.notes.size(), 1U);
+    EXPECT_THAT(same.notes.front().text(), HasSubstr("the exemplar is not looked at"));
 }
 
 TEST(TextureNetwork, modelOfTheUsualSizeIsUnderHalfAMegabyte) {
