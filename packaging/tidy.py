@@ -20,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/dev"
 TIDY = BUILD / "tidy"
 GROUP = 24
+SMALL = 8
 GCC_ONLY = ("-Winvalid-pch", "-Werror", "-fpch-preprocess", "-mno-direct-extern-access")
 Source = collections.namedtuple("Source", "path arguments stamp")
 
@@ -66,11 +67,14 @@ def sources():
 
 
 def groups(pending):
-    """Sources of one room that are compiled alike, at most GROUP together."""
+    """Sources of one room that are compiled alike, at most GROUP together; small rooms of one storey share a group."""
+    rooms = collections.Counter(source.path.relative_to(ROOT).parts[:2] for source in pending)
+
     def alike(source):
         own = source.arguments.index("-o") + 1
-        return source.path.relative_to(ROOT).parts[:2], [word for i, word in enumerate(source.arguments)
-                                         if i != own and word != str(source.path)]
+        storey, room = source.path.relative_to(ROOT).parts[:2]
+        flags = [word for i, word in enumerate(source.arguments) if i != own and word != str(source.path)]
+        return storey, "" if rooms[storey, room] <= SMALL else room, flags
     for _, room in itertools.groupby(sorted(pending, key=alike), key=alike):
         members = list(room)
         count = -(-len(members) // GROUP)

@@ -13,7 +13,7 @@ namespace texloom::ui {
 namespace {
 
 constexpr int kSteps = 1000;
-constexpr std::chrono::milliseconds kPause{100};
+constexpr std::chrono::milliseconds kBetweenUpdates{100};
 
 } // namespace
 
@@ -27,7 +27,7 @@ TaskBar::TaskBar(QWidget* parent)
     row->addWidget(m_text);
     row->addWidget(m_bar, 1);
     row->addWidget(m_cancel);
-    m_timer.setInterval(kPause);
+    m_timer.setInterval(kBetweenUpdates);
     connect(&m_timer, &QTimer::timeout, this, &TaskBar::poll);
     connect(m_cancel, &QPushButton::clicked, this, &TaskBar::cancelled);
     hide();

@@ -15,11 +15,11 @@ namespace texloom::ui {
 
 namespace {
 
-constexpr int kQuickSide = 512;      ///< longest side of a picture that is drawn while something moves
-constexpr int kMostPixels = 3 << 20; ///< of one that is drawn with several samples a pixel
-constexpr int kRest = 120;           ///< ms
-constexpr double kTurn = 0.01;       ///< radians for each pixel that is dragged
-constexpr double kKeyTurn = 0.1;     ///< radians for each press of a key
+constexpr int kQuickSide = 512;            ///< longest side of a picture that is drawn while something moves
+constexpr int kMostSampledTwice = 3 << 20; ///< of one that is drawn with several samples a pixel
+constexpr int kRest = 120;                 ///< ms
+constexpr double kTurn = 0.01;             ///< radians for each pixel that is dragged
+constexpr double kKeyTurn = 0.1;           ///< radians for each press of a key
 constexpr double kKeyZoom = 0.85;
 constexpr float kMostRise = 1.5F;
 const QList<Qt::Key> kKeys = {Qt::Key_Left,  Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Plus,
@@ -93,7 +93,7 @@ void OrbitView::draw(bool full) {
     const Size size{std::max(1, static_cast<int>(width() * scale)),
                     std::max(1, static_cast<int>(height() * scale))};
     Look look = m_look;
-    look.samples = full && size.area() <= kMostPixels ? 2 : 1;
+    look.samples = full && size.area() <= kMostSampledTwice ? 2 : 1;
     m_task.start(
         {}, [drawing, look, size, full](JobContext& context) { return drawing(look, size, !full, context); },
         [this, full](Drawn made) {

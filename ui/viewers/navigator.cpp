@@ -13,7 +13,7 @@ namespace texloom::ui {
 namespace {
 
 const QString kWanted = QStringLiteral("viewer/navigator");
-constexpr int kLines = 9;         ///< of text: its longer side
+constexpr int kLongestLines = 9;  ///< of text: its longer side
 constexpr int kLeastOfViewer = 3; ///< a viewer that is not so many times as large has none
 
 } // namespace
@@ -40,7 +40,7 @@ void Navigator::follow(std::shared_ptr<const DisplayPicture> picture, const View
 }
 
 void Navigator::settle() {
-    const int longest = fontMetrics().height() * kLines;
+    const int longest = fontMetrics().height() * kLongestLines;
     const bool roomy = std::min(m_viewer->width(), m_viewer->height()) >= kLeastOfViewer * longest;
     if (!m_picture || !roomy || !wanted())
         return hide();
