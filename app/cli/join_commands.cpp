@@ -82,8 +82,11 @@ void writeJoin(const JoinInput& input, const fs::path& output, int threads, bool
     });
     const Image made = followed(job, quiet);
     exportPicture(output, made, first, checkInterrupt);
-    if (!quiet)
-        fmt::print("{}: {} × {} px\n", output.string(), made.width(), made.height());
+    if (quiet)
+        return;
+    if (const auto note = input.cropNote())
+        fmt::print("{}\n", *note);
+    fmt::print("{}: {} × {} px\n", output.string(), made.width(), made.height());
 }
 
 void addJoins(CLI::App& app) {

@@ -172,13 +172,22 @@ TEST_F(Batch, JoinsImagesByATool) {
     ended = run({"--quiet"});
     EXPECT_EQ(ended.status, 2);
     EXPECT_THAT(ended.err, HasSubstr("moss.png"));
-    // Pictures that cannot be joined are that run's failure.
+    // Images of two sizes are cropped to what they have in common.
     write({{{"join",
              {{"tool", "poisson-mix"}, {"exemplars", {{{"file", "bark.png"}}, {{"file", "moss.png"}}}}}},
             {"output", "sizes.png"}}});
+    ended = run({});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("both are cropped to 48 × 44 px"));
+    EXPECT_EQ(readImage(m_folder / "sizes.png").image.size(), (Size{48, 44}));
+    // Pictures that cannot be joined are that run's failure.
+    writeImage(m_folder / "grey.png", noise({48, 44}, 1, 2), {});
+    write({{{"join",
+             {{"tool", "poisson-mix"}, {"exemplars", {{{"file", "bark.png"}}, {{"file", "grey.png"}}}}}},
+            {"output", "channels.png"}}});
     ended = run({"--quiet"});
     EXPECT_EQ(ended.status, 1);
-    EXPECT_THAT(ended.err, HasSubstr("60 × 44 px"));
+    EXPECT_THAT(ended.err, HasSubstr("3 channels"));
 }
 
 } // namespace texloom::test

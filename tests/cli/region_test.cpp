@@ -125,16 +125,16 @@ TEST_F(Regions, GiveTheTileSetToOtherProgramsWithItsCompanions) {
     EXPECT_TRUE(samePixels(image("again.png"), sheet));
     EXPECT_EQ(image("normals.png").size(), sheet.size());
     const Json table = Json::parse(readText(m_folder / "table.json"));
-    const Json &edges = table.at("arrays").at("edges"), &places = table.at("arrays").at("places");
-    ASSERT_EQ(edges.size(), 16U);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Json &corners = table.at("arrays").at("corners"), &places = table.at("arrays").at("places");
+    ASSERT_EQ(corners.size(), 16U);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
         const std::string number = i == 0 ? "" : "-" + std::to_string(i + 1);
         const int x = places[i][0], y = places[i][1];
         EXPECT_TRUE(samePixels(image("tile" + number + ".png"), sheet.view().crop(x, y, {20, 20}))) << i;
         // An engine that lays tiles by the table finds the one with the colours it asks for.
-        const Json& edge = edges[i];
-        EXPECT_EQ(table.at("arrays").at("numbers")[edge[0].get<std::size_t>()][edge[1].get<std::size_t>()]
-                                                  [edge[2].get<std::size_t>()][edge[3].get<std::size_t>()],
+        const Json& own = corners[i];
+        EXPECT_EQ(table.at("arrays").at("numbers")[own[0].get<std::size_t>()][own[1].get<std::size_t>()]
+                                                  [own[2].get<std::size_t>()][own[3].get<std::size_t>()],
                   i);
     }
 }

@@ -13,6 +13,8 @@ namespace texloom::anamorphosis {
 
 namespace {
 
+constexpr const char* kCurvePort = "curve";
+
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size part = request.part().size;
     Estimate need;
@@ -33,7 +35,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     const auto stmap = std::make_shared<Image>(request.part().size, 4);
     context.stage(0.1, TR("Drawing the deformation"));
     const Anamorphosis warp(request.size, anamorphosisOptions(settings), request.wrap, context.random());
-    result.pictures.push_back(pictureOf(warp, request.size, request.resultChannels()));
+    result.outputs.add(
+        kCurvePort, std::make_shared<const Image>(pictureOf(warp, request.size, request.resultChannels())));
     context.stage(0.9, TR("Deforming"));
     const bool initial = request.initial() != nullptr;
     const Image& source = initial ? *request.initial() : *request.exemplars.front().image;
@@ -47,6 +50,18 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
                                        "the most that surely does not.",
                                        numberText(settings.amplitude), warp.amplitude()));
     return result;
+}
+
+Port curve() {
+    return {.id = kCurvePort,
+            .title = TR("Curve of the map"),
+            .help =
+                TR("The place that each pixel comes from, along the axis, with a grey line for what does not "
+                   "move, as in figure 5.30 of the thesis; of turbulence, squares as they are deformed."),
+            .kind = AssetKind::Image,
+            .least = 1,
+            .most = 1,
+            .extent = Extent::Any};
 }
 
 Port stMap() {
@@ -72,7 +87,7 @@ const Method self = method<Settings>(
      .citation = "Raad, thesis 2016, section 5.5",
      .category = Category::Tools,
      .takes = {ports::exemplar(), ports::initial()},
-     .gives = {ports::inParts(ports::wrappingImage()), stMap()}},
+     .gives = {ports::inParts(ports::wrappingImage()), stMap(), curve()}},
     {anamorphosisKindField(&Settings::kind, "kind"), anamorphosisAxisField(&Settings::axis),
      anamorphosisAmplitudeField(&Settings::amplitude),
      anamorphosisFrequencyField(&Settings::frequency, "kind"),

@@ -1,7 +1,5 @@
 #include "core/methods/anamorphosis/picture.h"
 
-#include "core/base/text.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -46,20 +44,20 @@ float gridAt(const Anamorphosis& warp, Size plane, double step, int x, int y) {
 
 } // namespace
 
-Picture pictureOf(const Anamorphosis& warp, Size plane, int channels) {
+Image pictureOf(const Anamorphosis& warp, Size plane, int channels) {
     const bool grid = warp.turbulent();
     const double step = std::max(1.0, static_cast<double>(plane.longerSide()) / kPictureSide);
     Size size{kPictureSide, kPictureSide};
     if (grid)
         size = {std::max(1, static_cast<int>(plane.width / step)),
                 std::max(1, static_cast<int>(plane.height / step))};
-    Picture picture{grid ? TR("Deformed squares") : TR("Curve of the map"), Image(size, channels)};
+    Image picture(size, channels);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const float value = grid ? gridAt(warp, plane, step, x, y)
                                      : curveAt(warp, warp.alongY() ? plane.height : plane.width, x, y);
             for (int c = 0; c < channels; ++c)
-                picture.image(x, y, c) = value;
+                picture(x, y, c) = value;
         }
     return picture;
 }

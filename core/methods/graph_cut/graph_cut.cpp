@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/methods/graph_cut/canvas.h"
+#include "core/methods/cut_canvas.h"
 #include "core/methods/graph_cut/place_search.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"

@@ -2,7 +2,7 @@
 
 #include "core/job/job_context.h"
 #include "core/math/fft.h"
-#include "core/methods/graph_cut/canvas.h"
+#include "core/methods/cut_canvas.h"
 #include "core/methods/graph_cut/settings.h"
 #include "core/methods/synthesis.h"
 

@@ -1,16 +1,21 @@
-#include "core/base/at.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/match/whole_patches.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
+#include "core/methods/wang_tiles/corner_tiles.h"
+#include "core/methods/wang_tiles/edge_tiles.h"
+#include "core/methods/wang_tiles/interiors.h"
+#include "core/methods/wang_tiles/sampler.h"
 #include "core/methods/wang_tiles/set_outputs.h"
 #include "core/methods/wang_tiles/tiling.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace texloom::wang_tiles {
 
@@ -20,138 +25,57 @@ namespace {
 constexpr int kRowsAtOnce = 128;
 /// From this error of the worst cut on seams show.
 constexpr double kPoor = 0.5;
-/// One of so many draws is of all samples.
-constexpr int kWhole = 4;
 
-/// The places that samples may be taken from.
-class SamplePlaces {
-public:
-    SamplePlaces(const Request& request, int side, JobContext& context) {
-        for (const Exemplar& exemplar : request.exemplars) {
-            Own own{{exemplar.image->width() - side + 1, exemplar.image->height() - side + 1}, {}, 0};
-            if (exemplar.mask())
-                anyWholePatch(
-                    exemplar.mask()->view().plane(0), side,
-                    [&](int x, int y) {
-                        own.allowed.push_back({0, x, y});
-                        return false;
-                    },
-                    [&] { context.check(); });
-            const auto count = exemplar.mask() ? static_cast<double>(own.allowed.size())
-                                               : static_cast<double>(own.positions.area());
-            m_whole += count * exemplar.weight;
-            own.until = m_whole;
-            m_exemplars.push_back(std::move(own));
-        }
-    }
-
-    PatchPosition drawn(const Random& random, int x, int y, std::uint32_t n) const {
-        const double wanted = random.uniform(x, y, n) * m_whole;
-        std::size_t e = 0;
-        while (e + 1 < m_exemplars.size() && wanted >= m_exemplars[e].until)
-            ++e;
-        const Own& own = m_exemplars[e];
-        PatchPosition position;
-        if (!own.allowed.empty())
-            position = own.allowed[random.below(static_cast<std::uint32_t>(own.allowed.size()), x, y, n + 1)];
-        else {
-            position.x =
-                static_cast<int>(random.below(static_cast<std::uint32_t>(own.positions.width), x, y, n + 1));
-            position.y =
-                static_cast<int>(random.below(static_cast<std::uint32_t>(own.positions.height), x, y, n + 2));
-        }
-        position.exemplar = static_cast<int>(e);
-        return position;
-    }
-
-private:
-    struct Own {
-        Size positions;
-        std::vector<PatchPosition> allowed; ///< where there is a mask
-        double until;                       ///< sum of weights up to this exemplar
-    };
-    std::vector<Own> m_exemplars;
-    double m_whole = 0;
-};
-
-/// The error of two unlike pixels: twice the variance over all channels and exemplars.
-double unlikeError(const Request& request, JobContext& context) {
-    const auto check = [&] { context.check(); };
-    return 2 *
-           pixelVariance(patchSources(request), channelMeans(*request.exemplars.front().image, check), check);
-}
-
-/// Makes the sets of tiles of every size that a tiling has, from the samples that join best.
+/// Makes the sets of tiles of every size that a tiling has.
 class Maker {
 public:
     Maker(const Request& request, const Settings& settings, JobContext& context)
-        : m_request(request), m_settings(settings), m_context(context), m_edges(edgesOf(settings)),
-          m_places(request, sampleSide(settings), context), m_unlike(unlikeError(request, context)) {}
-
-    /// Draws samples until the worst cut is good enough: all of them a few times, then one after the other of
-    /// the best so far. @return that error, over that of unlike pixels.
-    double draw(double weight) {
-        m_context.stage(weight, TR("Cutting tiles"));
-        double best = 0;
-        for (int n = 0; n < m_settings.tries; ++n) {
-            TileSet::Samples samples = n * kWhole < m_settings.tries ? drawn(n) : withAnother(n);
-            TileSet tiles(m_request, m_settings, samples, {m_settings.tile, m_settings.tile}, m_edges,
-                          m_context);
-            ++m_tries;
-            const double error = m_unlike > 0 ? tiles.worstError() / m_unlike : 0;
-            if (!m_tiles || error < best) {
-                best = error;
-                m_samples = std::move(samples);
-                m_tiles.emplace(std::move(tiles));
-            }
-            m_context.progress(static_cast<double>(n + 1) / m_settings.tries);
-            if (best <= m_settings.threshold)
-                break;
+        : m_request(request), m_settings(settings), m_context(context), m_colours(coloursOf(settings)),
+          m_sampler(request, settings, context) {
+        const Size size{settings.tile, settings.tile};
+        if (settings.match == Match::Edges) {
+            m_samples = m_sampler.draw(0.4, [&](const Samples& samples) {
+                return EdgeTiles(request, settings, samples, size, m_colours, context).worstError();
+            });
+        } else {
+            m_samples = m_sampler.draw(0.1, [&](const Samples& samples) {
+                return CornerTiles(request, settings, samples, size, context).worstError();
+            });
+            context.stage(0.3, TR("Filling tiles"));
+            m_interiors.emplace(request, settings, context);
+            m_interiors->find({request, settings, m_samples, size, context}, m_colours);
         }
-        return best;
+        m_tiles.emplace(ofSize(size));
     }
 
-    int tries() const { return m_tries; }
+    const Sampler& sampler() const { return m_sampler; }
     const TileSet& tiles() const { return *m_tiles; }
-    const std::vector<Edges>& edges() const { return m_edges; }
-    TileSet ofSize(Size size) const { return {m_request, m_settings, m_samples, size, m_edges, m_context}; }
+    const std::vector<Colours>& colours() const { return m_colours; }
+    TileSet ofSize(Size size) const {
+        if (m_interiors)
+            return m_interiors->cover({m_request, m_settings, m_samples, size, m_context}, m_colours);
+        const EdgeTiles cuts(m_request, m_settings, m_samples, size, m_colours, m_context);
+        TileSet tiles(m_settings.colours, size);
+        for (const Colours& colours : m_colours) {
+            m_context.check();
+            std::vector<Source> sources;
+            for (int y = 0; y < size.height; ++y)
+                for (int x = 0; x < size.width; ++x)
+                    sources.push_back(cuts.source(colours, x, y));
+            tiles.add(colours, std::move(sources));
+        }
+        return tiles;
+    }
 
 private:
-    TileSet::Samples drawn(int n) const {
-        TileSet::Samples samples;
-        for (int colour = 0; colour < m_settings.colours; ++colour) {
-            samples.across.push_back(sampleAcross(n, colour));
-            samples.upright.push_back(sampleUpright(n, colour));
-        }
-        return samples;
-    }
-    /// The best samples so far but for one, each in its turn.
-    TileSet::Samples withAnother(int n) const {
-        TileSet::Samples samples = m_samples;
-        const int turn = n % (2 * m_settings.colours), colour = turn / 2;
-        if (turn % 2 == 0)
-            samples.across[at(colour)] = sampleAcross(n, colour);
-        else
-            samples.upright[at(colour)] = sampleUpright(n, colour);
-        return samples;
-    }
-    // The tiling's numbers are drawn at places that are not negative.
-    PatchPosition sampleAcross(int n, int colour) const {
-        return m_places.drawn(m_context.random(), -1 - n, colour, 0);
-    }
-    PatchPosition sampleUpright(int n, int colour) const {
-        return m_places.drawn(m_context.random(), -1 - n, colour, 3);
-    }
-
     const Request& m_request;
     const Settings& m_settings;
     JobContext& m_context;
-    std::vector<Edges> m_edges;
-    SamplePlaces m_places;
-    double m_unlike;
-    TileSet::Samples m_samples;
+    std::vector<Colours> m_colours;
+    Sampler m_sampler;
+    Samples m_samples;
+    std::optional<Interiors> m_interiors;
     std::optional<TileSet> m_tiles;
-    int m_tries = 0;
 };
 
 /// Cell and place in it for every pixel along an axis.
@@ -206,11 +130,12 @@ private:
         const int row = m_y.cell[static_cast<std::size_t>(y)], inRow = m_y.at[static_cast<std::size_t>(y)];
         for (int x = 0; x < m_part.size.width;) {
             const int column = m_x.cell[static_cast<std::size_t>(x)];
-            const Edges edges = m_tiling.edges(column, row);
             const Size size = sizeOf(column, row);
             const TileSet& tiles = m_sets.at({size.width, size.height});
+            const Source* const sources = tiles.tile(m_tiling.colours(column, row)).data() +
+                                          static_cast<std::ptrdiff_t>(inRow) * size.width;
             for (; x < m_part.size.width && m_x.cell[static_cast<std::size_t>(x)] == column; ++x) {
-                const Source source = tiles.source(edges, m_x.at[static_cast<std::size_t>(x)], inRow);
+                const Source source = sources[m_x.at[static_cast<std::size_t>(x)]];
                 result.map.at(x, y) = source;
                 for (int c = 0; c < m_request.channels(); ++c)
                     result.image(x, y, c) =
@@ -245,16 +170,19 @@ void check(const Request& request, const Settings& settings) {
         failUsage(
             "A compact set of {} tiles need not close over a border; choose a full set for outputs that "
             "wrap.",
-            2 * settings.colours * settings.colours);
+            coloursOf(settings).size());
 }
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     const Size part = request.part().size;
-    const auto tiles = static_cast<double>(edgesOf(settings).size());
+    const auto tiles = static_cast<double>(coloursOf(settings).size());
     const auto side = static_cast<double>(settings.tile);
+    const bool corners = settings.match == Match::Corners;
     Estimate need;
     need.bytes = Image::bytesFor(part, request.channels()) + PositionMap::bytesFor(part) +
-                 setBytesFor(settings, request.resultChannels()) + 6 * TileSet::bytesFor(settings) +
+                 setBytesFor(settings, request.resultChannels()) + 5 * TileSet::bytesFor(settings) +
+                 2 * EdgeTiles::bytesFor(settings) +
+                 (corners ? Interiors::bytesFor(request, settings, threads) : 0) +
                  static_cast<std::uint64_t>(threads * side * side * 8) + (4U << 20) +
                  static_cast<std::uint64_t>(part.width + part.height) * 16;
     for (const Exemplar& exemplar : request.exemplars)
@@ -262,11 +190,18 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
             need.bytes +=
                 static_cast<std::uint64_t>(exemplar.image->size().area()) * 2 * sizeof(PatchPosition);
     if (settings.set == Set::Compact)
-        need.bytes += static_cast<std::uint64_t>(2 * sizeof(Edges) * (request.size.width / side + 2) *
+        need.bytes += static_cast<std::uint64_t>(2 * sizeof(Colours) * (request.size.width / side + 2) *
                                                  (request.size.height / side + 2));
-    need.seconds =
-        static_cast<double>(part.area()) * (2e-8 + 3e-9 * request.channels()) +
-        settings.tries * tiles * side * side * settings.overlap * 2 * (1e-8 + 2e-9 * request.channels());
+    need.seconds = static_cast<double>(part.area()) * (2e-8 + 3e-9 * request.channels());
+    const double compared = side * side * settings.overlap * (1e-8 + 2e-9 * request.channels());
+    if (corners) {
+        double pixels = 0;
+        for (const Size& size : request.exemplarSizes())
+            pixels = std::max(pixels, static_cast<double>(size.area()));
+        need.seconds += settings.tries * settings.colours * settings.colours * settings.overlap * compared +
+                        tiles * (pixels * 6e-8 * request.channels() + side * side * settings.overlap * 4e-6);
+    } else
+        need.seconds += settings.tries * tiles * 2 * compared;
     return need;
 }
 
@@ -276,14 +211,14 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     result.image = Image(request.part().size, request.channels());
     result.map = PositionMap(request.part().size, request.exemplarSizes());
     result.mapKind = MapKind::Exact;
-    Maker maker(request, settings, context);
-    const double error = maker.draw(0.4);
+    const Maker maker(request, settings, context);
+    const double error = maker.sampler().error();
     context.stage(0.5, TR("Laying tiles"));
     Layer(request, settings, maker, context).run(result);
     context.stage(0.1, TR("Drawing the tile set"));
-    addSet(request, settings, maker.tiles(), maker.edges(), context, result);
-    result.figures = {{TR("Tiles"), static_cast<double>(maker.edges().size())},
-                      {TR("Draws of samples"), static_cast<double>(maker.tries())},
+    addSet(request, settings, maker.tiles(), maker.colours(), context, result);
+    result.figures = {{TR("Tiles"), static_cast<double>(maker.colours().size())},
+                      {TR("Draws of samples"), static_cast<double>(maker.sampler().tries())},
                       {TR("Error of the worst cut"), error}};
     if (const double poor = std::max(kPoor, settings.threshold); error > poor)
         result.notes.push_back(
@@ -307,10 +242,12 @@ extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Wang tiles"),
      .summary =
-         TR("Makes a small set of tiles whose edges match by colour, and lays them without a period. "
+         TR("Makes a small set of tiles that match by colours, and lays them without a period. "
             "Outputs of any size come in an instant, and any part of them alone; the set can be used by "
             "itself. Suits what has no large objects."),
-     .citation = "Cohen, Shade, Hiller & Deussen, SIGGRAPH 2003; Wei, Graphics Hardware 2004",
+     .citation =
+         "Cohen, Shade, Hiller & Deussen, SIGGRAPH 2003; Ng, Wen, Tan, Zhang & Kim, CGI 2005; Lagae & "
+         "Dutré, ACM TOG 2006; Wei, Graphics Hardware 2004",
      .category = Category::Patches,
      .suits = {.regular = 1, .grain = 3, .objects = 3, .large = 2},
      .takes = {ports::weighedExemplars(), ports::mask()},
@@ -321,21 +258,25 @@ const Method self = method<Settings>(
          .scaled(0.5)
          .help(
              TR("Side of a tile: larger repeats less and keeps larger structures, smaller has more edges.")),
-     field(&Settings::colours, "colours", TR("Edge colours"))
+     field(&Settings::match, "match", TR("Match"))
+         .choices({{"corners", TR("Corners")}, {"edges", TR("Edges")}})
+         .help(TR("What has colours: corners, with fresh texture inside each tile, repeat less; edges are as "
+                  "published first, each tile four samples in diamonds.")),
+     field(&Settings::colours, "colours", TR("Colours"))
          .range(2, 4)
          .help(
-             TR("Kinds of edges on each axis: more make more tiles, which repeat less and are harder to cut "
-                "well.")),
+             TR("Kinds of corners, or of edges on each axis: more make more tiles, which repeat less and are "
+                "harder to cut well.")),
      field(&Settings::set, "set", TR("Set"))
          .choices({{"full", TR("Full")}, {"compact", TR("Compact")}})
          .help(
              TR("A full set has a tile for every combination of colours and can wrap; a compact one has two "
-                "for each pair above and to the left.")),
+                "for whatever is above and to the left.")),
      field(&Settings::overlap, "overlap", TR("Overlap"))
          .range(0.02, 0.5)
          .group(TR("Advanced"))
-         .help(TR("Width of the zone along the diagonals in which the cuts may run, as a share of the tile: "
-                  "wider joins better.")),
+         .help(
+             TR("Width of the zone in which the cuts may run, as a share of the tile: wider joins better.")),
      field(&Settings::tries, "tries", TR("Tries"))
          .range(1, 1000)
          .group(TR("Advanced"))

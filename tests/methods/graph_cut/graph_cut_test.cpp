@@ -1,7 +1,7 @@
 #include "core/base/error.h"
 #include "core/job/job.h"
 #include "core/math/grid_flow.h"
-#include "core/methods/graph_cut/canvas.h"
+#include "core/methods/cut_canvas.h"
 #include "core/methods/method.h"
 #include "tests/support/method_run.h"
 #include "tests/support/textures.h"

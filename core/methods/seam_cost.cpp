@@ -1,4 +1,4 @@
-#include "core/methods/graph_cut/seam_cost.h"
+#include "core/methods/seam_cost.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/methods/graph_cut/canvas.h"
+#include "core/methods/cut_canvas.h"
 
 #include <algorithm>
 
@@ -10,8 +10,8 @@ constexpr Step kRight{1, 0}, kDown{0, 1};
 
 } // namespace
 
-Canvas::Canvas(const Request& request, bool gradient)
-    : m_request(request), m_cost(request, gradient), m_image(request.size, request.channels()),
+Canvas::Canvas(const Request& request, const SeamCost& cost)
+    : m_request(request), m_cost(cost), m_image(request.size, request.channels()),
       m_map(request.size, request.exemplarSizes()), m_seams(request.size, 1) {}
 
 bool Canvas::settle(int& x, int& y) const {

@@ -4,7 +4,7 @@
 #include "core/image/position_map.h"
 #include "core/job/job_context.h"
 #include "core/math/grid_flow.h"
-#include "core/methods/graph_cut/seam_cost.h"
+#include "core/methods/seam_cost.h"
 #include "core/methods/synthesis.h"
 
 #include <functional>
@@ -23,7 +23,9 @@ struct Patch {
 /// 2003). A pixel of a patch that the exemplar's mask hides does not count as covered.
 class Canvas {
 public:
-    Canvas(const Request& request, bool gradient);
+    Canvas(const Request& request, bool gradient) : Canvas(request, SeamCost(request, gradient)) {}
+    /// @param cost of seams between these exemplars, which takes a look at all of their pixels to know.
+    Canvas(const Request& request, const SeamCost& cost);
 
     Size size() const { return m_image.size(); }
     Image& image() { return m_image; }
