@@ -5884,6 +5884,78 @@
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
     </message>
+    <message>
+        <source>a picture to blend</source>
+        <translation>ein Bild, das überblendet wird</translation>
+    </message>
+    <message>
+        <source>a source of a run that waits</source>
+        <translation>woraus ein wartender Lauf entsteht</translation>
+    </message>
+    <message>
+        <source>a source of the result that is shown</source>
+        <translation>woraus das gezeigte Ergebnis entsteht</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>Überblendung</translation>
+    </message>
+    <message>
+        <source>contact sheet</source>
+        <translation>Kontaktbogen</translation>
+    </message>
+    <message>
+        <source>open here</source>
+        <translation>hier geöffnet</translation>
+    </message>
+    <message>
+        <source>part of the volume</source>
+        <translation>Teil des Volumens</translation>
+    </message>
+    <message>
+        <source>picture of the material</source>
+        <translation>Bild des Materials</translation>
+    </message>
+    <message>
+        <source>picture of the turn</source>
+        <translation>Bild der Drehung</translation>
+    </message>
+    <message>
+        <source>the mesh that the material is shown on</source>
+        <translation>das Netz, auf dem das Material gezeigt wird</translation>
+    </message>
+    <message>
+        <source>the mesh that the volume is shown on</source>
+        <translation>das Netz, auf dem das Volumen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>the panorama that lights the material</source>
+        <translation>das Panorama, das das Material beleuchtet</translation>
+    </message>
+    <message>
+        <source>the session that is open</source>
+        <translation>die geöffnete Sitzung</translation>
+    </message>
+    <message>
+        <source>the volume that is open</source>
+        <translation>das geöffnete Volumen</translation>
+    </message>
+    <message>
+        <source>{} breaks off before its end marker, but all of its rows are there.</source>
+        <translation>{} bricht vor der Endmarke ab, aber alle Zeilen sind da.</translation>
+    </message>
+    <message>
+        <source>{} goes into {}, which takes no picture, so it has no layer {}.</source>
+        <translation>{0} kommt in „{1}“, das kein Bild nimmt; eine Ebene {2} gibt es dort nicht.</translation>
+    </message>
+    <message>
+        <source>{} holds data, but is compressed with loss ({}), which changes them; save such maps as PNG, or as EXR or TIFF with zip.</source>
+        <translation>{0} enthält Daten, ist aber verlustbehaftet komprimiert ({1}), was sie verändert; speichern Sie solche Karten als PNG, oder als EXR oder TIFF mit zip.</translation>
+    </message>
+    <message>
+        <source>{} is there, and Texloom did not write it; choose another name or folder.</source>
+        <translation>{} ist schon da, und Texloom hat es nicht geschrieben; wählen Sie einen anderen Namen oder Ordner.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6534,6 +6606,10 @@
     <message>
         <source>%1, derived</source>
         <translation>%1, abgeleitet</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, Ebene %2</translation>
     </message>
 </context>
 <context>
@@ -8000,12 +8076,12 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Ebene wählen</translation>
     </message>
     <message>
-        <source>%1 holds several pictures. Which one is to be the exemplar?</source>
-        <translation>%1 enthält mehrere Bilder. Welches soll die Vorlage sein?</translation>
-    </message>
-    <message>
         <source>Layers</source>
         <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>%1 holds several pictures. Which one is to be taken?</source>
+        <translation>%1 enthält mehrere Bilder. Welches soll genommen werden?</translation>
     </message>
 </context>
 <context>

@@ -5884,6 +5884,78 @@
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
     </message>
+    <message>
+        <source>a picture to blend</source>
+        <translation>une image à fondre</translation>
+    </message>
+    <message>
+        <source>a source of a run that waits</source>
+        <translation>une source d’un calcul en attente</translation>
+    </message>
+    <message>
+        <source>a source of the result that is shown</source>
+        <translation>une source du résultat affiché</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>fondu</translation>
+    </message>
+    <message>
+        <source>contact sheet</source>
+        <translation>planche-contact</translation>
+    </message>
+    <message>
+        <source>open here</source>
+        <translation>ouvert ici</translation>
+    </message>
+    <message>
+        <source>part of the volume</source>
+        <translation>partie du volume</translation>
+    </message>
+    <message>
+        <source>picture of the material</source>
+        <translation>image du matériau</translation>
+    </message>
+    <message>
+        <source>picture of the turn</source>
+        <translation>image de la rotation</translation>
+    </message>
+    <message>
+        <source>the mesh that the material is shown on</source>
+        <translation>le maillage sur lequel le matériau est affiché</translation>
+    </message>
+    <message>
+        <source>the mesh that the volume is shown on</source>
+        <translation>le maillage sur lequel le volume est affiché</translation>
+    </message>
+    <message>
+        <source>the panorama that lights the material</source>
+        <translation>le panorama qui éclaire le matériau</translation>
+    </message>
+    <message>
+        <source>the session that is open</source>
+        <translation>la session ouverte</translation>
+    </message>
+    <message>
+        <source>the volume that is open</source>
+        <translation>le volume ouvert</translation>
+    </message>
+    <message>
+        <source>{} breaks off before its end marker, but all of its rows are there.</source>
+        <translation>{} s’interrompt avant son marqueur de fin, mais toutes ses lignes sont là.</translation>
+    </message>
+    <message>
+        <source>{} goes into {}, which takes no picture, so it has no layer {}.</source>
+        <translation>{0} va dans « {1} », qui ne prend pas d’image ; il n’y a donc pas de calque {2}.</translation>
+    </message>
+    <message>
+        <source>{} holds data, but is compressed with loss ({}), which changes them; save such maps as PNG, or as EXR or TIFF with zip.</source>
+        <translation>{0} contient des données, mais est compressé avec perte ({1}), ce qui les altère ; enregistrez ces cartes en PNG, ou en EXR ou TIFF avec zip.</translation>
+    </message>
+    <message>
+        <source>{} is there, and Texloom did not write it; choose another name or folder.</source>
+        <translation>{} existe déjà, et Texloom ne l’a pas écrit ; choisissez un autre nom ou dossier.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6534,6 +6606,10 @@
     <message>
         <source>%1, derived</source>
         <translation>%1, dérivée</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, calque %2</translation>
     </message>
 </context>
 <context>
@@ -8000,12 +8076,12 @@ Déposez une image ici.</translation>
         <translation>Choisir un calque</translation>
     </message>
     <message>
-        <source>%1 holds several pictures. Which one is to be the exemplar?</source>
-        <translation>%1 contient plusieurs images. Laquelle sera l’échantillon ?</translation>
-    </message>
-    <message>
         <source>Layers</source>
         <translation>Calques</translation>
+    </message>
+    <message>
+        <source>%1 holds several pictures. Which one is to be taken?</source>
+        <translation>%1 contient plusieurs images. Laquelle faut-il prendre ?</translation>
     </message>
 </context>
 <context>
