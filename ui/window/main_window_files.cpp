@@ -300,11 +300,7 @@ void MainWindow::exemplarOpened(int id) {
 }
 
 void MainWindow::askForLayer(const LayerQuestion& question) {
-    auto* dialog = new LayerDialog(question, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog, question] { m_store->openLayer(question, dialog->layer()); });
-    dialog->open();
+    LayerDialog::ask(question, this, this);
 }
 
 void MainWindow::offerRecipe(const QString& path, const QString& text) {
