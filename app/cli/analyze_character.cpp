@@ -1,6 +1,7 @@
 #include "app/cli/analyze_character.h"
 
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/methods/advice.h"
@@ -11,6 +12,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace texloom::cli {
 
@@ -20,6 +23,7 @@ constexpr std::size_t kShown = 6;
 
 struct CharacterOptions {
     std::filesystem::path image;
+    std::vector<std::string> layers; ///< as LayerChoice takes them
     bool json = false;
 };
 
@@ -55,7 +59,9 @@ void printJson(const ExemplarFile& file, const TextureCharacter& character, cons
 }
 
 void run(const CharacterOptions& options) {
-    const ExemplarFile file = loadExemplar(options.image);
+    LayerChoice layers(options.layers);
+    const ExemplarFile file = loadExemplar(options.image, {}, layers.of(LayerChoice::kPictures));
+    layers.checkUsed();
     checkEnoughMemory(file.name(), file.image->size(),
                       characterBytesFor(file.image->size(), file.image->channels()));
     const TextureCharacter character = characterOf(*file.image, checkInterrupt);
@@ -73,6 +79,7 @@ void addAnalyzeCharacter(CLI::App& analyze) {
     CLI::App* command =
         analyze.add_subcommand("methods", "What a texture is like, and which methods to try first");
     command->add_option("image", options.image, "Image to look at")->required();
+    addLayers(*command, options.layers);
     addMemory(*command);
     command->add_flag("--json", options.json, "As JSON");
     command->callback([] { run(options); });

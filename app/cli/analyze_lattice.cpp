@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/analysis/lattice_detector.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -67,7 +68,10 @@ void printText(const ExemplarFile& exemplar, const LatticeAnalysis& analysis, in
 } // namespace
 
 void printLattice(const LatticeOptions& options) {
-    const ExemplarFile exemplar = loadExemplar(options.exemplar, options.exemplarSpace);
+    LayerChoice layers(options.layers);
+    const ExemplarFile exemplar =
+        loadExemplar(options.exemplar, options.exemplarSpace, layers.of(LayerChoice::kPictures));
+    layers.checkUsed();
     if (!options.picture.empty()) {
         checkWritable(options.picture, 1, depthsFor(options.picture).front());
         checkOnlyOutput({options.exemplar}, options.picture, options.overwrite);

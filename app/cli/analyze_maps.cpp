@@ -3,6 +3,7 @@
 #include "app/cli/analyze_quality.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/analysis/estimated_map.h"
 #include "core/analysis/map_pictures.h"
 #include "core/analysis/map_usage.h"
@@ -15,7 +16,9 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace texloom::cli {
 
@@ -23,6 +26,7 @@ namespace {
 
 struct MapsOptions {
     std::filesystem::path result;
+    std::vector<std::string> layers; ///< as LayerChoice takes them
     std::vector<std::filesystem::path> exemplars;
     std::filesystem::path map;    ///< or empty, to estimate one
     std::filesystem::path folder; ///< for pictures, or empty
@@ -72,7 +76,7 @@ void writePictures(const MapsOptions& options, const PositionMap& map) {
 }
 
 PositionMap mapOf(const MapsOptions& options, const ExemplarFile& result,
-                  const std::vector<ExemplarFile>& exemplars) {
+                  const std::vector<ExemplarFile>& exemplars, const std::string& layerOfMap) {
     std::vector<Size> sizes;
     std::vector<PatchSource> sources;
     for (const ExemplarFile& exemplar : exemplars) {
@@ -80,7 +84,7 @@ PositionMap mapOf(const MapsOptions& options, const ExemplarFile& result,
         sources.push_back({*exemplar.image, {}});
     }
     if (!options.map.empty())
-        return readPositionMap(options.map, sizes);
+        return readPositionMap(options.map, sizes, layerOfMap);
     Job<PositionMap> job({}, [&](JobContext& context) {
         context.stage(1, TR("Estimating the synthesis map"));
         return estimatedMap(*result.image, sources, {}, context, options.neighbourhood);
@@ -93,15 +97,22 @@ void analyzeMaps(const MapsOptions& options) {
         std::filesystem::create_directories(options.folder);
         checkPictures(options);
     }
-    const ExemplarFile result = loadExemplar(options.result);
+    LayerChoice layers(options.layers);
+    const ExemplarFile result = loadExemplar(options.result, {}, layers.of("result"));
+    const std::string layerOfMap = options.map.empty() ? std::string() : layers.of("map");
     std::vector<ExemplarFile> exemplars;
     std::vector<ImageView> views;
     for (const std::filesystem::path& path : options.exemplars) {
-        views.push_back(*exemplars.emplace_back(loadExemplar(path)).image);
+        views.push_back(
+            *exemplars
+                 .emplace_back(loadExemplar(
+                     path, {}, layers.of(LayerChoice::kPictures, exemplars.size(), options.exemplars.size())))
+                 .image);
         checkSameChannels(result, exemplars.back());
     }
+    layers.checkUsed();
     checkMemoryForMaps(result, exemplars);
-    const PositionMap map = mapOf(options, result, exemplars);
+    const PositionMap map = mapOf(options, result, exemplars, layerOfMap);
     checkMapOf(map, result);
     const std::vector<Image> occurrences = occurrencesOf(map, checkInterrupt);
     const MapKind kind = options.map.empty() ? MapKind::Estimated : MapKind::Exact;
@@ -123,6 +134,7 @@ void addAnalyzeMaps(CLI::App& analyze) {
     command->add_option("result", options.result, "The texture")->required();
     command->add_option("exemplar", options.exemplars, "Images, or another result, to look for it in")
         ->required();
+    addLayers(*command, options.layers, "the result and the map");
     command->add_option("--map", options.map, "Its position map; estimated if not given");
     command
         ->add_option("--neighbourhood", options.neighbourhood,

@@ -1,6 +1,7 @@
 #include "app/cli/analyze_quality.h"
 
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/analysis/estimated_map.h"
 #include "core/analysis/map_pictures.h"
 #include "core/analysis/map_usage.h"
@@ -14,6 +15,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace texloom::cli {
 
@@ -21,6 +24,7 @@ namespace {
 
 struct QualityOptions {
     std::filesystem::path result;
+    std::vector<std::string> layers; ///< as LayerChoice takes them
     std::vector<std::filesystem::path> exemplars;
     std::filesystem::path map; ///< or empty
     bool json = false;
@@ -69,24 +73,31 @@ std::vector<Figure> measured(const ExemplarFile& result, const std::vector<Exemp
 
 /// The map that was given, if one was. @throws UsageError if it is not the result's.
 std::optional<PositionMap> givenMap(const QualityOptions& options, const ExemplarFile& result,
-                                    const std::vector<ExemplarFile>& exemplars) {
+                                    const std::vector<ExemplarFile>& exemplars,
+                                    const std::string& layerOfMap) {
     if (options.map.empty())
         return {};
     std::vector<Size> sizes;
     for (const ExemplarFile& exemplar : exemplars)
         sizes.push_back(exemplar.image->size());
-    PositionMap map = readPositionMap(options.map, sizes);
+    PositionMap map = readPositionMap(options.map, sizes, layerOfMap);
     checkMapOf(map, result);
     return map;
 }
 
 void analyzeQuality(const QualityOptions& options) {
-    const ExemplarFile result = loadExemplar(options.result);
+    LayerChoice layers(options.layers);
+    const ExemplarFile result = loadExemplar(options.result, {}, layers.of("result"));
+    const std::string layerOfMap = options.map.empty() ? std::string() : layers.of("map");
     std::vector<ExemplarFile> exemplars;
     for (const std::filesystem::path& path : options.exemplars)
-        checkSameChannels(result, exemplars.emplace_back(loadExemplar(path)));
+        checkSameChannels(
+            result,
+            exemplars.emplace_back(loadExemplar(
+                path, {}, layers.of(LayerChoice::kPictures, exemplars.size(), options.exemplars.size()))));
+    layers.checkUsed();
     checkMemoryForMaps(result, exemplars);
-    const std::optional<PositionMap> map = givenMap(options, result, exemplars);
+    const std::optional<PositionMap> map = givenMap(options, result, exemplars, layerOfMap);
     std::vector<Figure> figures = measured(result, exemplars, map ? &*map : nullptr);
     if (map)
         append(figures,
@@ -138,6 +149,7 @@ void addAnalyzeQuality(CLI::App& analyze) {
     CLI::App* command = analyze.add_subcommand("quality", "How closely a texture resembles its exemplars");
     command->add_option("result", options.result, "The texture")->required();
     command->add_option("exemplar", options.exemplars, "Images that it was made from")->required();
+    addLayers(*command, options.layers, "the result and the map");
     command->add_option("--map", options.map, "Its position map, for figures on what was copied");
     addMemory(*command);
     command->add_flag("--json", options.json, "As JSON");

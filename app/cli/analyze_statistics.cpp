@@ -1,6 +1,7 @@
 #include "app/cli/analyze_statistics.h"
 
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "app/cli/option_forms.h"
 #include "core/analysis/patch_variance.h"
 #include "core/base/error.h"
@@ -11,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace texloom::cli {
 
@@ -18,6 +21,7 @@ namespace {
 
 struct StatisticsOptions {
     std::filesystem::path image;
+    std::vector<std::string> layers; ///< as LayerChoice takes them
     std::vector<int> sizes = {10, 20, 40, 80};
     std::vector<int> neighbours = {5, 10, 30, 50, 500, 1000};
     int patches = 16;
@@ -49,7 +53,9 @@ void printJson(const PatchVariance& variance) {
 }
 
 void run(const StatisticsOptions& options) {
-    const ExemplarFile file = loadExemplar(options.image);
+    LayerChoice layers(options.layers);
+    const ExemplarFile file = loadExemplar(options.image, {}, layers.of(LayerChoice::kPictures));
+    layers.checkUsed();
     const int smallest = *std::min_element(options.sizes.begin(), options.sizes.end());
     if (smallest > file.image->size().shorterSide())
         failUsage("--patch {}: {} is {} × {} px; choose a patch of at most {} px.", smallest, file.name(),
@@ -79,6 +85,7 @@ void addAnalyzeStatistics(CLI::App& analyze) {
     CLI::App* command =
         analyze.add_subcommand("statistics", "How much similar patches vary, by their size and number");
     command->add_option("image", options.image, "Image to look at")->required();
+    addLayers(*command, options.layers);
     command->add_option("--patch", options.sizes, "Patch sizes in pixels, as 10,20,40")
         ->delimiter(',')
         ->check(CLI::Range(2, 512));

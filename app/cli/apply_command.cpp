@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/image/normal_map.h"
 #include "core/image/stmap.h"
 #include "core/io/image_file.h"
@@ -33,18 +34,22 @@ void applyMap(const ApplyOptions& options) {
     std::vector<ExemplarFile> files;
     std::vector<ImageView> images;
     std::vector<Size> sizes;
+    LayerChoice layers(options.layers);
+    const std::string layerOfMap = layers.of("map");
     for (const fs::path& path : options.exemplars) {
-        files.push_back(loadUnconverted(path));
+        files.push_back(
+            loadUnconverted(path, layers.of(LayerChoice::kPictures, files.size(), options.exemplars.size())));
         images.push_back(*files.back().image);
         sizes.push_back(files.back().image->size());
     }
+    layers.checkUsed();
     checkWritable(options.output, images.front().channels, depthLike(files.front().info, options.output));
     std::vector<fs::path> sources = options.exemplars;
     sources.push_back(options.map);
     checkOnlyOutput(sources, options.output, options.overwrite);
-    const std::optional<Image> between = readFractionalMap(options.map, sizes);
-    const Image image =
-        between ? laidOut(*between, files, images) : readPositionMap(options.map, sizes).apply(images);
+    const std::optional<Image> between = readFractionalMap(options.map, sizes, layerOfMap);
+    const Image image = between ? laidOut(*between, files, images)
+                                : readPositionMap(options.map, sizes, layerOfMap).apply(images);
     checkInterrupt();
     WriteOptions write;
     write.depth = depthLike(files.front().info, options.output);

@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -80,16 +81,19 @@ std::vector<RecipeStep> stepsOf(const SynthOptions& options) {
 /// Refuses what belongs to exemplars where there are none.
 void checkNothingOfExemplars(const SynthOptions& options) {
     const std::pair<bool, const char*> all[] = {
-        {!options.companions.empty(), "--companion"}, {!options.masks.empty(), "--mask"},
-        {!options.weights.empty(), "--weight"},       {!options.edits.empty(), "--edit"},
-        {!options.exemplarSpace.empty(), "--space"},  {!options.layer.empty(), "--layer"}};
+        {!options.companions.empty(), "--companion"},
+        {!options.masks.empty(), "--mask"},
+        {!options.weights.empty(), "--weight"},
+        {!options.edits.empty(), "--edit"},
+        {!options.exemplarSpace.empty(), "--space"},
+        {LayerChoice(options.layers).names(LayerChoice::kPictures), "--layer"}};
     for (const auto& [given, option] : all)
         if (given)
             failUsage("{} belongs to an exemplar, and there is none.", option);
 }
 
 /// Shares files that belong to the exemplars out to them, in order.
-void attach(RunInput& input, const SynthOptions& options) {
+void attach(RunInput& input, const SynthOptions& options, LayerChoice& layers) {
     const std::size_t count = input.exemplars.size();
     if (count == 0)
         return checkNothingOfExemplars(options);
@@ -103,13 +107,22 @@ void attach(RunInput& input, const SynthOptions& options) {
                   options.companions.size(), count);
     const std::size_t each = options.companions.size() / count;
     for (std::size_t i = 0; i < options.companions.size(); ++i)
-        for (ExemplarFile& map : loadCompanions(options.companions[i]))
+        for (ExemplarFile& map :
+             loadCompanions(options.companions[i], layers.of(kCompanionPort, i, options.companions.size())))
             input.exemplars[i / each].companions.push_back(std::move(map));
 }
 
+/// One `--input NAME=FILE`.
+struct GivenInput {
+    std::string name;
+    fs::path file;
+    std::string layer = {};
+};
+
 /// Loads one `--input NAME=FILE`: a port of the run's, or one of the exemplars' own, which are shared out in
 /// order. Those of the other kind are left to another call.
-void addInput(RunInput& input, const std::string& name, const fs::path& file, bool ofExemplars) {
+void addInput(RunInput& input, const GivenInput& given, bool ofExemplars) {
+    const std::string& name = given.name;
     const Port& port = portOf(input.steps, name);
     if ((port.extent == Extent::Exemplar) != ofExemplars)
         return;
@@ -120,7 +133,7 @@ void addInput(RunInput& input, const std::string& name, const fs::path& file, bo
         sizes.push_back(exemplar.image.image->size());
     if (ofExemplars && input.exemplars.empty())
         failUsage("--input {} belongs to an exemplar, and there is none.", name);
-    InputFile loaded = loadInput(port, {file, "", ""}, sizes);
+    InputFile loaded = loadInput(port, {given.file, "", "", {}, given.layer}, sizes);
     if (port.extent != Extent::Exemplar) {
         input.inputs[port.id].push_back(std::move(loaded));
         return;
@@ -134,7 +147,7 @@ void addInput(RunInput& input, const std::string& name, const fs::path& file, bo
             exemplar.inputs[port.id].push_back(std::move(loaded));
         return;
     }
-    failUsage("--input {}={}: every exemplar has one already.", name, file.string());
+    failUsage("--input {}={}: every exemplar has one already.", name, given.file.string());
 }
 
 /// The two parts of NAME=FILE.
@@ -145,17 +158,30 @@ std::pair<std::string, fs::path> nameAndFile(const char* option, const std::stri
     return {given.substr(0, equals), given.substr(equals + 1)};
 }
 
-/// --input and its short names. What belongs to an exemplar is edited with it; the rest may depend on the
-/// edited exemplars' sizes.
-void addInputs(RunInput& input, const SynthOptions& options, bool ofExemplars) {
+/// --input and its short names, each with its layer.
+std::vector<GivenInput> inputsOf(const SynthOptions& options, LayerChoice& layers) {
+    std::vector<GivenInput> all;
     for (const fs::path& mask : options.masks)
-        addInput(input, std::string(kMaskPort), mask, ofExemplars);
+        all.push_back({std::string(kMaskPort), mask});
     if (options.initial)
-        addInput(input, std::string(kInitialPort), *options.initial, ofExemplars);
+        all.push_back({std::string(kInitialPort), *options.initial});
     for (const std::string& given : options.inputs) {
         const auto [name, file] = nameAndFile("--input", given);
-        addInput(input, name, file, ofExemplars);
+        all.push_back({name, file});
     }
+    std::map<std::string, std::size_t> counts, taken;
+    for (const GivenInput& one : all)
+        ++counts[one.name];
+    for (GivenInput& one : all)
+        one.layer = layers.of(one.name, taken[one.name]++, counts[one.name]);
+    return all;
+}
+
+/// What belongs to an exemplar is edited with it; the rest may depend on the
+/// edited exemplars' sizes.
+void addInputs(RunInput& input, const std::vector<GivenInput>& given, bool ofExemplars) {
+    for (const GivenInput& one : given)
+        addInput(input, one, ofExemplars);
 }
 
 /// The size of the first picture that must have the output's, if there is one.
@@ -306,12 +332,19 @@ RunInput inputFor(const SynthOptions& options) {
     input.seed = options.seed;
     input.region = options.region;
     checkExemplarCount(input.steps, options.exemplars.size());
+    LayerChoice layers(options.layers);
+    const std::vector<GivenInput> given = inputsOf(options, layers);
     for (const fs::path& path : options.exemplars)
-        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace, options.layer), {}, {}});
-    attach(input, options);
-    addInputs(input, options, true);
+        input.exemplars.push_back({loadExemplar(path, options.exemplarSpace,
+                                                layers.of(LayerChoice::kPictures, input.exemplars.size(),
+                                                          options.exemplars.size())),
+                                   {},
+                                   {}});
+    attach(input, options, layers);
+    layers.checkUsed();
+    addInputs(input, given, true);
     edit(input, options.edits);
-    addInputs(input, options, false);
+    addInputs(input, given, false);
     input.size = options.size ? *options.size : sizeOfInputs(input).value_or(usualSize(input));
     return input;
 }

@@ -33,8 +33,8 @@ struct SynthOptions {
     std::vector<std::string> then; ///< methods that follow
     std::vector<std::filesystem::path> exemplars;
     std::string exemplarSpace;
-    std::string layer;        ///< of the exemplars' files, or empty for all that they hold
-    std::optional<Size> size; ///< twice the exemplar, or the initial image's size, if not given
+    std::vector<std::string> layers; ///< as LayerChoice takes them
+    std::optional<Size> size;        ///< twice the exemplar, or the initial image's size, if not given
     std::uint64_t seed = 0;
     std::vector<std::string> settings; ///< "name=value", or "method.name=value" for one that follows
     Wrap wrap;
@@ -57,6 +57,7 @@ struct RunOptions {
 struct ApplyOptions {
     std::filesystem::path map;
     std::vector<std::filesystem::path> exemplars;
+    std::vector<std::string> layers; ///< as LayerChoice takes them
     std::filesystem::path output;
     bool overwrite = false;
     bool quiet = false;
@@ -65,7 +66,8 @@ struct ApplyOptions {
 struct LatticeOptions {
     std::filesystem::path exemplar;
     std::string exemplarSpace;
-    std::filesystem::path picture; ///< file for the autocorrelation, or empty
+    std::vector<std::string> layers; ///< as LayerChoice takes them
+    std::filesystem::path picture;   ///< file for the autocorrelation, or empty
     bool overwrite = false;
     bool json = false;
 };

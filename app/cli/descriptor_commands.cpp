@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "app/cli/option_forms.h"
 #include "core/base/text.h"
 #include "core/image/half_scale.h"
@@ -25,6 +26,7 @@ struct LearnOptions {
     std::vector<fs::path> pictures;
     fs::path output;
     std::string name = "learned", licence = "unknown", credit = "Learned with texloom-cli learn-descriptor";
+    std::vector<std::string> fileLayers; ///< as LayerChoice takes them
     std::vector<std::string> layers;
     std::vector<int> sides = {256, 110};
     int patches = 20000, rounds = 8, threads = 0;
@@ -77,9 +79,12 @@ Tensor pictureFor(const Image& image, int side) {
 /// The picture at each size: halved until its shorter side is no more than twice that.
 std::vector<Tensor> picturesOf(const LearnOptions& options) {
     std::vector<Tensor> pictures;
+    LayerChoice layers(options.fileLayers);
+    std::size_t done = 0;
     for (const fs::path& path : options.pictures) {
         checkInterrupt();
-        Image image = *loadExemplar(path).image;
+        Image image =
+            *loadExemplar(path, {}, layers.of(LayerChoice::kPictures, done++, options.pictures.size())).image;
         for (const int side : options.sides) {
             while (image.size().shorterSide() >= 2 * side)
                 image = halved(image);
@@ -152,6 +157,7 @@ void addLearn(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("learn-descriptor", "Learn a network that describes textures from pictures");
     command->add_option("picture", options.pictures, "Pictures to learn from")->required();
+    addLayers(*command, options.fileLayers);
     command->add_option("-o,--output", options.output, "File to write: .safetensors")->required();
     command->add_option("--name", options.name, "What it is called");
     command->add_option("--licence", options.licence,

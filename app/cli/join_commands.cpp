@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/layer_choice.h"
 #include "core/session/export/export.h"
 #include "core/session/run/exemplar_file.h"
 #include "core/tools/tool.h"
@@ -11,6 +12,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace texloom::cli {
 
@@ -21,6 +24,7 @@ namespace fs = std::filesystem;
 struct JoinCommand {
     const Tool* tool = nullptr;
     fs::path first, second, mask, output;
+    std::vector<std::string> layers;             ///< as LayerChoice takes them
     std::map<std::string, std::string> settings; ///< as written, by parameter
     bool overwrite = false;
     bool quiet = false;
@@ -35,12 +39,14 @@ Values settingsOf(const JoinCommand& command) {
 
 void run(const JoinCommand& command) {
     JoinInput input{command.tool, {}, {}, {}, settingsOf(command)};
-    input.first = loadExemplar(command.first);
+    LayerChoice layers(command.layers);
+    input.first = loadExemplar(command.first, {}, layers.of(LayerChoice::kPictures, 0, 2));
     checkInterrupt();
-    input.second = loadExemplar(command.second);
+    input.second = loadExemplar(command.second, {}, layers.of(LayerChoice::kPictures, 1, 2));
     checkInterrupt();
     if (!command.mask.empty())
-        input.region = loadMask(command.mask).image;
+        input.region = loadMask(command.mask, layers.of(kMaskPort)).image;
+    layers.checkUsed();
     input.tool->checkJoin(input.pictures(), input.settings);
     std::vector<fs::path> read = {command.first, command.second};
     if (!command.mask.empty())
@@ -60,6 +66,7 @@ void addJoin(CLI::App& app, const Tool& tool) {
         ->required();
     if (const auto& region = tool.info().region)
         command->add_option("--mask", options->mask, region->help);
+    addLayers(*command, options->layers, tool.info().region ? "the mask" : "");
     for (const Param& param : tool.params())
         command->add_option_function<std::string>(
             "--" + param.name(),

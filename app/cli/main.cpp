@@ -7,6 +7,7 @@
 #include "app/cli/console.h"
 #include "app/cli/descriptor_commands.h"
 #include "app/cli/join_commands.h"
+#include "app/cli/layer_choice.h"
 #include "app/cli/method_pages.h"
 #include "app/cli/option_forms.h"
 #include "app/cli/sample_command.h"
@@ -137,9 +138,7 @@ void addSynthOptions(CLI::App& command, cli::SynthOptions& options) {
         ->allow_extra_args(false);
     command.add_option("--space", options.exemplarSpace,
                        "Colour space of the exemplars; what the file says if not given");
-    command.add_option("--layer", options.layer,
-                       "Layer or part of the exemplars' files, such as an EXR's; all channels of the first "
-                       "part if not given");
+    cli::addLayers(command, options.layers, "companion, mask, initial or another input");
 }
 
 void addSynth(CLI::App& app) {
@@ -190,6 +189,7 @@ void addApply(CLI::App& app) {
                      "One image for each exemplar of the map, of the same size")
         ->required();
     command->add_option("-o,--output", options.output, "File to write")->required();
+    cli::addLayers(*command, options.layers, "the map");
     cli::addMemory(*command);
     cli::addReproducible(*command, false);
     cli::addOverwrite(*command, options.overwrite);
@@ -206,6 +206,7 @@ void addAnalyze(CLI::App& app) {
     lattice->add_option("exemplar", options.exemplar, "Image to look at")->required();
     lattice->add_option("--space", options.exemplarSpace,
                         "Colour space of the image; what the file says if not given");
+    cli::addLayers(*lattice, options.layers);
     lattice->add_option(
         "--picture", options.picture,
         "File for the autocorrelation, zero displacement in the middle; .exr keeps values below 0");
@@ -240,6 +241,7 @@ int run(int argc, char** argv) {
     cli::addSample(app);
     addAnalyze(app);
     addStress(app);
+    cli::needPlainNumbers(app);
     cli::silenceLibraries();
     cli::watchInterrupts();
     try {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -69,7 +70,28 @@ std::optional<std::uint64_t> readSeed(const std::string& text) {
     return parseUnsigned(text, seed) ? std::optional(seed) : std::nullopt;
 }
 
+/// What is wrong with a number as it was written; empty if nothing. @param whole whether it has no fraction.
+std::string wrongNumber(const std::string& text, bool whole) {
+    long long integer = 0;
+    double real = 0;
+    if (whole ? parseInteger(text, integer) : parseNumber(text, real) && std::isfinite(real))
+        return {};
+    return fmt::format("\"{}\" is not a {}number; write it with decimal digits", text, whole ? "whole " : "");
+}
+
 } // namespace
+
+void needPlainNumbers(CLI::App& command) {
+    for (CLI::Option* option : command.get_options()) {
+        const std::string type = option->get_type_name();
+        const bool whole = type.starts_with("INT") || type.starts_with("UINT");
+        if (whole || type.starts_with("FLOAT")) // before what it is held against otherwise
+            option->transform(
+                CLI::Validator([whole](const std::string& text) { return wrongNumber(text, whole); }, ""));
+    }
+    for (CLI::App* below : command.get_subcommands({}))
+        needPlainNumbers(*below);
+}
 
 void addSize(CLI::App& command, std::optional<Size>& size, const std::string& help) {
     addForm(command, "--size", size, readSize,

@@ -24,4 +24,8 @@ void addWrap(CLI::App& command, Wrap& wrap, const std::string& help);
 /// `--seed` as any whole number that 64 bits hold.
 void addSeed(CLI::App& command, std::uint64_t& seed, const std::string& help);
 
+/// Has every option of a command, and of those below it, that is a number refuse what is not written with
+/// decimal digits: "0x2" and "0b1" are others' ways. Called when all options are there.
+void needPlainNumbers(CLI::App& command);
+
 } // namespace texloom::cli

@@ -7,6 +7,7 @@
 #include "core/io/header_check.h"
 #include "core/io/image_describe.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace texloom {
 
@@ -141,7 +144,11 @@ void checkBytes(const fs::path& path, const OIIO::ImageSpec& spec, const std::st
 
 /// Stray bytes between a JPEG's parts harm nothing; every viewer skips them.
 bool harmless(const std::string& remark, const std::string& format) {
-    return format == "jpeg" && remark.find("extraneous bytes before marker") != std::string::npos;
+    std::istringstream lines(remark);
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("extraneous bytes before marker") == std::string::npos)
+            return false;
+    return format == "jpeg";
 }
 
 /// A decoder may fill what is missing and only remark on it.
@@ -159,6 +166,48 @@ void takeRemark(const fs::path& path, const std::string& remark, ImageFileInfo& 
              "Texloom does not read. Save it again with another program.",
              path.string());
     fail("{} cannot be read: {}.", path.string(), reason(why));
+}
+
+/// What an ImageInput is to fill with a part's samples, interleaved.
+struct SampleTarget {
+    const FilePart& part;
+    OIIO::TypeDesc type;
+    float* samples;
+};
+
+bool fill(OIIO::ImageInput& input, const SampleTarget& target) {
+    return input.read_image(target.part.index, 0, target.part.firstChannel,
+                            target.part.firstChannel + target.part.channels, target.type, target.samples);
+}
+
+/// Reads a JPEG that breaks off as though its end marker stood there: of rows that are missing, too, the
+/// decoder says so then, and of nothing else. @return its remark
+std::string filledWithEnd(const DecodeRequest& request, const SampleTarget& target) {
+    std::ifstream file(request.path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    bytes += "\xff\xd9";
+    OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+    const auto input = OIIO::ImageInput::create("jpeg");
+    OIIO::ImageSpec spec;
+    if (!input || !input->set_ioproxy(&reader) || !input->open(request.path.string(), spec) ||
+        !fill(*input, target))
+        failReading(request.path, "jpeg", input ? input->geterror() : std::string());
+    return input->geterror();
+}
+
+/// Reads all samples. @return the decoder's remark on what it filled by itself
+std::string filled(const DecodeRequest& request, OIIO::ImageInput& input, const SampleTarget& target,
+                   ImageFileInfo& info) {
+    const bool read = fill(input, target);
+    std::string remark = input.geterror();
+    if (info.format == "jpeg" && remark.find("Premature end of JPEG file") != std::string::npos) {
+        remark = filledWithEnd(request, target);
+        info.notes.push_back(
+            message("{} breaks off before its end marker, but all of its rows are there.", info.name));
+    } else if (!read) {
+        failReading(request.path, info.format, remark);
+    }
+    return remark;
 }
 
 /// Whole numbers of 32 bits say nothing of what is white: the largest one in the file is taken for it.
@@ -186,10 +235,8 @@ void readSamples(const DecodeRequest& request, OIIO::ImageInput& input, const Fi
                  DecodedHeader& header, float* samples) {
     const OIIO::TypeDesc stored = input.spec().format;
     const bool wide = stored.basetype == OIIO::TypeDesc::UINT32 || stored.basetype == OIIO::TypeDesc::INT32;
-    if (!input.read_image(part.index, 0, part.firstChannel, part.firstChannel + part.channels,
-                          wide ? stored : OIIO::TypeDesc::FLOAT, samples))
-        failReading(request.path, header.info.format, input.geterror());
-    takeRemark(request.path, input.geterror(), header.info);
+    const SampleTarget target{part, wide ? stored : OIIO::TypeDesc::FLOAT, samples};
+    takeRemark(request.path, filled(request, input, target, header.info), header.info);
     if (stored.basetype == OIIO::TypeDesc::UINT32)
         scaleToSpan<std::uint32_t>(samples, header.samples, header);
     else if (wide)

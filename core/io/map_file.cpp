@@ -160,8 +160,9 @@ void writePositionMap(const fs::path& path, const PositionMap& map, const std::s
     }
 }
 
-PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemplarSizes) {
-    const LoadedImage file = readImage(path, {kLargestFilePixels, {}, true});
+PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemplarSizes,
+                            const std::string& layer) {
+    const LoadedImage file = readImage(path, {kLargestFilePixels, layer, true});
     const MapFormat format = file.info.format == "openexr" ? MapFormat::StMap : mapFormatFor(path);
     checkMapFile(path, format, file.info);
     std::vector<Size> sizes = parseSizes(textOf(file.info, kSizesAttribute));
@@ -182,8 +183,9 @@ PositionMap readPositionMap(const fs::path& path, const std::vector<Size>& exemp
     return map;
 }
 
-std::optional<Image> readFractionalMap(const fs::path& path, const std::vector<Size>& exemplarSizes) {
-    LoadedImage file = readImage(path, {kLargestFilePixels, {}, true});
+std::optional<Image> readFractionalMap(const fs::path& path, const std::vector<Size>& exemplarSizes,
+                                       const std::string& layer) {
+    LoadedImage file = readImage(path, {kLargestFilePixels, layer, true});
     if (file.info.format != "openexr" || !textOf(file.info, kSizesAttribute).empty())
         return std::nullopt;
     checkMapFile(path, MapFormat::StMap, file.info);

@@ -20,15 +20,16 @@ void writePositionMap(const std::filesystem::path& path, const PositionMap& map,
 
 /// Reads what writePositionMap() wrote, or an STMap of another program.
 /// @param exemplarSizes sizes of the images it will be applied to; used, and needed, when the file does not
-/// say them.
+/// say them. @param layer as ReadOptions::layer
 /// @throws Error if it is no such file, addresses pixels outside the exemplars, or lies between pixels.
-PositionMap readPositionMap(const std::filesystem::path& path, const std::vector<Size>& exemplarSizes = {});
+PositionMap readPositionMap(const std::filesystem::path& path, const std::vector<Size>& exemplarSizes = {},
+                            const std::string& layer = {});
 
 /// Reads an STMap whose places lie between pixels (see kStMapPort), such as an anamorphosis gives; nothing if
 /// the file is none, so that readPositionMap() is for it. @param exemplarSizes of the images it will be
 /// applied to. @throws Error if it cannot be read
 std::optional<Image> readFractionalMap(const std::filesystem::path& path,
-                                       const std::vector<Size>& exemplarSizes);
+                                       const std::vector<Size>& exemplarSizes, const std::string& layer = {});
 
 /// One sentence that states the convention of a map file, for sidecars.
 std::string mapConvention(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/own_folders.h"
 #include "ui/common/reading_bar.h"
 #include "ui/common/readings.h"
 #include "ui/common/text.h"
@@ -13,15 +14,18 @@
 #include "ui/exemplar/layer_dialog.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
+#include "ui/inspector/port_row.h"
 #include "ui/maps/result_view.h"
 #include "ui/session/undo_history.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
@@ -46,6 +50,18 @@ void drop(QWidget& on, const QMimeData& what) {
 
 class ExemplarsTest : public QObject {
     Q_OBJECT
+
+    /// Chooses in the dialog that asks for a layer, once it is there.
+    void chooseLayer(const QString& name) {
+        QTRY_VERIFY(m_window->findChild<LayerDialog*>() != nullptr);
+        auto* dialog = m_window->findChild<LayerDialog*>();
+        auto* list = child<QListWidget>(*dialog, "layers");
+        const QList<QListWidgetItem*> found = list->findItems(name, Qt::MatchExactly);
+        QCOMPARE(found.size(), 1);
+        list->setCurrentItem(found.front());
+        dialog->accept();
+        QTRY_VERIFY(m_window->findChild<LayerDialog*>() == nullptr);
+    }
 
 private Q_SLOTS:
     void init() {
@@ -141,6 +157,98 @@ private Q_SLOTS:
         m_window->undoHistory()->undoAction()->trigger();
         QTRY_COMPARE(file().image->channels(), 3);
         QTRY_COMPARE(layer->currentText(), QStringLiteral("diffuse"));
+    }
+
+    void layersOfMasksMapsAndInputsAreChosen() {
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("base.png"), {48, 40})));
+        const QString path = m_folder.filePath(QStringLiteral("maps.exr"));
+        Image image(Size{48, 40}, 2);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 48; ++x) {
+                image(x, y, 0) = 0.25F;
+                image(x, y, 1) = 1;
+            }
+        WriteOptions options;
+        options.depth = Depth::Float;
+        options.space = "raw";
+        options.channelNames = {"roughness.Y", "matte.Y"};
+        writeImage(toPath(path), image, options);
+        const auto exemplar = [this] { return m_window->store()->current()->exemplar; };
+        const int id = m_window->store()->current()->id;
+        m_window->store()->addCompanion(id, path);
+        chooseLayer(QStringLiteral("roughness"));
+        QTRY_COMPARE(exemplar().companions.size(), std::size_t{1});
+        QCOMPARE(exemplar().companions[0].layer, std::string("roughness"));
+        QVERIFY(exemplar().companions[0].role == MapRole::Roughness);
+        QCOMPARE((*exemplar().companions[0].image)(3, 3, 0), 0.25F);
+        m_window->store()->addCompanion(id, path); // another layer of the same file comes beside it
+        chooseLayer(QStringLiteral("matte"));
+        QTRY_COMPARE(exemplar().companions.size(), std::size_t{2});
+        m_window->store()->setMask(id, path);
+        chooseLayer(QStringLiteral("matte"));
+        QTRY_VERIFY(exemplar().mask);
+        QCOMPARE((*exemplar().mask->image)(3, 3, 0), 1.0F);
+        const RecipeExemplar kept = m_window->session().settings.exemplars.front();
+        QCOMPARE(kept.mask->layer, std::string("matte"));
+        QCOMPARE(kept.companions[1].layer, std::string("matte"));
+        PortRow row({.id = "guide", .title = "Guide", .help = "", .kind = AssetKind::Image}, {},
+                    m_window.get());
+        row.read(path);
+        chooseLayer(QStringLiteral("roughness"));
+        QTRY_COMPARE(row.files().size(), std::size_t{1});
+        QCOMPARE(row.files()[0].file.layer, std::string("roughness"));
+    }
+
+    void anStMapOfAnotherProgramKnowsTheExemplarsSizes() {
+        const QString path = m_folder.filePath(QStringLiteral("stmap.exr"));
+        PositionMap map({8, 6}, {{48, 40}});
+        for (int y = 0; y < 6; ++y)
+            for (int x = 0; x < 8; ++x)
+                map.at(x, y) = {static_cast<std::uint16_t>(x + 5), static_cast<std::uint16_t>(y + 7), 0};
+        Image places({8, 6}, 3); // as other programs write them, without a word on the size
+        for (int y = 0; y < 6; ++y)
+            for (int x = 0; x < 8; ++x) {
+                places(x, y, 0) = (static_cast<float>(x) + 5.5F) / 48;
+                places(x, y, 1) = 1 - (static_cast<float>(y) + 7.5F) / 40;
+            }
+        WriteOptions options;
+        options.depth = Depth::Float;
+        options.space = "raw";
+        writeImage(toPath(path), places, options);
+        PortRow row({.id = "map", .title = "Map", .help = "", .kind = AssetKind::Map});
+        QSignalSpy failed(&row, &PortRow::failed);
+        row.read(path);
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed[0][0].toString().contains(QStringLiteral("does not say the size")));
+        row.setExemplarSizes({{48, 40}});
+        row.read(path);
+        QTRY_COMPARE(row.files().size(), std::size_t{1});
+        const auto read = std::get<std::shared_ptr<const PositionMap>>(row.files()[0].asset);
+        QVERIFY(read->at(3, 2) == map.at(3, 2));
+        // The window tells its rows.
+        QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("sized.png"), {48, 40})));
+        QCOMPARE(m_window->inspector()->output()->exemplarSizes(), std::vector<Size>({{48, 40}}));
+    }
+
+    void pastedPicturesAreTakenOverOnce() {
+        const QDir before(earlierFolder(kPasted)), after(dataFolder(kPasted));
+        QVERIFY(before.mkpath(QStringLiteral(".")));
+        QFile old(before.filePath(QStringLiteral("pasted-1.png")));
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        old.write("a picture");
+        old.close();
+        for (int times = 0; times < 2; ++times) {
+            takeOverFiles(kPasted);
+            QFile kept(after.filePath(QStringLiteral("pasted-1.png")));
+            QVERIFY(kept.open(QIODevice::ReadOnly));
+            QCOMPARE(kept.readAll(), QByteArray("a picture"));
+            // Sessions name it where it was.
+            QVERIFY(QFileInfo(old.fileName()).isSymLink());
+            QCOMPARE(QFileInfo(old.fileName()).symLinkTarget(), kept.fileName());
+            QCOMPARE(before.entryList(QDir::Files).size(), 1);
+        }
+        QFile::remove(old.fileName());
+        QFile::remove(after.filePath(QStringLiteral("pasted-1.png")));
     }
 
     void aFileOfOneLayerAsksNothing() {

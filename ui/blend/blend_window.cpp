@@ -1,6 +1,6 @@
 #include "ui/blend/blend_window.h"
 
-#include "core/session/export/export.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/common/value_editors.h"
 #include "ui/exemplar/files.h"
@@ -30,7 +30,6 @@ namespace {
 constexpr std::chrono::milliseconds kPause{150};
 constexpr int kWidth = 150, kLines = 44; ///< of the window, in widths and lines of text
 constexpr std::size_t kShownFirst = 4;   ///< ways that are shown at first
-const QString kFolder = QStringLiteral("folders/blend");
 
 /// The tools that join two pictures.
 std::vector<const Tool*> joiningTools() {
@@ -88,6 +87,11 @@ BlendWindow::BlendWindow(const std::vector<NamedImage>& images, QWidget* parent)
     }
     for (QComboBox* choice : m_choice)
         connect(choice, &QComboBox::currentIndexChanged, this, &BlendWindow::changed);
+    FilesInUse::all().add(this, [this](OutputGuard& guard) {
+        for (const std::unique_ptr<NamedImage>& image : m_images)
+            if (!image->file.path.empty())
+                guard.reads(image->file.path, TR("a picture to blend"));
+    });
     resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
     setTool(*m_tool);
 }
@@ -282,19 +286,6 @@ QWidget* BlendWindow::makeBottom() {
     return bottom;
 }
 
-void BlendWindow::fillSaveMenu() {
-    QMenu* const menu = m_save->menu();
-    menu->clear();
-    for (std::size_t way = 0; way < m_cells.size(); ++way) {
-        QAction* const action =
-            menu->addAction(tr("%1…").arg(m_cells[way].title), this, [this, way] { saveAs(way); });
-        connect(menu, &QMenu::aboutToShow, action, [this, action, way] {
-            action->setVisible(m_cells[way].shown->isChecked());
-            action->setEnabled(viewer(way)->picture() != nullptr);
-        });
-    }
-}
-
 void BlendWindow::addImage(const NamedImage& image) {
     m_images.push_back(std::make_unique<NamedImage>(image));
     for (QComboBox* choice : m_choice)
@@ -308,11 +299,11 @@ void BlendWindow::choose(int which, const NamedImage& image) {
 }
 
 void BlendWindow::openFile(int which) {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open an image"),
-                                                      QSettings().value(kFolder).toString(), pictureFilter());
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Open an image"), QSettings().value(kBlendFolder).toString(), pictureFilter());
     if (path.isEmpty())
         return;
-    QSettings().setValue(kFolder, QFileInfo(path).path());
+    QSettings().setValue(kBlendFolder, QFileInfo(path).path());
     inBackground(
         this, [file = toPath(path)] { return loadExemplar(file); },
         [this, which](ExemplarFile file) {
@@ -493,12 +484,6 @@ void BlendWindow::take(const Pictures& pictures, const QString& note) {
     say(note);
 }
 
-void BlendWindow::offerToSave() {
-    m_save->setEnabled(std::any_of(m_cells.begin(), m_cells.end(), [](const Cell& cell) {
-        return cell.shown->isChecked() && cell.viewer->picture() != nullptr;
-    }));
-}
-
 void BlendWindow::say(const QString& text) {
     m_message->setText(text);
     m_message->setVisible(!m_bar->isVisible());
@@ -506,38 +491,6 @@ void BlendWindow::say(const QString& text) {
 
 QString BlendWindow::message() const {
     return m_message->text();
-}
-
-void BlendWindow::saveAs(std::size_t way) {
-    const NamedImage* const first = chosen(0);
-    const NamedImage* const second = chosen(1);
-    const QString name = tr("%1 and %2.png").arg(first->title, second->title);
-    const QString folder = QSettings().value(kFolder).toString();
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the blend"), QDir(folder).filePath(name),
-                                                      tr("Pictures (*.png *.jpg *.tif *.exr *.hdr)"));
-    if (path.isEmpty())
-        return;
-    QSettings().setValue(kFolder, QFileInfo(path).path());
-    save(way, path);
-}
-
-void BlendWindow::save(std::size_t way, const QString& path) {
-    const NamedImage* const first = chosen(0);
-    const std::shared_ptr<const DisplayPicture> picture = viewer(way)->picture();
-    if (first == nullptr || !picture)
-        return;
-    m_writing.start(
-        {},
-        [picture, path, like = first->file](JobContext& context) {
-            exportPicture(toPath(path), picture->values(), like, [&] { context.check(); });
-            return path;
-        },
-        [this](const QString& written) {
-            m_written = written;
-            m_use->show();
-            say(tr("Wrote %1.").arg(written));
-        },
-        [this](const QString& why) { say(why); });
 }
 
 } // namespace texloom::ui

@@ -7,6 +7,7 @@
 #include "ui/jobs/task.h"
 
 #include <QDialog>
+#include <QString>
 #include <QTimer>
 
 #include <array>
@@ -25,6 +26,9 @@ namespace texloom::ui {
 
 class TaskBar;
 class ValueEditor;
+
+/// Where the folder of pictures that are opened and saved here is kept.
+inline const QString kBlendFolder = QStringLiteral("folders/blend");
 
 /// Joins two images by a tool, in all the ways that it declares side by side (as Raad, thesis 2016,
 /// figures 4.17 to 4.20). The pictures follow every change in the background.

@@ -1,9 +1,11 @@
 #include "ui/compare/comparisons.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/methods/method.h"
 #include "core/session/run/input_file.h"
 #include "ui/common/background.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/contact_sheet.h"
@@ -13,7 +15,6 @@
 
 #include <QAction>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
@@ -261,18 +262,23 @@ void Comparisons::listExemplars() {
 }
 
 void Comparisons::writeContactSheet() {
-    constexpr int kSide = 512;
     const QString folder = QSettings().value(kSheetFolder, QDir::homePath()).toString();
-    const QString path = QFileDialog::getSaveFileName(m_window, tr("Write a contact sheet"),
-                                                      folder + QStringLiteral("/contact_sheet.png"),
-                                                      tr("PNG pictures (*.png)"));
+    const QString path =
+        askWhereToSave(m_window, tr("Write a contact sheet"), folder + QStringLiteral("/contact_sheet.png"),
+                       tr("PNG pictures (*.png)"), {QStringLiteral("png"), true});
     if (path.isEmpty())
         return;
     QSettings().setValue(kSheetFolder, QFileInfo(path).path());
+    saveSheet(path);
+}
+
+void Comparisons::saveSheet(const QString& path) {
+    constexpr int kSide = 512;
     inBackground(
         this,
         [items = m_view->items(), heading = m_view->heading(), columns = m_view->columns(),
-         font = m_window->font(), path] {
+         font = m_window->font(), path, guard = SaveGuard()] {
+            guard.check(toPath(path), TR("contact sheet"));
             writeSheet(contactSheet(items, heading, columns, kSide, font), path);
             return QString(path);
         },

@@ -35,6 +35,8 @@ public:
     std::vector<CompareItem> exemplarItems(const std::set<int>& ids) const;
     /// Shows the result that is shown and the image that it was made from in one place, parted by a line.
     void compareWithInput();
+    /// Writes what is compared as one picture.
+    void saveSheet(const QString& path);
     /// Leaves the results that were compared for something else, and shows the view.
     void leaveFor();
 

@@ -26,6 +26,8 @@ constexpr int kMostRows = 5; ///< seen at once
 /// "Roughness · bark_orm, green".
 QString rowText(const ExemplarFile& map) {
     QString source = QString::fromStdString(map.name());
+    if (!map.layer.empty())
+        source = CompanionList::tr("%1, layer %2").arg(source, QString::fromStdString(map.layer));
     if (!map.channel.whole()) {
         const QString channels[] = {CompanionList::tr("red"), CompanionList::tr("green"),
                                     CompanionList::tr("blue"), CompanionList::tr("alpha")};

@@ -92,16 +92,18 @@ RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known) {
 }
 
 /// Loads the companion maps in a file and checks that they fit. @throws Error, UsageError
-std::vector<ExemplarFile> loadFitting(const RunExemplar& original, const QString& path) {
-    std::vector<ExemplarFile> companions = loadCompanions(toPath(path));
+std::vector<ExemplarFile> loadFitting(const RunExemplar& original, const QString& path,
+                                      const std::string& layer = {}) {
+    std::vector<ExemplarFile> companions = loadCompanions(toPath(path), layer);
     checkSizeLike(original.image, companions.front(), TR("companion"));
     return companions;
 }
 
-/// Puts these in the place of what came from the same file.
+/// Puts these in the place of what came from the same file, or the same layer of it.
 void putCompanions(RunExemplar& original, std::vector<ExemplarFile> maps) {
-    std::erase_if(original.companions,
-                  [&](const ExemplarFile& known) { return known.path == maps.front().path; });
+    std::erase_if(original.companions, [&](const ExemplarFile& known) {
+        return known.path == maps.front().path && known.layer == maps.front().layer;
+    });
     for (ExemplarFile& map : maps)
         original.companions.push_back(std::move(map));
 }
@@ -163,7 +165,8 @@ const ExemplarEntry* ExemplarStore::find(const std::shared_ptr<const Image>& ima
 const ExemplarEntry* ExemplarStore::find(const RecipeExemplar& wanted) const {
     const auto it = std::find_if(m_entries.begin(), m_entries.end(), [&](const ExemplarEntry& entry) {
         return entry.file().path == wanted.image.path && entry.file().hash == wanted.image.hash &&
-               entry.file().space == wanted.image.space && entry.exemplar.edits == wanted.edits;
+               entry.file().space == wanted.image.space && entry.file().layer == wanted.image.layer &&
+               entry.exemplar.edits == wanted.edits;
     });
     return it == m_entries.end() ? nullptr : &*it;
 }
@@ -228,8 +231,16 @@ void ExemplarStore::openMaterial(const QString& path, const QStringList& compani
     readFirst(path, companions, std::nullopt);
 }
 
-void ExemplarStore::openLayer(const LayerQuestion& question, const std::string& layer) {
-    readFirst(question.path, question.companions, layer);
+/// Asks which layer is to be taken where a file has several.
+void ExemplarStore::withLayer(const QString& path, std::function<void(const std::string&)> take) {
+    load(
+        QFileInfo(path).fileName(), [file = toPath(path)] { return layerEntries(readImageInfo(file)); },
+        [this, path, take = std::move(take)](const std::vector<LayerEntry>& entries) {
+            if (entries.empty())
+                take({});
+            else
+                Q_EMIT layerWanted({path, entries, take});
+        });
 }
 
 void ExemplarStore::readFirst(const QString& path, const QStringList& companions,
@@ -245,9 +256,11 @@ void ExemplarStore::readFirst(const QString& path, const QStringList& companions
     }
     load(
         QFileInfo(path).fileName(), [path, companions, layer] { return opening(path, companions, layer); },
-        [this](Opening made) {
+        [this, path, companions](Opening made) {
             if (!made.shown) {
-                Q_EMIT layerWanted(made.question);
+                Q_EMIT layerWanted({path, made.layers, [this, path, companions](const std::string& chosen) {
+                                        readFirst(path, companions, chosen);
+                                    }});
                 return;
             }
             const int id = add(std::move(*made.shown));
@@ -264,8 +277,8 @@ ExemplarStore::Opening ExemplarStore::opening(const QString& path, const QString
     const std::filesystem::path file = toPath(path);
     Opening made;
     if (!layer) {
-        made.question = {path, companions, layerEntries(readImageInfo(file))};
-        if (!made.question.entries.empty())
+        made.layers = layerEntries(readImageInfo(file));
+        if (!made.layers.empty())
             return made;
     }
     RunExemplar exemplar{loadExemplar(file, {}, layer.value_or("")), {}, {}};
@@ -459,15 +472,17 @@ void ExemplarStore::setLayer(int id, const std::string& layer) {
 }
 
 void ExemplarStore::setMask(int id, const QString& path) {
-    change({id,
-            tr("Mask"),
-            {},
-            [file = toPath(path)](ExemplarState& state) {
-                ExemplarFile mask = loadMask(file);
-                checkSizeLike(state.original.image, mask, TR("mask"));
-                state.original.mask = std::move(mask);
-            },
-            true});
+    withLayer(path, [this, id, file = toPath(path)](const std::string& layer) {
+        change({id,
+                tr("Mask"),
+                {},
+                [file, layer](ExemplarState& state) {
+                    ExemplarFile mask = loadMask(file, layer);
+                    checkSizeLike(state.original.image, mask, TR("mask"));
+                    state.original.mask = std::move(mask);
+                },
+                true});
+    });
 }
 
 void ExemplarStore::clearMask(int id) {
@@ -507,12 +522,15 @@ void ExemplarStore::setInputs(int id, const std::string& port, std::vector<Input
 }
 
 void ExemplarStore::addCompanion(int id, const QString& path) {
-    change(
-        {id,
-         tr("Add companion map"),
-         {},
-         [path](ExemplarState& state) { putCompanions(state.original, loadFitting(state.original, path)); },
-         true});
+    withLayer(path, [this, id, path](const std::string& layer) {
+        change({id,
+                tr("Add companion map"),
+                {},
+                [path, layer](ExemplarState& state) {
+                    putCompanions(state.original, loadFitting(state.original, path, layer));
+                },
+                true});
+    });
 }
 
 void ExemplarStore::addCompanion(int id, const QString& path, MapRole role) {

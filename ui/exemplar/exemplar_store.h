@@ -59,8 +59,6 @@ public:
     /// Reads an image and adds it, or looks at it again if it is open: it alone is in use then, and others
     /// are mixed in by setChecked(). Of a file with several layers asks which, by layerWanted().
     void open(const QString& path);
-    /// Answers layerWanted(). @param layer as ReadOptions::layer
-    void openLayer(const LayerQuestion& question, const std::string& layer);
     /// Opens several; those whose names say that they belong to another, as bark_normal to bark_albedo or to
     /// an open exemplar bark, become its companion maps.
     void openAll(const QStringList& paths);
@@ -79,6 +77,7 @@ public:
     void setSpace(int id, const QString& space);
     /// Takes another layer of its file; refused where the mask or a companion map is of another size.
     void setLayer(int id, const std::string& layer);
+    /// Of a file with several layers asks which, as open() does.
     void setMask(int id, const QString& path);
     void clearMask(int id);
     /// Adds a stroke, one channel of the exemplar's size, to the mask. @param hide or shows again.
@@ -86,7 +85,7 @@ public:
     /// Puts these files in the place of what the exemplar has for a port; see RunExemplar::inputs.
     /// @param what names the change in the undo list.
     void setInputs(int id, const std::string& port, std::vector<InputFile> files, const QString& what);
-    /// Adds the maps in a file, several where it packs them.
+    /// Adds the maps in a file, several where it packs them. Of a file with several layers asks which.
     void addCompanion(int id, const QString& path);
     /// Adds a map with what it holds.
     void addCompanion(int id, const QString& path, MapRole role);
@@ -107,7 +106,7 @@ Q_SIGNALS:
     void changed();
     void currentChanged();
     void loadingChanged(int count);
-    /// A file that is to be opened holds several layers; openLayer() goes on.
+    /// A file holds several layers, and one is to be chosen.
     void layerWanted(const texloom::ui::LayerQuestion& question);
     /// An image was opened by open().
     void opened(int id);
@@ -141,8 +140,8 @@ private:
     /// What came of reading a file: an exemplar, or a question.
     struct Opening {
         std::optional<Shown> shown;
-        QStringList refused; ///< companions, each with the reason
-        LayerQuestion question;
+        QStringList refused;            ///< companions, each with the reason
+        std::vector<LayerEntry> layers; ///< of which one is to be chosen
     };
 
     static Opening opening(const QString& path, const QStringList& companions,
@@ -157,6 +156,7 @@ private:
                                const std::optional<std::string>& layer) const;
     void readFirst(const QString& path, const QStringList& companions,
                    const std::optional<std::string>& layer);
+    void withLayer(const QString& path, std::function<void(const std::string&)> take);
     void change(Change change);
     void nextChange();
     void endChange();

@@ -94,7 +94,7 @@ QStringList localFiles(const QMimeData& data) {
 }
 
 QString pastedFolder() {
-    return dataFolder(QStringLiteral("pasted"));
+    return dataFolder(kPasted);
 }
 
 QString savePastedPicture(const QImage& picture) {

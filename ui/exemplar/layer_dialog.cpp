@@ -53,9 +53,9 @@ LayerDialog::LayerDialog(const LayerQuestion& question, QWidget* parent)
     : QDialog(parent), m_list(new QListWidget(this)) {
     setObjectName(QStringLiteral("layerDialog"));
     setWindowTitle(tr("Choose a layer"));
-    auto* text = new QLabel(tr("%1 holds several pictures. Which one is to be the exemplar?")
-                                .arg(QFileInfo(question.path).fileName()),
-                            this);
+    auto* text = new QLabel(
+        tr("%1 holds several pictures. Which one is to be taken?").arg(QFileInfo(question.path).fileName()),
+        this);
     text->setWordWrap(true);
     text->setMinimumWidth(fontMetrics().averageCharWidth() * kWidth);
     m_list->setObjectName(QStringLiteral("layers"));
@@ -74,6 +74,13 @@ LayerDialog::LayerDialog(const LayerQuestion& question, QWidget* parent)
     connect(m_list, &QListWidget::itemActivated, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void LayerDialog::ask(const LayerQuestion& question, QWidget* parent, const QObject* context) {
+    auto* dialog = new LayerDialog(question, parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, context, [dialog, take = question.take] { take(dialog->layer()); });
+    dialog->open();
 }
 
 std::string LayerDialog::layer() const {

@@ -4,8 +4,8 @@
 
 #include <QDialog>
 #include <QString>
-#include <QStringList>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,11 +23,11 @@ struct LayerEntry {
 /// chooses comes first. Empty where the file holds one picture.
 std::vector<LayerEntry> layerEntries(const ImageFileInfo& info);
 
-/// What is known of a file that waits for someone to choose.
+/// A file that waits for someone to choose.
 struct LayerQuestion {
     QString path;
-    QStringList companions; ///< that come with it
     std::vector<LayerEntry> entries;
+    std::function<void(const std::string& layer)> take; ///< goes on with the one that was chosen
 };
 
 /// Asks what is to be taken from a file with several layers, parts or pages.
@@ -36,6 +36,8 @@ class LayerDialog : public QDialog {
 
 public:
     explicit LayerDialog(const LayerQuestion& question, QWidget* parent = nullptr);
+    /// Opens one that goes away by itself. @param context without which nothing is taken.
+    static void ask(const LayerQuestion& question, QWidget* parent, const QObject* context);
 
     /// The one that is chosen, as ReadOptions::layer.
     std::string layer() const;

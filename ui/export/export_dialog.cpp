@@ -6,6 +6,7 @@
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 
 #include <QCheckBox>
@@ -418,7 +419,12 @@ QString ExportDialog::refusal() const {
         if (nameFor("x").isEmpty())
             return tr("The files need a name.");
         checkWritable(options().image, m_result->synthesis.image.channels(), options().depth);
-        for (const ExportEntry& entry : exportEntries(*m_result, options()))
+        const std::vector<ExportEntry> entries = exportEntries(*m_result, options());
+        OutputGuard guard = FilesInUse::all().now();
+        for (const ExportEntry& entry : entries)
+            guard.writes(entry.path, Message(entry.content));
+        guard.check(true);
+        for (const ExportEntry& entry : entries)
             if (entry.foreign && !m_foreign->isChecked())
                 return tr("%1 is there, and Texloom did not write it. Choose another name or folder, or "
                           "allow that it is replaced.")

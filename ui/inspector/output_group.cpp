@@ -258,6 +258,12 @@ void OutputGroup::setExemplarSize(Size size) {
     m_part->setWhole(outputSize());
 }
 
+void OutputGroup::setExemplarSizes(const std::vector<Size>& sizes) {
+    m_exemplars = sizes;
+    for (PortRow* row : m_ports)
+        row->setExemplarSizes(sizes);
+}
+
 void OutputGroup::multiply(int factor) {
     setOutputSize({limited(m_exemplar.width * factor), limited(m_exemplar.height * factor)});
 }
@@ -341,6 +347,7 @@ void OutputGroup::showExemplarInputs() {
 PortRow* OutputGroup::makePort(const Port& port, const PortLook& look) {
     auto* row = new PortRow(port, look, this);
     row->setResult(m_result);
+    row->setExemplarSizes(m_exemplars);
     explain(row, row->toolTip());
     connect(row, &PortRow::edited, this, [this, row] {
         if (ofExemplar(row))

@@ -79,6 +79,9 @@ public:
     /// The exemplar that sizes are multiples of. Until the user sets a size, it is twice the exemplar's, but
     /// modest.
     void setExemplarSize(Size size);
+    /// Those in use, which position maps point into.
+    void setExemplarSizes(const std::vector<Size>& sizes);
+    const std::vector<Size>& exemplarSizes() const { return m_exemplars; }
     /// Forgets that the user set a size: that of the next exemplar counts again.
     void forgetSize() { m_sizeChosen = false; }
 
@@ -133,6 +136,7 @@ private:
     InputFiles m_exemplarInputs;            ///< of the exemplar that is looked at
     std::shared_ptr<const Result> m_result; ///< that is shown
     Size m_exemplar;
+    std::vector<Size> m_exemplars;
     bool m_sizeChosen = false;
 };
 

@@ -7,6 +7,7 @@
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
+#include "ui/exemplar/layer_dialog.h"
 #include "ui/inspector/picture_tile.h"
 #include "ui/inspector/thumbnail.h"
 
@@ -182,10 +183,27 @@ void PortRow::clear() {
 }
 
 void PortRow::read(const QString& path) {
+    const bool picture =
+        m_port.kind == AssetKind::Image || m_port.kind == AssetKind::Mask || m_port.kind == AssetKind::Map;
+    if (!picture)
+        return readLayer(path, {});
+    const auto take = [this, path](const std::string& layer) { readLayer(path, layer); };
+    inBackground(
+        this, [file = toPath(path)] { return layerEntries(readImageInfo(file)); },
+        [this, path, take](const std::vector<LayerEntry>& entries) {
+            if (entries.empty())
+                take({});
+            else
+                LayerDialog::ask({path, entries, take}, window(), this);
+        },
+        [this](const QString& why) { Q_EMIT failed(why); });
+}
+
+void PortRow::readLayer(const QString& path, const std::string& layer) {
     inBackground(
         this,
-        [port = m_port, file = toPath(path)] {
-            return loadInput(port, {file, "", ""}, {});
+        [port = m_port, file = toPath(path), layer, exemplars = m_exemplars] {
+            return loadInput(port, {file, "", "", {}, layer}, exemplars);
         },
         [this](InputFile file) { add(std::move(file)); }, [this](const QString& why) { Q_EMIT failed(why); });
 }

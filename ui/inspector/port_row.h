@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QLabel;
@@ -49,8 +50,10 @@ public:
     /// Why nothing of a result can go into a port, in a sentence; empty if something can. @param result null
     /// if there is none.
     static QString whyNot(const Port& port, const std::shared_ptr<const Result>& result);
-    /// Reads a file in the background, and takes it.
+    /// Reads a file in the background, and takes it. Of a picture with several layers asks which.
     void read(const QString& path);
+    /// The sizes of the exemplars in use, which position maps of other programs point into without saying so.
+    void setExemplarSizes(std::vector<Size> sizes) { m_exemplars = std::move(sizes); }
     /// Its controls in the order of the tab key; the first is its focus proxy.
     QList<QWidget*> stops() const;
 
@@ -70,6 +73,7 @@ private:
     QToolButton* makeButton(const QString& name, void (PortRow::*clicked)());
     void choose();
     void clear();
+    void readLayer(const QString& path, const std::string& layer);
     void useShown() { Q_EMIT resultWanted({}); }
     void paint() { Q_EMIT paintWanted(); }
     void extend() { Q_EMIT extendWanted(); }
@@ -79,6 +83,7 @@ private:
 
     Port m_port;
     std::vector<InputFile> m_files;
+    std::vector<Size> m_exemplars;
     QLabel* m_thumbnail = nullptr; ///< of a row
     PictureTile* m_tile = nullptr; ///< of a cell
     ElidedLabel* m_name;

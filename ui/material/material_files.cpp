@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
 namespace texloom::ui {
 
@@ -38,11 +40,14 @@ void write(Image picture, const fs::path& path, JobContext& context) {
     writeImage(path, picture, options);
 }
 
-fs::path turnFile(const fs::path& folder, int number) {
-    return folder / fmt::format("turn_{:04}.png", number);
-}
-
 } // namespace
+
+std::vector<fs::path> turnFiles(const fs::path& folder, int pictures) {
+    std::vector<fs::path> files;
+    for (int i = 0; i < pictures; ++i)
+        files.push_back(folder / fmt::format("turn_{:04}.png", i));
+    return files;
+}
 
 int writePicture(const Scene& scene, const fs::path& path, JobContext& context) {
     write(pictureOf(scene, scene.look, context), path, context);
@@ -50,16 +55,17 @@ int writePicture(const Scene& scene, const fs::path& path, JobContext& context) 
 }
 
 int writeTurn(const Scene& scene, const fs::path& folder, int pictures, JobContext& context) {
-    for (int i = 0; i < pictures; ++i)
-        if (fs::exists(turnFile(folder, i)))
+    const std::vector<fs::path> files = turnFiles(folder, pictures);
+    for (const fs::path& file : files)
+        if (fs::exists(file))
             failUsage("{} already exists; choose a folder without pictures of an earlier turn.",
-                      turnFile(folder, i).string());
+                      file.string());
     context.stage(1, TR("Writing a turn"));
     for (int i = 0; i < pictures; ++i) {
         Look look = scene.look;
         look.camera.turn +=
             2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(pictures);
-        write(pictureOf(scene, look, context), turnFile(folder, i), context);
+        write(pictureOf(scene, look, context), files[static_cast<std::size_t>(i)], context);
         context.progress((i + 1.0) / pictures);
     }
     return pictures;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace texloom::ui {
 
@@ -21,7 +22,10 @@ struct Scene {
 /// Error, UsageError
 int writePicture(const Scene& scene, const std::filesystem::path& path, JobContext& context);
 
-/// Writes `pictures` of a whole turn around the mesh as turn_0000.png and so on; files of these names that
+/// turn_0000.png and so on: the files of a turn.
+std::vector<std::filesystem::path> turnFiles(const std::filesystem::path& folder, int pictures);
+
+/// Writes `pictures` of a whole turn around the mesh as turnFiles(); files of these names that
 /// are in the folder already are refused before anything is written. @return their number. @throws Error,
 /// UsageError
 int writeTurn(const Scene& scene, const std::filesystem::path& folder, int pictures, JobContext& context);

@@ -4,6 +4,7 @@
 #include "core/session/run/exemplar_file.h"
 #include "core/volume/mesh_file.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/resource_folder.h"
 #include "ui/jobs/task_bar.h"
@@ -83,6 +84,12 @@ MaterialPage::MaterialPage(QWidget* parent)
     rows->addWidget(m_view, 1);
     rows->addWidget(m_bar);
     setFocusProxy(m_view);
+    FilesInUse::all().add(this, [this](OutputGuard& guard) {
+        if (!m_meshFile.isEmpty())
+            guard.reads(toPath(m_meshFile), TR("the mesh that the material is shown on"));
+        if (!m_lightFile.isEmpty())
+            guard.reads(toPath(m_lightFile), TR("the panorama that lights the material"));
+    });
     restore();
     connectFields();
 }
@@ -162,7 +169,7 @@ QGridLayout* MaterialPage::layOutFields() {
         connect(button, &QPushButton::clicked, this, act);
         grid->addWidget(button, row, kFields);
     };
-    addButton(tr("Save picture…"), "materialSave", 1, &MaterialPage::askWhereToSave);
+    addButton(tr("Save picture…"), "materialSave", 1, &MaterialPage::askForPicture);
     addButton(tr("Turntable…"), "materialTurntable", 3, &MaterialPage::askForTurntable);
     for (int column = 0; column < kFields; ++column)
         grid->setColumnStretch(column, 1);
@@ -287,7 +294,10 @@ void MaterialPage::shapeChosen() {
         [shape = static_cast<BasicShape>(chosen.toInt())](JobContext&) {
             return std::make_shared<const RenderMesh>(renderMesh(shape));
         },
-        [this](std::shared_ptr<const RenderMesh> mesh) { m_view->setMesh(std::move(mesh)); },
+        [this](std::shared_ptr<const RenderMesh> mesh) {
+            m_meshFile.clear();
+            m_view->setMesh(std::move(mesh));
+        },
         [this](const QString& why) { fail(why); });
     keep();
 }
@@ -299,7 +309,8 @@ void MaterialPage::openMesh(const QString& path) {
         [path](JobContext& context) {
             return std::make_shared<const RenderMesh>(renderMesh(readMesh(toPath(path), context)));
         },
-        [this](std::shared_ptr<const RenderMesh> mesh) {
+        [this, path](std::shared_ptr<const RenderMesh> mesh) {
+            m_meshFile = path;
             m_message->dismiss();
             m_view->setMesh(std::move(mesh));
         },
@@ -323,7 +334,8 @@ void MaterialPage::openPanorama(const QString& path) {
     choose(m_light, m_light->findData(path) >= 0 ? path : kFromFile);
     m_lighting.start(
         {}, [path](JobContext& context) { return lightFrom(path, context); },
-        [this](std::shared_ptr<const Environment> light) {
+        [this, path](std::shared_ptr<const Environment> light) {
+            m_lightFile = path == kStudio ? QString() : path;
             m_message->dismiss();
             m_view->setLight(std::move(light));
         },
@@ -338,10 +350,10 @@ QString MaterialPage::message() const {
     return m_message->text();
 }
 
-void MaterialPage::askWhereToSave() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the picture of the material"),
-                                                      QStringLiteral("material.png"),
-                                                      tr("Pictures (*.png *.exr *.tif *.jpg)"));
+void MaterialPage::askForPicture() {
+    const QString path =
+        askWhereToSave(this, tr("Save the picture of the material"), QStringLiteral("material.png"),
+                       tr("Pictures (*.png *.exr *.tif *.jpg)"), {QStringLiteral("png")});
     if (!path.isEmpty())
         savePicture(path);
 }
@@ -359,7 +371,11 @@ void MaterialPage::savePicture(const QString& path) {
     const Scene scene{
         m_view->mesh(), m_view->material(), m_view->light(), m_view->look(), {shown.width(), shown.height()}};
     m_saving.start(
-        {}, [scene, path](JobContext& context) { return writePicture(scene, toPath(path), context); },
+        {},
+        [scene, path, guard = SaveGuard()](JobContext& context) {
+            guard.check(toPath(path), TR("picture of the material"));
+            return writePicture(scene, toPath(path), context);
+        },
         [this, path](int) { Q_EMIT saved(QFileInfo(path).path()); },
         [this](const QString& why) { fail(why); });
 }
@@ -370,7 +386,8 @@ void MaterialPage::saveTurntable(const QString& folder, int pictures, int side) 
     const Scene scene{m_view->mesh(), m_view->material(), m_view->light(), m_view->look(), {side, side}};
     m_saving.start(
         {},
-        [scene, folder, pictures](JobContext& context) {
+        [scene, folder, pictures, guard = SaveGuard()](JobContext& context) {
+            guard.check({}, TR("picture of the turn"), turnFiles(toPath(folder), pictures));
             return writeTurn(scene, toPath(folder), pictures, context);
         },
         [this, folder](int) {

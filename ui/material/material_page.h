@@ -62,7 +62,7 @@ private:
     void lightChosen();
     void showFields();
     void lookEdited();
-    void askWhereToSave();
+    void askForPicture();
     void askForTurntable();
     void fail(const QString& sentence);
     void restore();
@@ -83,6 +83,7 @@ private:
     Task<std::shared_ptr<const MaterialTexture>> m_taking;
     Task<std::shared_ptr<const RenderMesh>> m_meshing;
     Task<std::shared_ptr<const Environment>> m_lighting;
+    QString m_meshFile, m_lightFile; ///< empty where they come from no file
     Task<int> m_saving;
 };
 

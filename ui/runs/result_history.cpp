@@ -51,8 +51,10 @@ void ResultHistory::scan() {
     inBackground(
         m_disk, this,
         [folder = m_folder] {
-            if (folder.path() == toPath(dataFolder(kResults)))
+            if (folder.path() == toPath(dataFolder(kResults))) {
                 folder.takeOver(toPath(earlierFolder(kResults)));
+                takeOverFiles(kPasted);
+            }
             return folder.scan();
         },
         [this](const ResultFolder::Scan& found) {

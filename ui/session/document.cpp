@@ -1,9 +1,11 @@
 #include "ui/session/document.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/session/run/edited_exemplar.h"
 #include "ui/common/background.h"
 #include "ui/common/readings.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 #include "ui/session/example_sessions.h"
@@ -75,6 +77,10 @@ Document::Document(Window window, QObject* parent)
                           QStringLiteral("/recovery"));
     connect(m_recovery, &RecoveryCopy::recoverWanted, this, &Document::recover);
     connect(m_recovery, &RecoveryCopy::failed, this, m_window.refuse);
+    FilesInUse::all().add(this, [this](OutputGuard& guard) {
+        if (!m_file.isEmpty())
+            guard.reads(toPath(m_file), TR("the session that is open"));
+    });
 }
 
 Document::~Document() {
@@ -252,9 +258,7 @@ void Document::opened(const LoadedSession& loaded, const QString& file, const QS
 
 QString Document::askForFile(const QString& title) {
     const QString start = m_file.isEmpty() ? QSettings().value(kFolder).toString() : m_file;
-    QString path = QFileDialog::getSaveFileName(m_window.widget, title, start, filter());
-    if (!path.isEmpty() && !isSession(path))
-        path += kEnding;
+    const QString path = askWhereToSave(m_window.widget, title, start, filter(), {kEnding.mid(1), true});
     if (!path.isEmpty())
         QSettings().setValue(kFolder, QFileInfo(path).path());
     return path;
@@ -284,7 +288,10 @@ void Document::saveTo(const QString& path, bool packed) {
     ++m_saving;
     inBackground(
         m_writer, this,
-        [path = toPath(path), session = m_window.read(), only] { return packSession(path, session, only); },
+        [path = toPath(path), session = m_window.read(), only, guard = SaveGuard(this)] {
+            guard.check(path, TR("session"));
+            return packSession(path, session, only);
+        },
         [this, path](const Session&) {
             --m_saving;
             setFile(path);
@@ -328,6 +335,7 @@ bool Document::saveNow(const QString& path) {
     if (path.isEmpty())
         return false;
     try {
+        SaveGuard(this).check(toPath(path), TR("session"));
         packSession(toPath(path), m_window.read(), toPath(ownFolder()));
     } catch (const std::exception& error) {
         m_window.refuse(tr("The session was not saved. %1").arg(sentence(error)));

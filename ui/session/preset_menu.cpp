@@ -1,7 +1,9 @@
 #include "ui/session/preset_menu.h"
 
+#include "core/base/text.h"
 #include "core/io/image_file.h"
 #include "ui/common/background.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 
 #include <QDir>
@@ -103,6 +105,11 @@ void PresetMenu::replace(const QString& name) {
 }
 
 void PresetMenu::exportTo(const QString& path, const QString& name) {
+    try {
+        SaveGuard().check(toPath(path), TR("preset"));
+    } catch (const std::exception& error) {
+        return Q_EMIT failed(sentence(error));
+    }
     if (write(path, name))
         Q_EMIT told(tr("Wrote the preset %1.").arg(QFileInfo(path).fileName()));
 }
@@ -159,11 +166,10 @@ void PresetMenu::askForImport() {
 }
 
 void PresetMenu::askForExport() {
-    const QString path = QFileDialog::getSaveFileName(parentWidget(), tr("Export settings as a preset"), {},
-                                                      tr("Presets (*.json)"));
+    const QString path = askWhereToSave(parentWidget(), tr("Export settings as a preset"), {},
+                                        tr("Presets (*.json)"), {QStringLiteral("json"), true});
     if (!path.isEmpty())
-        exportTo(path.endsWith(QStringLiteral(".json")) ? path : path + QStringLiteral(".json"),
-                 QFileInfo(path).completeBaseName());
+        exportTo(path, QFileInfo(path).completeBaseName());
 }
 
 } // namespace texloom::ui

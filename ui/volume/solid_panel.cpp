@@ -281,7 +281,8 @@ void SolidPanel::openMesh(const QString& path) {
         [path](JobContext& context) {
             Mesh mesh = readMesh(toPath(path), context);
             auto read = std::make_shared<const Mesh>(mesh);
-            return Meshes{std::make_shared<const RenderMesh>(renderMesh(std::move(mesh))), std::move(read)};
+            return Meshes{std::make_shared<const RenderMesh>(renderMesh(std::move(mesh))), std::move(read),
+                          path};
         },
         [this](const Meshes& meshes) {
             m_lastShape = m_shape->findData(kFileShape);

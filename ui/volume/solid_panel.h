@@ -43,6 +43,8 @@ public:
 
     /// Shows the volume on a mesh of a file; what is shown stays where it cannot be read.
     void openMesh(const QString& path);
+    /// The file that the mesh was read from; empty if none.
+    QString meshFile() const { return m_meshes.file; }
     /// The mesh as it is in its file, and how the volume lies in it; no mesh while there is none.
     PlacedMesh placed() const;
     /// The voxels of the block.
@@ -57,6 +59,7 @@ private:
     struct Meshes {
         std::shared_ptr<const RenderMesh> drawn;
         std::shared_ptr<const Mesh> read;
+        QString file = {}; ///< empty for one of no file
     };
 
     QWidget* makeObliqueFields();

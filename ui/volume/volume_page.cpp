@@ -2,8 +2,10 @@
 
 #include "core/generator/generator_source.h"
 #include "core/session/run/asset_file.h"
+#include "core/volume/volume_file.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/volume/slice_view.h"
@@ -35,10 +37,11 @@ NamedVolume volumeIn(const QString& path) {
     const auto file = toPath(path);
     if (file.extension() == usualExtension(AssetKind::Model)) {
         const Model model = readModel(file);
-        return {name, {solidOf(model, 0), model.recipe}};
+        return {name, {solidOf(model, 0), model.recipe}, {file}};
     }
     return {name,
-            {std::get<std::shared_ptr<const VolumeSource>>(readAsset(AssetKind::Volume, file, {})), {}}};
+            {std::get<std::shared_ptr<const VolumeSource>>(readAsset(AssetKind::Volume, file, {})), {}},
+            filesOfVolume(file)};
 }
 
 QString number(double value) {
@@ -63,6 +66,12 @@ VolumePage::VolumePage(QWidget* parent)
     layOut();
     connectViews();
     setFocusProxy(slice(Axis::Z));
+    FilesInUse::all().add(this, [this](OutputGuard& guard) {
+        if (m_ofFile)
+            guard.reads(m_ofFile->files, TR("the volume that is open"));
+        if (!m_solid->meshFile().isEmpty())
+            guard.reads(toPath(m_solid->meshFile()), TR("the mesh that the volume is shown on"));
+    });
     setVolumes({});
 }
 

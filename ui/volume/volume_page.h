@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,6 +32,7 @@ class TaskBar;
 struct NamedVolume {
     QString name;
     SourceWithRecipe volume;
+    std::vector<std::filesystem::path> files = {}; ///< that it was read from
 };
 
 /// The tab that shows volumes: three slices with one crosshair and a fourth view, which may be an oblique
@@ -90,7 +92,9 @@ private:
     void askForSlice();
     void askForBox();
     void askForMesh();
-    void write(const QString& path, const QString& what, const Job<int>::Work& work);
+    /// @param files that `work` writes, for what the user called `path`.
+    void write(const QString& path, const QString& what, const std::vector<std::filesystem::path>& files,
+               const Job<int>::Work& work);
     void fail(const QString& sentence);
     SliceView* front() const;
 

@@ -1,16 +1,23 @@
+#include "core/base/text.h"
+#include "core/volume/volume_file.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/volume/box_dialog.h"
 #include "ui/volume/slice_view.h"
 #include "ui/volume/volume_page.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 
+#include <filesystem>
+#include <vector>
+
 namespace texloom::ui {
+
+namespace fs = std::filesystem;
 
 QMenu* VolumePage::makeSaveMenu() {
     auto* menu = new QMenu(this);
@@ -26,8 +33,8 @@ QMenu* VolumePage::makeSaveMenu() {
 void VolumePage::askForSlice() {
     const SliceView* const view = front();
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the slice %1").arg(view->title()),
-                                     QStringLiteral("slice.png"), tr("Pictures (*.png *.tif *.exr)"));
+        askWhereToSave(this, tr("Save the slice %1").arg(view->title()), QStringLiteral("slice.png"),
+                       tr("Pictures (*.png *.tif *.exr)"), {QStringLiteral("png")});
     if (!path.isEmpty())
         saveSlice(*view, path);
 }
@@ -36,9 +43,9 @@ void VolumePage::askForBox() {
     BoxDialog dialog(m_solid->box(), this);
     if (dialog.exec() != QDialog::Accepted)
         return;
-    const QString path = QFileDialog::getSaveFileName(
+    const QString path = askWhereToSave(
         this, tr("Save a box of voxels"), QStringLiteral("box.json"),
-        tr("Raw numbers and JSON (*.json);;Numbered slices (*.png *.tif *.exr)"));
+        tr("Raw numbers and JSON (*.json);;Numbered slices (*.png *.tif *.exr)"), {QStringLiteral("json")});
     if (!path.isEmpty())
         saveBox(dialog.box(), path);
 }
@@ -54,40 +61,47 @@ void VolumePage::askForMesh() {
     if (!wanted)
         return;
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the mesh with its colours"), QStringLiteral("solid.ply"),
-                                     tr("Meshes with colours (*.ply *.obj *.glb)"));
+        askWhereToSave(this, tr("Save the mesh with its colours"), QStringLiteral("solid.ply"),
+                       tr("Meshes with colours (*.ply *.obj *.glb)"), {QStringLiteral("ply")});
     if (!path.isEmpty())
         saveMesh(path, fineness);
 }
 
 void VolumePage::saveSlice(const SliceView& view, const QString& path) {
     const auto [plane, size] = view.seen();
-    write(path, tr("Writing a slice"),
+    write(path, tr("Writing a slice"), {toPath(path)},
           [volume = m_shown, plane = plane, size = size, path](JobContext& context) {
               return writeSlice(volume, plane, size, toPath(path), context);
           });
 }
 
 void VolumePage::saveBox(const Box& box, const QString& path) {
-    write(path, tr("Writing a box of voxels"), [volume = m_shown, box, path](JobContext& context) {
-        return writeBox(volume, box, toPath(path), context);
-    });
+    write(path, tr("Writing a box of voxels"), volumeFiles(toPath(path), box.size.depth),
+          [volume = m_shown, box, path](JobContext& context) {
+              return writeBox(volume, box, toPath(path), context);
+          });
 }
 
 void VolumePage::saveMesh(const QString& path, double fineness) {
     const PlacedMesh placed = m_solid->placed();
     if (!placed.mesh)
         return fail(tr("There is no mesh yet: choose one in the fourth view, under Mesh."));
-    write(path, tr("Colouring a mesh"), [volume = m_shown, placed, fineness, path](JobContext& context) {
-        return writeMeshColours(volume, placed, fineness, toPath(path), context);
-    });
+    write(path, tr("Colouring a mesh"), {toPath(path)},
+          [volume = m_shown, placed, fineness, path](JobContext& context) {
+              return writeMeshColours(volume, placed, fineness, toPath(path), context);
+          });
 }
 
-void VolumePage::write(const QString& path, const QString& what, const Job<int>::Work& work) {
+void VolumePage::write(const QString& path, const QString& what, const std::vector<fs::path>& files,
+                       const Job<int>::Work& work) {
     if (!m_shown.source)
         return fail(tr("There is no volume to save anything of."));
     m_saving.start(
-        {}, work,
+        {},
+        [work, path, files, guard = SaveGuard()](JobContext& context) {
+            guard.check(toPath(path), TR("part of the volume"), files);
+            return work(context);
+        },
         [this, path](int) {
             m_bar->end();
             m_message->dismiss();

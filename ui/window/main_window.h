@@ -24,6 +24,10 @@ class QMenu;
 class QMimeData;
 class QStackedWidget;
 
+namespace texloom {
+class OutputGuard;
+}
+
 namespace texloom::ui {
 
 class BlendWindow;
@@ -137,6 +141,7 @@ private:
     void connectRecovery();
     bool handmade() const;
     void tidyFiles();
+    void tellFiles(OutputGuard& guard) const;
     void showTitle();
     void startAfresh(const std::function<void()>& shown);
     void showSession(const LoadedSession& loaded, const std::function<void()>& shown);

@@ -1,4 +1,6 @@
+#include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/session/export/export.h"
 #include "core/session/run/exemplar_use.h"
 #include "ui/common/background.h"
 #include "ui/common/icons.h"
@@ -69,6 +71,17 @@ LoadedRecipe loadAll(const std::filesystem::path& path) {
 }
 
 } // namespace
+
+/// Everything that the next run, the runs that wait and the result that is shown are made from.
+void MainWindow::tellFiles(OutputGuard& guard) const {
+    const Session open = session();
+    for (const RecipeFile* file : open.settings.files())
+        guard.reads(file->path, TR("open here"));
+    for (const QueuedJob& job : m_desk->queue()->jobs())
+        guard.reads(sourcesOf(job.plan.recipe), TR("a source of a run that waits"));
+    if (m_desk->result())
+        guard.reads(sourcesOf(m_desk->result()->plan.recipe), TR("a source of the result that is shown"));
+}
 
 void MainWindow::openFiles(const QStringList& paths) {
     QStringList pictures;
@@ -287,11 +300,7 @@ void MainWindow::exemplarOpened(int id) {
 }
 
 void MainWindow::askForLayer(const LayerQuestion& question) {
-    auto* dialog = new LayerDialog(question, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this,
-            [this, dialog, question] { m_store->openLayer(question, dialog->layer()); });
-    dialog->open();
+    LayerDialog::ask(question, this, this);
 }
 
 void MainWindow::offerRecipe(const QString& path, const QString& text) {

@@ -94,6 +94,10 @@ void MainWindow::exemplarsChanged() {
     m_inspector->setExemplarSize(!used.empty()        ? used.front().image.image->size()
                                  : current != nullptr ? current->file().image->size()
                                                       : Size{});
+    std::vector<Size> sizes;
+    for (const RunExemplar& exemplar : used)
+        sizes.push_back(exemplar.image.image->size());
+    m_inspector->output()->setExemplarSizes(sizes);
     m_lattice->followExemplar();
     m_hint->setExemplar(current != nullptr ? current->file().image : nullptr);
 

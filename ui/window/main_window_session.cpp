@@ -1,6 +1,7 @@
 #include "core/base/version.h"
 #include "ui/common/background.h"
 #include "ui/common/message_bar.h"
+#include "ui/common/save_guard.h"
 #include "ui/exemplar/exemplar_editor.h"
 #include "ui/exemplar/files.h"
 #include "ui/inspector/inspector.h"
@@ -32,6 +33,7 @@ void MainWindow::makeDocument() {
                       [this](const QString& text) { m_messages->say(MessageBar::Kind::Information, text); },
                       [this](const QString& text) { fail(text); }, [this] { return handmade(); }},
                      this);
+    FilesInUse::all().add(this, [this](OutputGuard& guard) { tellFiles(guard); });
     connect(m_document, &Document::titleChanged, this, &MainWindow::showTitle);
     connect(m_desk->history(), &ResultHistory::scanned, this, &MainWindow::tidyFiles);
     showTitle();

@@ -116,6 +116,12 @@ std::vector<PackedSlot> slotsLike(const std::vector<ExemplarFile>& companions, c
     return slots;
 }
 
+/// As the map's own file, but never a format that loses values: a JPEG's map is written as PNG.
+std::string mapExtension(const ImageFileInfo& source) {
+    const std::string own = extensionLike(source);
+    return own == ".jpg" ? ".png" : own;
+}
+
 /// What sets a companion's name apart from the exemplar's: "_normal" of bark_normal beside bark_albedo or
 /// bark.
 std::string companionSuffix(const std::string& exemplar, const std::string& companion) {
@@ -185,7 +191,7 @@ private:
 
     void addWhole(std::size_t i, const std::string& word, std::optional<Depth> preset) {
         const ExemplarFile& companion = m_companions[i];
-        const fs::path path = m_names.next(word, extensionLike(companion.info));
+        const fs::path path = m_names.next(word, mapExtension(companion.info));
         const Depth depth = companionDepth(m_options, word, preset, depthLike(companion.info, path), path);
         const MapRole role = companion.role;
         const ExportEntry entry{path,
@@ -220,7 +226,7 @@ private:
     /// A packed file is packed again as it came.
     void addLikeItsFile(std::size_t i, const std::string& word) {
         const ExemplarFile& companion = m_companions[i];
-        const std::string extension = extensionLike(companion.info);
+        const std::string extension = mapExtension(companion.info);
         const Depth own = depthLike(companion.info, fs::path("x" + extension));
         addPacked(slotsLike(m_companions, companion), word, {}, own, extension);
     }

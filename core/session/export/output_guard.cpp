@@ -75,4 +75,12 @@ void OutputGuard::check(bool overwrite) const {
     }
 }
 
+std::vector<fs::path> OutputGuard::foreign() const {
+    std::vector<fs::path> files;
+    for (const Use& use : m_writes)
+        if (isForeignFile(use.path))
+            files.push_back(use.path);
+    return files;
+}
+
 } // namespace texloom

@@ -40,6 +40,9 @@ public:
     /// (unless `overwrite`) one that is there, not Texloom's own, and not empty.
     void check(bool overwrite) const;
 
+    /// Those of what would be written that are there, are not Texloom's own, and are not empty.
+    std::vector<std::filesystem::path> foreign() const;
+
 private:
     struct Use {
         std::filesystem::path path;

@@ -1,6 +1,7 @@
 #include "core/session/run/exemplar_file.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/color/color_pipeline.h"
 #include "core/image/hidden_colour.h"
 #include "core/io/channel_names.h"
@@ -13,6 +14,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What a picture hardly shows, data do: edges ring, and blocks and bands come into what is smooth.
+void noteLoss(ImageFileInfo& info) {
+    const auto begins = [&](const char* name) { return info.compression.starts_with(name); };
+    const bool half = info.depth == "half";
+    const bool lossy = info.format == "jpeg" || begins("jpeg") || begins("dwa") || (half && begins("b44")) ||
+                       (!half && begins("pxr24"));
+    if (lossy)
+        info.notes.push_back(
+            message("{} holds data, but is compressed with loss ({}), which changes them; save "
+                    "such maps as PNG, or as EXR or TIFF with zip.",
+                    info.name, Message::verbatim(info.format == "jpeg" ? "JPEG" : info.compression)));
+}
+
 /// A file without its pixels, which are given apart, to be worked on.
 std::pair<ExemplarFile, Image> load(const fs::path& path, const std::string& space,
                                     const std::string& layer) {
@@ -21,6 +35,8 @@ std::pair<ExemplarFile, Image> load(const fs::path& path, const std::string& spa
     ExemplarFile file{path, asTheFileSays ? loaded.info.space : space, fileHash(path), loaded.info, nullptr};
     file.role = mapNameFrom(file.name()).role;
     file.layer = layer;
+    if (space == "raw")
+        noteLoss(file.info);
     if (file.space != "raw")
         for (const AlphaGroup& group : alphaGroups(loaded.info.channelNames))
             fillHidden(loaded.image, group.alpha, group.colours);
@@ -30,6 +46,12 @@ std::pair<ExemplarFile, Image> load(const fs::path& path, const std::string& spa
 ExemplarFile whole(std::pair<ExemplarFile, Image> loaded) {
     loaded.first.image = std::make_shared<const Image>(std::move(loaded.second));
     return std::move(loaded.first);
+}
+
+/// What a layer's name says that it holds, or else the file's.
+MapName companionName(const fs::path& path, const std::string& layer) {
+    const MapName ofLayer = mapNameFrom(layer, true);
+    return ofLayer.isCompanion() ? ofLayer : mapNameFrom(path.stem().string(), true);
 }
 
 /// One channel of an image as a map of its own.
@@ -65,9 +87,9 @@ ExemplarFile loadData(const fs::path& path, const std::string& layer, const MapC
     return whole(std::move(loaded));
 }
 
-std::vector<ExemplarFile> loadCompanions(const fs::path& path) {
-    const MapName name = mapNameFrom(path.stem().string(), true);
-    std::pair<ExemplarFile, Image> loaded = load(path, "raw", {});
+std::vector<ExemplarFile> loadCompanions(const fs::path& path, const std::string& layer) {
+    const MapName name = companionName(path, layer);
+    std::pair<ExemplarFile, Image> loaded = load(path, "raw", layer);
     loaded.first.role = name.role;
     std::vector<ExemplarFile> maps;
     for (int i = 0; i < loaded.second.channels() && i < static_cast<int>(name.packing.size()); ++i) {
@@ -85,11 +107,11 @@ std::vector<ExemplarFile> loadCompanions(const fs::path& path) {
     return maps;
 }
 
-ExemplarFile loadUnconverted(const fs::path& path) {
+ExemplarFile loadUnconverted(const fs::path& path, const std::string& layer) {
     const MapRole role = mapNameFrom(path.stem().string()).role;
     if (role != MapRole::Other && role != MapRole::Color)
-        return loadData(path);
-    std::pair<ExemplarFile, Image> loaded = load(path, {}, {});
+        return loadData(path, layer);
+    std::pair<ExemplarFile, Image> loaded = load(path, {}, layer);
     if (loaded.first.space == color::kFileSpace) { // whose tags are not written
         color::toWorking(loaded.second, *loaded.first.info.color);
         loaded.first.space = "srgb"; // the working space

@@ -38,12 +38,12 @@ ExemplarFile loadData(const std::filesystem::path& path, const std::string& laye
                       const MapChannel& channel = {});
 
 /// Reads the companion maps in a file: one, or of a file whose name says that it packs several, each of them
-/// with what it holds. At least one.
-std::vector<ExemplarFile> loadCompanions(const std::filesystem::path& path);
+/// with what it holds. A layer's name counts before the file's. At least one.
+std::vector<ExemplarFile> loadCompanions(const std::filesystem::path& path, const std::string& layer = {});
 
 /// Reads an image to be laid out by a map: a colour image as loadExemplar() takes it, but in its file's
 /// space where that has a name; one whose name says that it is data as loadData() does.
-ExemplarFile loadUnconverted(const std::filesystem::path& path);
+ExemplarFile loadUnconverted(const std::filesystem::path& path, const std::string& layer = {});
 
 /// Reads a mask: the first channel of a file; pixels where it is 0 are left out.
 ExemplarFile loadMask(const std::filesystem::path& path, const std::string& layer = {});

@@ -16,9 +16,13 @@ void checkModel(const Port& port, const std::filesystem::path& path, const Model
                   model.kind, port.id);
 }
 
-Asset loadedAsset(const Port& port, const std::filesystem::path& path, const std::vector<Size>& exemplars) {
+Asset loadedAsset(const Port& port, const RecipeFile& file, const std::vector<Size>& exemplars) {
+    const std::filesystem::path& path = file.path;
     if (port.kind == AssetKind::Map)
-        return std::make_shared<const PositionMap>(readPositionMap(path, exemplars));
+        return std::make_shared<const PositionMap>(readPositionMap(path, exemplars, file.layer));
+    if (!file.layer.empty())
+        failUsage("{} goes into {}, which takes no picture, so it has no layer {}.", path.filename().string(),
+                  Message(port.title), file.layer);
     Asset asset = readAsset(port.kind, path);
     if (const auto* model = std::get_if<std::shared_ptr<const Model>>(&asset))
         checkModel(port, path, **model);
@@ -42,7 +46,8 @@ InputFile loadInput(const Port& port, const RecipeFile& file, const std::vector<
     }
     InputFile input;
     input.file.path = file.path;
-    input.asset = loadedAsset(port, file.path, exemplars);
+    input.file.layer = file.layer;
+    input.asset = loadedAsset(port, file, exemplars);
     input.file.hash = assetHash(port.kind, file.path);
     return input;
 }

@@ -270,7 +270,9 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
 }
 
 void addNotes(const ExemplarFile& file, std::vector<Message>& notes) {
-    notes.insert(notes.end(), file.info.notes.begin(), file.info.notes.end());
+    for (const Message& note : file.info.notes)
+        if (std::find(notes.begin(), notes.end(), note) == notes.end()) // several maps may be of one file
+            notes.push_back(note);
 }
 
 /// What someone should know of how the files were read.
@@ -282,6 +284,9 @@ std::vector<Message> notesOf(const RunInput& input) {
             addNotes(*exemplar.mask, notes);
         for (const ExemplarFile& companion : exemplar.companions)
             addNotes(companion, notes);
+        for (const auto& [port, files] : exemplar.inputs)
+            for (const InputFile& file : files)
+                addNotes(file.file, notes);
     }
     for (const auto& [port, files] : input.inputs)
         for (const InputFile& file : files)

@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
@@ -83,23 +84,45 @@ Bytes stored(const Bytes& plain) {
     return bytes;
 }
 
+void put(const std::filesystem::path& path, const Bytes& bytes) {
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// A TIFF of Intel's order as it grows.
+struct LittleTiff {
+    explicit LittleTiff(std::uint32_t entries) { number(entries, 2); }
+
+    void number(std::uint32_t value, int size) {
+        for (int i = 0; i < size; ++i)
+            bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    }
+    void entry(std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
+        number(tag, 2);
+        number(type, 2);
+        number(count, 4);
+        number(value, 4);
+    }
+
+    Bytes bytes = {'I', 'I', 42, 0, 8, 0, 0, 0};
+};
+
 using Chunks = std::vector<std::pair<std::string, Bytes>>;
 
 void writePng(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-              std::uint8_t colorType, const Chunks& chunks, const Bytes& rows) {
+              std::uint8_t colorType, const Chunks& chunks, const Bytes& rows, std::uint8_t bits = 8) {
     Bytes png;
     append(png, "\x89PNG\r\n\x1a\n");
     Bytes header;
     append(header, width);
     append(header, height);
-    header.insert(header.end(), {8, colorType, 0, 0, 0});
+    header.insert(header.end(), {bits, colorType, 0, 0, 0});
     appendChunk(png, "IHDR", header);
     for (const auto& [name, content] : chunks)
         appendChunk(png, name, content);
     appendChunk(png, "IDAT", stored(rows));
     appendChunk(png, "IEND", {});
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    put(path, png);
 }
 
 std::vector<float> samplesOf(const ImageView& image) {
@@ -121,7 +144,19 @@ void check(bool done, OIIO::ImageOutput* output) {
 void writeForeign(const std::filesystem::path& path, const ImageView& image, const ForeignFile& file) {
     const bool floating = path.extension() == ".exr";
     OIIO::ImageSpec spec(image.width, image.height, image.channels,
-                         floating ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+                         !file.type.empty() ? OIIO::TypeDesc(file.type)
+                         : floating         ? OIIO::TypeDesc::FLOAT
+                                            : OIIO::TypeDesc::UINT8);
+    if (!file.compression.empty())
+        spec.attribute("compression", file.compression);
+    if (file.bits > 0)
+        spec.attribute("oiio:BitsPerSample", file.bits);
+    if (file.straightAlpha)
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (!file.profileBytes.empty())
+        spec.attribute("ICCProfile",
+                       OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(file.profileBytes.size())),
+                       file.profileBytes.data());
     spec.attribute("Orientation", file.orientation);
     spec.x = file.x;
     spec.y = file.y;
@@ -142,6 +177,85 @@ void writeForeign(const std::filesystem::path& path, const ImageView& image, con
     check(output && output->open(path.string(), spec) &&
               output->write_image(OIIO::TypeDesc::FLOAT, samples.data()) && output->close(),
           output.get());
+}
+
+std::vector<std::uint8_t> matrixProfile(double gamma) {
+    const auto fixed = [](double number) { return static_cast<std::uint32_t>(std::lround(number * 65536)); };
+    const auto xyz = [&](double x, double y, double z) {
+        Bytes tag;
+        append(tag, "XYZ ");
+        append(tag, 0);
+        for (const double value : {x, y, z})
+            append(tag, fixed(value));
+        return tag;
+    };
+    Bytes curve;
+    append(curve, "curv");
+    append(curve, 0);
+    append(curve, 1);
+    const auto power = static_cast<std::uint32_t>(std::lround(gamma * 256));
+    curve.insert(curve.end(),
+                 {static_cast<std::uint8_t>(power >> 8), static_cast<std::uint8_t>(power), 0, 0});
+    const std::vector<std::pair<std::string_view, Bytes>> tags = {{"rXYZ", xyz(0.43607, 0.22249, 0.01392)},
+                                                                  {"gXYZ", xyz(0.38515, 0.71687, 0.09708)},
+                                                                  {"bXYZ", xyz(0.14307, 0.06061, 0.7141)},
+                                                                  {"wtpt", xyz(0.9642, 1, 0.82491)},
+                                                                  {"rTRC", curve},
+                                                                  {"gTRC", curve},
+                                                                  {"bTRC", curve}};
+    std::uint32_t at = 128 + 4 + 12 * static_cast<std::uint32_t>(tags.size()), whole = at;
+    for (const auto& [name, tag] : tags)
+        whole += static_cast<std::uint32_t>(tag.size());
+    Bytes bytes;
+    append(bytes, whole);
+    append(bytes, "lcms");
+    append(bytes, 0x02400000);
+    append(bytes, "mntrRGB XYZ ");
+    bytes.resize(36);
+    append(bytes, "acsp");
+    bytes.resize(68);
+    for (const std::uint32_t illuminant : {0xf6d6U, 0x10000U, 0xd32dU}) // D50
+        append(bytes, illuminant);
+    bytes.resize(128);
+    append(bytes, static_cast<std::uint32_t>(tags.size()));
+    for (const auto& [name, tag] : tags) {
+        append(bytes, name);
+        append(bytes, at);
+        append(bytes, static_cast<std::uint32_t>(tag.size()));
+        at += static_cast<std::uint32_t>(tag.size());
+    }
+    for (const auto& [name, tag] : tags)
+        bytes.insert(bytes.end(), tag.begin(), tag.end());
+    return bytes;
+}
+
+void writeGreyPng(const std::filesystem::path& path, int bits, const std::vector<std::uint8_t>& bytes) {
+    Bytes row = {0};
+    row.insert(row.end(), bytes.begin(), bytes.end());
+    writePng(path, static_cast<std::uint32_t>(bytes.size() * 8) / static_cast<std::uint32_t>(bits), 1, 0, {},
+             row, static_cast<std::uint8_t>(bits));
+}
+
+void writeTurnedHdr(const std::filesystem::path& path) {
+    Bytes file;
+    append(file, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 2 +Y 3\n");
+    file.insert(file.end(), {128, 128, 128, 129});
+    file.resize(file.size() + 5 * 4);
+    put(path, file);
+}
+
+void writePages(const std::filesystem::path& path, const std::vector<ImageView>& pages) {
+    const auto output = OIIO::ImageOutput::create(path.string());
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const OIIO::ImageSpec spec(pages[i].width, pages[i].height, pages[i].channels, OIIO::TypeDesc::UINT8);
+        const std::vector<float> samples = samplesOf(pages[i]);
+        check(output &&
+                  output->open(path.string(), spec,
+                               i == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage) &&
+                  output->write_image(OIIO::TypeDesc::FLOAT, samples.data()),
+              output.get());
+    }
+    check(output->close(), output.get());
 }
 
 void writeParts(const std::filesystem::path& path, const std::vector<ImageView>& images,
@@ -170,36 +284,104 @@ void writeWideTiff(const std::filesystem::path& path, Size size, const std::vect
           output.get());
 }
 
+void writeWideExr(const std::filesystem::path& path, Size size, const std::vector<std::uint32_t>& numbers) {
+    OIIO::ImageSpec spec(size.width, size.height, 1, OIIO::TypeDesc::UINT32);
+    spec.channelnames = {"Y"};
+    const auto output = OIIO::ImageOutput::create(path.string());
+    check(output && output->open(path.string(), spec) &&
+              output->write_image(OIIO::TypeDesc::UINT32, numbers.data()) && output->close(),
+          output.get());
+}
+
+void writeBilevelTiff(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+    constexpr std::uint32_t kEntries = 9, kShort = 3, kLong = 4;
+    const auto length = static_cast<std::uint32_t>(bytes.size());
+    LittleTiff tiff(kEntries);
+    tiff.entry(256, kLong, 1, 8 * length);
+    tiff.entry(257, kLong, 1, 1);
+    tiff.entry(258, kShort, 1, 1);
+    tiff.entry(259, kShort, 1, 1); // not compressed
+    tiff.entry(262, kShort, 1, 1); // 0 is black
+    tiff.entry(273, kLong, 1, 8 + 2 + kEntries * 12 + 4);
+    tiff.entry(277, kShort, 1, 1);
+    tiff.entry(278, kLong, 1, 1);
+    tiff.entry(279, kLong, 1, length);
+    tiff.number(0, 4);
+    tiff.bytes.insert(tiff.bytes.end(), bytes.begin(), bytes.end());
+    put(path, tiff.bytes);
+}
+
 void writeEmptyTiff(const std::filesystem::path& path, std::uint32_t side, bool whole) {
-    Bytes tiff = {'I', 'I', 42, 0, 8, 0, 0, 0, 9, 0};
-    const auto little = [&tiff](std::uint32_t number, int bytes) {
-        for (int i = 0; i < bytes; ++i)
-            tiff.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
-    };
-    constexpr std::uint32_t kBits = 8 + 2 + 9 * 12 + 4, kPixels = kBits + 6;
-    const auto entry = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
-        little(tag, 2);
-        little(type, 2);
-        little(count, 4);
-        little(value, 4);
-    };
+    constexpr std::uint32_t kEntries = 9, kBits = 8 + 2 + kEntries * 12 + 4, kPixels = kBits + 6;
     constexpr std::uint32_t kShort = 3, kLong = 4;
-    entry(256, kLong, 1, side);
-    entry(257, kLong, 1, side);
-    entry(258, kShort, 3, kBits);
-    entry(259, kShort, 1, 1); // not compressed
-    entry(262, kShort, 1, 2); // RGB
-    entry(273, kLong, 1, kPixels);
-    entry(277, kShort, 1, 3);
-    entry(278, kLong, 1, side);
-    entry(279, kLong, 1, side * side * 3);
-    little(0, 4);
+    LittleTiff tiff(kEntries);
+    tiff.entry(256, kLong, 1, side);
+    tiff.entry(257, kLong, 1, side);
+    tiff.entry(258, kShort, 3, kBits);
+    tiff.entry(259, kShort, 1, 1); // not compressed
+    tiff.entry(262, kShort, 1, 2); // RGB
+    tiff.entry(273, kLong, 1, kPixels);
+    tiff.entry(277, kShort, 1, 3);
+    tiff.entry(278, kLong, 1, side);
+    tiff.entry(279, kLong, 1, side * side * 3);
+    tiff.number(0, 4);
     for (int i = 0; i < 3; ++i)
-        little(8, 2);
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(tiff.data()), static_cast<std::streamsize>(tiff.size()));
+        tiff.number(8, 2);
+    put(path, tiff.bytes);
     if (whole)
         std::filesystem::resize_file(path, kPixels + std::uintmax_t{side} * side * 3);
+}
+
+namespace {
+
+/// A baseline JPEG of four channels, all of one value: the shortest tables there are.
+Bytes plainInkJpeg(std::uint8_t side) {
+    Bytes jpeg = {0xff, 0xd8, 0xff, 0xdb, 0, 67, 0};
+    jpeg.insert(jpeg.end(), 64, 1);                      // each value as it is
+    for (const std::uint8_t table : Bytes{0x00, 0x10}) { // one code each: no difference, end of block
+        jpeg.insert(jpeg.end(), {0xff, 0xc4, 0, 20, table, 1});
+        jpeg.insert(jpeg.end(), 16, 0);
+    }
+    jpeg.insert(jpeg.end(), {0xff, 0xc0, 0, 20, 8, 0, side, 0, side, 4});
+    for (std::uint8_t channel = 1; channel <= 4; ++channel)
+        jpeg.insert(jpeg.end(), {channel, 0x11, 0});
+    jpeg.insert(jpeg.end(), {0xff, 0xda, 0, 14, 4, 1, 0, 2, 0, 3, 0, 4, 0, 0, 63, 0});
+    const std::size_t blocks = 4U * (side / 8U) * (side / 8U);
+    jpeg.insert(jpeg.end(), 2 * blocks / 8, 0); // two codes of one bit each
+    jpeg.insert(jpeg.end(), {0xff, 0xd9});
+    return jpeg;
+}
+
+} // namespace
+
+void writeTiledInkTiff(const std::filesystem::path& path) {
+    constexpr std::uint32_t kSide = 64, kTile = 32, kTiles = 4, kShort = 3, kLong = 4, kEntries = 11;
+    constexpr std::uint32_t kBits = 8 + 2 + kEntries * 12 + 4, kOffsets = kBits + 8,
+                            kCounts = kOffsets + 4 * kTiles, kFirst = kCounts + 4 * kTiles;
+    const Bytes tile = plainInkJpeg(kTile);
+    const auto length = static_cast<std::uint32_t>(tile.size());
+    LittleTiff tiff(kEntries);
+    tiff.entry(256, kLong, 1, kSide);
+    tiff.entry(257, kLong, 1, kSide);
+    tiff.entry(258, kShort, 4, kBits);
+    tiff.entry(259, kShort, 1, 7); // JPEG
+    tiff.entry(262, kShort, 1, 5); // ink
+    tiff.entry(277, kShort, 1, 4);
+    tiff.entry(284, kShort, 1, 1);
+    tiff.entry(322, kLong, 1, kTile);
+    tiff.entry(323, kLong, 1, kTile);
+    tiff.entry(324, kLong, kTiles, kOffsets);
+    tiff.entry(325, kLong, kTiles, kCounts);
+    tiff.number(0, 4);
+    for (int i = 0; i < 4; ++i)
+        tiff.number(8, 2);
+    for (std::uint32_t i = 0; i < kTiles; ++i)
+        tiff.number(kFirst + i * length, 4);
+    for (std::uint32_t i = 0; i < kTiles; ++i)
+        tiff.number(length, 4);
+    for (std::uint32_t i = 0; i < kTiles; ++i)
+        tiff.bytes.insert(tiff.bytes.end(), tile.begin(), tile.end());
+    put(path, tiff.bytes);
 }
 
 void writeTaggedPng(const std::filesystem::path& path, const std::array<std::uint8_t, 3>& color,

@@ -230,6 +230,25 @@ TEST(ReadImage, RefusesEntriesOfHeadersThatAreLongerThanTheFile) {
     }
 }
 
+TEST(ReadImage, OpensAJpegThatLacksNothingButItsEnd) {
+    const TemporaryFolder folder;
+    writeImage(folder / "a.jpg", noise({101, 77}, 3), {});
+    const Image whole = readImage(folder / "a.jpg").image;
+    const std::string bytes = get(folder / "a.jpg");
+    ASSERT_TRUE(bytes.ends_with("\xff\xd9"));
+    for (const std::size_t left : {1U, 2U}) {
+        put(folder / "a.jpg", std::string_view(bytes).substr(0, bytes.size() - left));
+        const LoadedImage loaded = readImage(folder / "a.jpg");
+        EXPECT_TRUE(samePixels(loaded.image, whole));
+        ASSERT_EQ(loaded.info.notes.size(), 1U);
+        EXPECT_THAT(loaded.info.notes.front().text(), HasSubstr("a.jpg breaks off before its end marker"));
+    }
+    for (const std::size_t left : {4U, 40U, 400U}) { // of the last row
+        put(folder / "a.jpg", std::string_view(bytes).substr(0, bytes.size() - left));
+        EXPECT_THAT([&] { readImage(folder / "a.jpg"); }, refusal("a.jpg", "premature end")) << left;
+    }
+}
+
 TEST(ReadImage, RefusesAPngWithFarTooFewRows) {
     const TemporaryFolder folder;
     writeHugePngHeader(folder / "a.png", 1000, 1000);
