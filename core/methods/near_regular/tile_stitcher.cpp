@@ -19,6 +19,9 @@ constexpr double kOverlapShare = 0.25;
 constexpr int kLeastOverlap = 4;
 /// The middle of a tile, over its sides, that is always the new one's.
 constexpr double kCore = 0.5;
+/// What a cut costs where the exemplar's tiles differ by their standard deviation, over what one costs where
+/// two pixels do.
+constexpr double kAmid = 0.5;
 /// The largest difference of two pixels as a capacity.
 constexpr double kFinestCapacity = 4096;
 
@@ -32,9 +35,11 @@ Vec2 stretched(Vec2 vector, int length) {
 TileStitcher::TileStitcher(const Request& request, const Settings& settings, const Plan& plan,
                            JobContext& context)
     : m_request(request), m_settings(settings), m_plan(plan), m_context(context),
-      m_image(request.size, request.channels()), m_map(request.size, request.exemplarSizes()),
+      m_deviation(phaseDeviation(plan.exemplar, plan.from)), m_image(request.size, request.channels()),
+      m_map(request.size, request.exemplarSizes()),
       m_known(static_cast<std::size_t>(request.size.area()), 0) {
     shapeTiles();
+    anchorTiles();
     allowWhole();
     double range = 0;
     for (int c = 0; c < plan.exemplar.channels; ++c) {
@@ -64,6 +69,16 @@ void TileStitcher::shapeTiles() {
     m_overlap = std::min(wanted, room);
     m_tile = {bare.width + m_overlap, bare.height + m_overlap};
     m_positions = {exemplar.width - m_tile.width + 1, exemplar.height - m_tile.height + 1};
+}
+
+/// Moves the tiles so that the middle of each at a lattice point looks like the place of the exemplar's tiles
+/// that is most amid an element.
+void TileStitcher::anchorTiles() {
+    const Vec2 origin = m_plan.from.coordinates({m_settings.originX, m_settings.originY});
+    const auto within = [](double at) { return at - std::floor(at); };
+    const auto along = [&](Vec2 vector, double at) { return alongRows(vector) ? 0 : within(at); };
+    m_anchor = m_shape.at(along(m_plan.to.v1, m_deviation.middle.x - origin.x - 0.5),
+                          along(m_plan.to.v2, m_deviation.middle.y - origin.y - 0.5));
 }
 
 void TileStitcher::allowWhole() {
@@ -101,7 +116,7 @@ bool TileStitcher::allows(int x, int y) const {
 /// Adds the place with these coordinates, doubled, if its rectangle touches the output; on an axis that wraps
 /// each place but once.
 void TileStitcher::addPlace(std::vector<Place>& all, int column, int row) const {
-    const Vec2 corner = m_shape.at(0.5 * column, 0.5 * row);
+    const Vec2 corner = m_shape.at(0.5 * column, 0.5 * row) + m_anchor;
     const Vec2 start = corner + m_least - Vec2{0.5 * m_overlap, 0.5 * m_overlap};
     const Place place{static_cast<int>(std::lround(start.x)), static_cast<int>(std::lround(start.y)), column,
                       row, corner};
@@ -120,7 +135,7 @@ std::vector<TileStitcher::Place> TileStitcher::places() const {
     const double left = -m_tile.width, top = -m_tile.height;
     const double right = m_request.size.width + m_tile.width, bottom = m_request.size.height + m_tile.height;
     for (const Vec2 at : {Vec2{left, top}, Vec2{right, top}, Vec2{left, bottom}, Vec2{right, bottom}}) {
-        const Vec2 c = m_shape.coordinates(at);
+        const Vec2 c = m_shape.coordinates(at - m_anchor);
         a0 = std::min(a0, std::floor(c.x));
         a1 = std::max(a1, std::ceil(c.x));
         b0 = std::min(b0, std::floor(c.y));
@@ -301,7 +316,8 @@ Point TileStitcher::registered(Point patch) const {
     return best;
 }
 
-/// What a seam at a known pixel costs: its difference from the tile's.
+/// What a seam at a known pixel costs: its difference from the tile's, and more amid elements of the texture
+/// than in their joints.
 std::int32_t TileStitcher::cost(const Pixel& pixel, int u, int v, Point patch) const {
     double sum = 0;
     for (int c = 0; c < m_image.channels(); ++c) {
@@ -309,11 +325,13 @@ std::int32_t TileStitcher::cost(const Pixel& pixel, int u, int v, Point patch) c
                                   static_cast<double>(m_plan.exemplar(patch.x + u, patch.y + v, c));
         sum += difference * difference;
     }
-    return static_cast<std::int32_t>(std::lround(m_scale * std::sqrt(sum)));
+    const auto amid = static_cast<double>(m_deviation.at(patch.x + u, patch.y + v, 0));
+    return static_cast<std::int32_t>(std::lround(m_scale * (std::sqrt(sum) + kAmid * amid)));
 }
 
-/// Where the rectangle ends amid what is known, that stays; beside what only the tile covers, and in its
-/// middle, the tile is taken.
+/// Where the rectangle ends amid what is known, that stays; beside what only the tile covers, and in the
+/// middle of tiles at lattice points, the tile is taken. Those half a period off lie across joints, where
+/// only what is missing must come from them.
 void TileStitcher::tie(const Place& place, int u, int v, GridFlow& flow) const {
     const Pixel& pixel = *at(u, v);
     bool old = false, fresh = false;
@@ -330,7 +348,8 @@ void TileStitcher::tie(const Place& place, int u, int v, GridFlow& flow) const {
     }
     const Vec2 c = m_shape.coordinates(Vec2{place.x + u + 0.5, place.y + v + 0.5} - place.corner -
                                        0.5 * (m_shape.v1 + m_shape.v2));
-    fresh = fresh || (std::abs(c.x) <= 0.5 * kCore && std::abs(c.y) <= 0.5 * kCore);
+    const bool onPoint = place.column % 2 == 0;
+    fresh = fresh || (onPoint && std::abs(c.x) <= 0.5 * kCore && std::abs(c.y) <= 0.5 * kCore);
     if (old)
         flow.tieToFirst(pixel.node, GridFlow::kForbidden);
     if (fresh)
@@ -405,7 +424,8 @@ std::uint64_t TileStitcher::bytesFor(Size output, Size exemplar, int channels) {
     return Image::bytesFor(output, channels) + PositionMap::bytesFor(output) +
            static_cast<std::uint64_t>(output.area()) +
            pixels * (sizeof(Pixel) + 4 * sizeof(Point) + 1 + sizeof(int)) + GridFlow::bytesFor(pixels) +
-           Image::bytesFor(exemplar, 1) + static_cast<std::uint64_t>(output.area()) / 16 * sizeof(Place);
+           2 * Image::bytesFor(exemplar, 1) + pixels * 10 * sizeof(double) +
+           static_cast<std::uint64_t>(output.area()) / 16 * sizeof(Place);
 }
 
 } // namespace texloom::near_regular

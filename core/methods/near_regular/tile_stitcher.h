@@ -4,6 +4,7 @@
 #include "core/math/grid_flow.h"
 #include "core/methods/near_regular/border_match.h"
 #include "core/methods/near_regular/filler.h"
+#include "core/methods/near_regular/phase_deviation.h"
 #include "core/methods/near_regular/settings.h"
 #include "core/methods/synthesis.h"
 
@@ -15,7 +16,9 @@ namespace texloom::near_regular {
 /// Whole tiles stitched one after another along the lattice (Liu, Tsin & Lin, IJCV 62, 2005; López Recas
 /// 2011, fig. 2.8): upright rectangles that hold a tile and an overlap, by turns at lattice points and half a
 /// period off both vectors. Each is the one of the exemplar's that fits best what is there, or nearly so,
-/// moved by a few pixels to where it correlates best, and joined along a minimum cut.
+/// moved by a few pixels to where it correlates best, and joined along a minimum cut. Beyond the sources, the
+/// middles of tiles at lattice points lie within elements of the texture rather than across their joints, and
+/// cuts keep to places at which the exemplar's tiles are alike: the joints between bricks of different tones.
 class TileStitcher {
 public:
     /// @param plan its block is the length of tiles along a direction in which everything repeats.
@@ -45,6 +48,7 @@ private:
     };
 
     void shapeTiles();
+    void anchorTiles();
     std::vector<Place> places() const;
     void addPlace(std::vector<Place>& all, int column, int row) const;
     std::vector<Point> candidates(const Place& place) const;
@@ -79,6 +83,8 @@ private:
     Size m_positions;                   ///< of its top left in the exemplar
     std::vector<std::uint8_t> m_hidden; ///< by position, where the mask is in the way; empty without one
     double m_scale = 1;                 ///< from differences to capacities
+    PhaseDeviation m_deviation;         ///< of the exemplar
+    Vec2 m_anchor;                      ///< of the corner of tile (0, 0), in the output
     Image m_image;
     PositionMap m_map;
     std::vector<std::uint8_t> m_known; ///< by pixel of the output

@@ -58,7 +58,7 @@ struct RunStep {
 /// that makes it again, and what it will need.
 struct RunPlan {
     std::vector<RunStep> steps; ///< at least one
-    Request request; ///< with all inputs; companions are channels of it if the last step copies no pixels
+    Request request;            ///< with all inputs; companions are channels of it as companionUse() says
     std::vector<std::vector<ExemplarFile>> companions; ///< for each exemplar
     Recipe recipe;
     Estimate estimate; ///< of all steps together

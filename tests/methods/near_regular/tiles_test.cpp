@@ -1,3 +1,4 @@
+#include "core/job/random.h"
 #include "core/methods/method.h"
 #include "tests/core/refusal.h"
 #include "tests/support/lattices.h"
@@ -7,6 +8,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 
 /// Whole tiles stitched along the lattice (Liu, Tsin & Lin, IJCV 62, 2005).
 namespace texloom::test {
@@ -23,7 +27,50 @@ Synthesis stitched(const Request& request, const Values& settings, int threads =
     return resultOf(findMethod("near-regular"), request, settings, {.threads = threads});
 }
 
+constexpr int kBrickWidth = 32, kBrickHeight = 16;
+
+/// The brick of a running bond that a pixel lies in, or nothing in joints, 2 px wide.
+std::optional<std::pair<int, int>> brickAt(int x, int y) {
+    const int row = y / kBrickHeight, along = x + (row % 2) * kBrickWidth / 2;
+    if (y % kBrickHeight < 2 || along % kBrickWidth < 2)
+        return {};
+    return std::pair(along / kBrickWidth, row);
+}
+
+/// Bricks in running bond, each of a tone of its own.
+Image bricksOfManyTones(Size size) {
+    const Random tones(11);
+    Image image(size, 1);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const auto brick = brickAt(x, y);
+            image(x, y, 0) =
+                brick ? static_cast<float>(0.3 + 0.7 * tones.uniform(brick->first, brick->second)) : 0.0F;
+        }
+    return image;
+}
+
 } // namespace
+
+TEST(WholeTiles, KeepBricksOfOneTone) {
+    const Lattice lattice{{kBrickWidth, 0}, {kBrickWidth / 2, kBrickHeight}};
+    const Size size{224, 192};
+    for (const double right : {0.0, 9.0}) {
+        const int shift = static_cast<int>(right);
+        const Request request = requestOf(bricksOfManyTones({208, 176}), size);
+        const Synthesis result = stitched(request, byTiles(lattice, {{"tolerance", 0}, {"origin-x", right}}));
+        std::map<std::pair<int, int>, std::map<float, int>> tones;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                if (const auto brick = brickAt(x + shift, y))
+                    ++tones[*brick][result.image(x, y, 0)];
+        int torn = 0;
+        for (const auto& [brick, counts] : tones)
+            torn += counts.size() > 1 ? 1 : 0;
+        EXPECT_LT(torn, 0.05 * static_cast<double>(tones.size())) << right;
+        EXPECT_GT(tones.size(), 70U);
+    }
+}
 
 TEST(WholeTiles, ContinueAPeriodicExemplarForEver) {
     for (const Lattice& lattice :
