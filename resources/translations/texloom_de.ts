@@ -169,10 +169,6 @@
         <translation>Bedingte Gauß-Patches</translation>
     </message>
     <message>
-        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but soft.</source>
-        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die geteilten Pixel. Keine Nähte und kein Zusammenfügen, aber weich.</translation>
-    </message>
-    <message>
         <source>Correlation</source>
         <translation>Korrelation</translation>
     </message>
@@ -2025,10 +2021,6 @@
         <translation>Ein kompakter Satz von {} Kacheln schließt sich nicht unbedingt über den Rand; wählen Sie für kachelbare Ausgaben einen vollständigen Satz.</translation>
     </message>
     <message>
-        <source>A full set has a tile for every combination of colours and can wrap; a compact one has two for each pair above and to the left.</source>
-        <translation>Ein vollständiger Satz hat für jede Kombination von Farben eine Kachel und kann sich schließen; ein kompakter hat zwei für jedes Paar von oben und links.</translation>
-    </message>
-    <message>
         <source>An image of the result&apos;s size that the method begins with.</source>
         <translation>Ein Bild in der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
     </message>
@@ -2093,10 +2085,6 @@
         <translation>Ziehungen der Proben</translation>
     </message>
     <message>
-        <source>Edge colours</source>
-        <translation>Kantenfarben</translation>
-    </message>
-    <message>
         <source>Error of the worst cut</source>
         <translation>Fehler des schlechtesten Schnitts</translation>
     </message>
@@ -2113,10 +2101,6 @@
         <translation>Gut genug</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
-        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
-    </message>
-    <message>
         <source>How often the samples are drawn again, at most, until the worst cut is good enough; the best are kept.</source>
         <translation>Wie oft die Proben höchstens neu gezogen werden, bis der schlechteste Schnitt gut genug ist; die besten bleiben.</translation>
     </message>
@@ -2129,16 +2113,8 @@
         <translation>Behält die Stärke jeder Frequenz der Vorlage und zieht ihre Phase zufällig. Im Nu und ohne jede Wiederholung; gut für feinkörnige Texturen wie Sand, Putz oder Stoff, verliert Kanten und Gegenstände.</translation>
     </message>
     <message>
-        <source>Kinds of edges on each axis: more make more tiles, which repeat less and are harder to cut well.</source>
-        <translation>Arten von Kanten je Achse: Mehr ergeben mehr Kacheln, die sich weniger wiederholen und schwerer gut zu schneiden sind.</translation>
-    </message>
-    <message>
         <source>Laying tiles</source>
         <translation>Kacheln legen</translation>
-    </message>
-    <message>
-        <source>Makes a small set of tiles whose edges match by colour, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
-        <translation>Macht einen kleinen Satz von Kacheln, deren Kanten nach Farben passen, und legt sie ohne Periode. Ausgaben jeder Größe entstehen im Nu, auch jeder Teil für sich; der Satz lässt sich auch allein verwenden. Passt zu allem ohne große Objekte.</translation>
     </message>
     <message>
         <source>Maps of the exemplar&apos;s size, such as normals or heights, that get the result&apos;s layout.</source>
@@ -2387,10 +2363,6 @@
     <message>
         <source>Where the output has another size and there is no initial image, detail is quilted from patches of this side: larger keeps larger structures whole.</source>
         <translation>Wo die Ausgabe eine andere Größe hat und es kein Anfangsbild gibt, werden Details aus Patches dieser Seite zusammengefügt: Größer lässt größere Strukturen ganz.</translation>
-    </message>
-    <message>
-        <source>Width of the zone along the diagonals in which the cuts may run, as a share of the tile: wider joins better.</source>
-        <translation>Breite der Zone entlang der Diagonalen, in der die Schnitte verlaufen dürfen, als Anteil der Kachel: Breiter fügt besser.</translation>
     </message>
     <message>
         <source>Works on the periodic component, without which the borders draw horizontal and vertical streaks. Outputs that wrap always need it.</source>
@@ -3761,10 +3733,6 @@
         <translation>Gleiche Kacheln sind Kopien einer einzigen; verschiedene weichen ab wie die der Vorlage von ihrem Mittel und sind etwas weicher.</translation>
     </message>
     <message>
-        <source>All tiles side by side; those of a full set match, also round the sheet.</source>
-        <translation>Alle Kacheln nebeneinander; die eines vollen Satzes passen zusammen, auch um den Bogen herum.</translation>
-    </message>
-    <message>
         <source>Along which axes colours are distributed as in the exemplar: principal axes keep how channels go together.</source>
         <translation>Entlang welcher Achsen die Farben wie in der Vorlage verteilt sind: Hauptachsen erhalten den Zusammenhang der Kanäle.</translation>
     </message>
@@ -3871,10 +3839,6 @@
     <message>
         <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
         <translation>Zerschneidet die Vorlagen in Stücke, mischt sie so, dass jedes einmal vorkommt, und gleicht die Fugen aus. So wiederholen sich große natürliche Texturen wie Stein und Metall nicht; lange Strukturen über Stücke hinweg gehen verloren.</translation>
-    </message>
-    <message>
-        <source>Deformed squares</source>
-        <translation>Verformte Quadrate</translation>
     </message>
     <message>
         <source>Deforming</source>
@@ -4291,10 +4255,6 @@
     <message>
         <source>The axis that the first three kinds deform; turbulence deforms both.</source>
         <translation>Die Achse, die die ersten drei Arten verformen; Turbulenz verformt beide.</translation>
-    </message>
-    <message>
-        <source>The colours of every tile&apos;s edges, its place on the sheet, and the tile for each combination of colours; as .json for other programs.</source>
-        <translation>Die Farben der Kanten jeder Kachel, ihr Platz auf dem Bogen und die Kachel zu jeder Farbkombination; als .json für andere Programme.</translation>
     </message>
     <message>
         <source>The dictionary has patches of {} px, and the patch size is {} px; they need the same.</source>
@@ -5825,10 +5785,6 @@
         <translation>Ein Bereich, nahtlos eingesetzt</translation>
     </message>
     <message>
-        <source>Cohen and others 2003: 16, 81 and 256 tiles of two, three and four colours an axis, then the 8 of a compact set. What strikes the eye comes back less often the more tiles there are.</source>
-        <translation>Cohen und andere 2003: 16, 81 und 256 Kacheln aus zwei, drei und vier Farben je Achse, dann die 8 eines kompakten Satzes. Was ins Auge fällt, kehrt umso seltener wieder, je mehr Kacheln es gibt.</translation>
-    </message>
-    <message>
         <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
         <translation>Abbildungen 5.36 bis 5.41 aus Raads Dissertation an freien Vorlagen: Streifen von Fels, Metall und Holz in neuer Folge, dann Quadrate von Fels und Metall, Quadrate zweier Vorlagen zusammen und ein Chaos-Mosaik von Schotter, jeweils dreimal.</translation>
     </message>
@@ -6051,6 +6007,158 @@
     <message>
         <source>The texture is made by the generator that was given, and the exemplar is not looked at; to teach it the exemplar, train it further.</source>
         <translation>Die Textur macht der angegebene Generator; die Vorlage wird nicht angesehen. Damit er sie lernt, trainieren Sie ihn weiter.</translation>
+    </message>
+    <message>
+        <source>16, 81 and 256 tiles of two, three and four colours of corners (Ng and others 2005), the 16 of Cohen and others 2003 with coloured edges, and the 8 of their compact set. What strikes the eye comes back less often the more tiles there are.</source>
+        <translation>16, 81 und 256 Kacheln aus zwei, drei und vier Farben der Ecken (Ng und andere 2005), die 16 von Cohen und anderen 2003 mit farbigen Kanten und die 8 ihres kompakten Satzes. Was ins Auge fällt, kehrt umso seltener wieder, je mehr Kacheln es gibt.</translation>
+    </message>
+    <message>
+        <source>A full set has a tile for every combination of colours and can wrap; a compact one has two for whatever is above and to the left.</source>
+        <translation>Ein vollständiger Satz hat für jede Kombination von Farben eine Kachel und kann sich schließen; ein kompakter hat zwei für alles, was oben und links liegen kann.</translation>
+    </message>
+    <message>
+        <source>All tiles side by side; those of a full set match there.</source>
+        <translation>Alle Kacheln nebeneinander; die eines vollständigen Satzes passen dort zusammen.</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but each patch is softer than those before it: lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as large as a patch, keep most of it.</source>
+        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die geteilten Pixel. Keine Nähte und kein Zusammenfügen, aber jeder Patch ist weicher als die vor ihm: Rasen, Kies und Erde verlieren mehr als die Hälfte ihres Kontrasts; Schuppen und Ziegel, deren Elemente so groß wie ein Patch sind, behalten das meiste.</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Filling tiles</source>
+        <translation>Kacheln werden gefüllt</translation>
+    </message>
+    <message>
+        <source>How much companion maps, such as normals or heights, count where pieces are compared, joined and cut: at 1 as much as the image itself; 0 compares the image alone, and maps follow it.</source>
+        <translation>Wie viel Begleitkarten, etwa Normalen oder Höhen, zählen, wo Stücke verglichen, verbunden und geschnitten werden: bei 1 so viel wie das Bild selbst; 0 vergleicht nur das Bild, und die Karten folgen ihm.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: 0 takes the best whatever the seed, larger lets seeds differ.</source>
+        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: 0 nimmt bei jedem Startwert die beste, mehr lässt sie sich nach dem Startwert unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Kinds of corners, or of edges on each axis: more make more tiles, which repeat less and are harder to cut well.</source>
+        <translation>Arten von Ecken, oder von Kanten je Achse: Mehr ergeben mehr Kacheln, die sich weniger wiederholen und schwerer gut zu schneiden sind.</translation>
+    </message>
+    <message>
+        <source>Makes a small set of tiles that match by colours, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
+        <translation>Macht einen kleinen Satz von Kacheln, die nach Farben zusammenpassen, und legt sie ohne Periode. Ausgaben jeder Größe kommen sofort, auch jeder Teil für sich; der Satz lässt sich allein verwenden. Eignet sich für Texturen ohne große Objekte.</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Was passt</translation>
+    </message>
+    <message>
+        <source>The colours of every tile&apos;s edges and corners, its place on the sheet, and the tile for each combination of colours; as .json for other programs.</source>
+        <translation>Die Farben der Kanten und Ecken jeder Kachel, ihr Platz auf dem Bogen und die Kachel zu jeder Kombination von Farben; als .json für andere Programme.</translation>
+    </message>
+    <message>
+        <source>The first image is {} × {} px, the second {} × {} px: both are cropped to {} × {} px from the top left.</source>
+        <translation>Das erste Bild hat {} × {} px, das zweite {} × {} px: Beide werden von oben links aus auf {} × {} px beschnitten.</translation>
+    </message>
+    <message>
+        <source>The place that each pixel comes from, along the axis, with a grey line for what does not move, as in figure 5.30 of the thesis; of turbulence, squares as they are deformed.</source>
+        <translation>Die Stelle, von der jedes Pixel kommt, entlang der Achse, mit einer grauen Linie für das, was sich nicht bewegt, wie in Abbildung 5.30 der Dissertation; bei Turbulenz Quadrate, wie sie verformt werden.</translation>
+    </message>
+    <message>
+        <source>The tiles of Cohen, Shade, Hiller &amp; Deussen 2003: edges of two colours on each axis, four samples in diamonds, the 16 tiles of a full set.</source>
+        <translation>Die Kacheln von Cohen, Shade, Hiller &amp; Deussen 2003: Kanten in zwei Farben je Achse, vier Proben als Rauten, die 16 Kacheln eines vollständigen Satzes.</translation>
+    </message>
+    <message>
+        <source>Wang tiles, as published</source>
+        <translation>Wang-Kacheln, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Weight of companion maps</source>
+        <translation>Gewicht der Begleitkarten</translation>
+    </message>
+    <message>
+        <source>What has colours: corners, with fresh texture inside each tile, repeat less; edges are as published first, each tile four samples in diamonds.</source>
+        <translation>Was Farben hat: Ecken, mit frischer Textur im Innern jeder Kachel, wiederholen sich weniger; Kanten sind wie zuerst veröffentlicht, jede Kachel vier Proben als Rauten.</translation>
+    </message>
+    <message>
+        <source>What the run starts from has no companion maps, so their weight had no effect.</source>
+        <translation>Wovon der Lauf ausgeht, hat keine Begleitkarten, daher blieb ihr Gewicht ohne Wirkung.</translation>
+    </message>
+    <message>
+        <source>Width of the zone in which the cuts may run, as a share of the tile: wider joins better.</source>
+        <translation>Breite der Zone, in der die Schnitte verlaufen dürfen, als Anteil der Kachel: Breiter fügt besser zusammen.</translation>
+    </message>
+    <message>
+        <source>a picture to blend</source>
+        <translation>ein Bild, das überblendet wird</translation>
+    </message>
+    <message>
+        <source>a source of a run that waits</source>
+        <translation>woraus ein wartender Lauf entsteht</translation>
+    </message>
+    <message>
+        <source>a source of the result that is shown</source>
+        <translation>woraus das gezeigte Ergebnis entsteht</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>Überblendung</translation>
+    </message>
+    <message>
+        <source>contact sheet</source>
+        <translation>Kontaktbogen</translation>
+    </message>
+    <message>
+        <source>open here</source>
+        <translation>hier geöffnet</translation>
+    </message>
+    <message>
+        <source>part of the volume</source>
+        <translation>Teil des Volumens</translation>
+    </message>
+    <message>
+        <source>picture of the material</source>
+        <translation>Bild des Materials</translation>
+    </message>
+    <message>
+        <source>picture of the turn</source>
+        <translation>Bild der Drehung</translation>
+    </message>
+    <message>
+        <source>the mesh that the material is shown on</source>
+        <translation>das Netz, auf dem das Material gezeigt wird</translation>
+    </message>
+    <message>
+        <source>the mesh that the volume is shown on</source>
+        <translation>das Netz, auf dem das Volumen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>the panorama that lights the material</source>
+        <translation>das Panorama, das das Material beleuchtet</translation>
+    </message>
+    <message>
+        <source>the session that is open</source>
+        <translation>die geöffnete Sitzung</translation>
+    </message>
+    <message>
+        <source>the volume that is open</source>
+        <translation>das geöffnete Volumen</translation>
+    </message>
+    <message>
+        <source>{} breaks off before its end marker, but all of its rows are there.</source>
+        <translation>{} bricht vor der Endmarke ab, aber alle Zeilen sind da.</translation>
+    </message>
+    <message>
+        <source>{} goes into {}, which takes no picture, so it has no layer {}.</source>
+        <translation>{0} kommt in „{1}“, das kein Bild nimmt; eine Ebene {2} gibt es dort nicht.</translation>
+    </message>
+    <message>
+        <source>{} holds data, but is compressed with loss ({}), which changes them; save such maps as PNG, or as EXR or TIFF with zip.</source>
+        <translation>{0} enthält Daten, ist aber verlustbehaftet komprimiert ({1}), was sie verändert; speichern Sie solche Karten als PNG, oder als EXR oder TIFF mit zip.</translation>
+    </message>
+    <message>
+        <source>{} is there, and Texloom did not write it; choose another name or folder.</source>
+        <translation>{} ist schon da, und Texloom hat es nicht geschrieben; wählen Sie einen anderen Namen oder Ordner.</translation>
     </message>
 </context>
 <context>
@@ -6702,6 +6810,10 @@
     <message>
         <source>%1, derived</source>
         <translation>%1, abgeleitet</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, Ebene %2</translation>
     </message>
 </context>
 <context>
@@ -8168,12 +8280,12 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Ebene wählen</translation>
     </message>
     <message>
-        <source>%1 holds several pictures. Which one is to be the exemplar?</source>
-        <translation>%1 enthält mehrere Bilder. Welches soll die Vorlage sein?</translation>
-    </message>
-    <message>
         <source>Layers</source>
         <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>%1 holds several pictures. Which one is to be taken?</source>
+        <translation>%1 enthält mehrere Bilder. Welches soll genommen werden?</translation>
     </message>
 </context>
 <context>

@@ -169,10 +169,6 @@
         <translation>Gaussien conditionnel</translation>
     </message>
     <message>
-        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but soft.</source>
-        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels partagés. Ni couture ni raccord, mais doux.</translation>
-    </message>
-    <message>
         <source>Correlation</source>
         <translation>Corrélation</translation>
     </message>
@@ -2025,10 +2021,6 @@
         <translation>Un jeu compact de {} tuiles ne se raccorde pas forcément au bord ; choisissez un jeu complet pour les sorties qui se répètent.</translation>
     </message>
     <message>
-        <source>A full set has a tile for every combination of colours and can wrap; a compact one has two for each pair above and to the left.</source>
-        <translation>Un jeu complet a une tuile pour chaque combinaison de couleurs et peut se raccorder ; un jeu compact en a deux pour chaque paire du haut et de gauche.</translation>
-    </message>
-    <message>
         <source>An image of the result&apos;s size that the method begins with.</source>
         <translation>Une image de la taille du résultat, d’où part la méthode.</translation>
     </message>
@@ -2093,10 +2085,6 @@
         <translation>Tirages d’échantillons</translation>
     </message>
     <message>
-        <source>Edge colours</source>
-        <translation>Couleurs des bords</translation>
-    </message>
-    <message>
         <source>Error of the worst cut</source>
         <translation>Erreur de la pire coupe</translation>
     </message>
@@ -2113,10 +2101,6 @@
         <translation>Assez bon</translation>
     </message>
     <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
-        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
-    </message>
-    <message>
         <source>How often the samples are drawn again, at most, until the worst cut is good enough; the best are kept.</source>
         <translation>Combien de fois, au plus, les échantillons sont tirés à nouveau jusqu’à ce que la pire coupe soit assez bonne ; les meilleurs sont gardés.</translation>
     </message>
@@ -2129,16 +2113,8 @@
         <translation>Garde la force de chaque fréquence de l’échantillon et tire sa phase au hasard. Instantané et sans répétition ; convient aux textures fines comme le sable, l’enduit ou le tissu, perd contours et objets.</translation>
     </message>
     <message>
-        <source>Kinds of edges on each axis: more make more tiles, which repeat less and are harder to cut well.</source>
-        <translation>Sortes de bords sur chaque axe : davantage donne plus de tuiles, qui se répètent moins et sont plus difficiles à bien couper.</translation>
-    </message>
-    <message>
         <source>Laying tiles</source>
         <translation>Pose des tuiles</translation>
-    </message>
-    <message>
-        <source>Makes a small set of tiles whose edges match by colour, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
-        <translation>Fait un petit jeu de tuiles dont les bords s’accordent par couleur et les pose sans période. Des sorties de toute taille viennent en un instant, et toute partie séparément ; le jeu peut servir seul. Convient à ce qui n’a pas de grands objets.</translation>
     </message>
     <message>
         <source>Maps of the exemplar&apos;s size, such as normals or heights, that get the result&apos;s layout.</source>
@@ -2387,10 +2363,6 @@
     <message>
         <source>Where the output has another size and there is no initial image, detail is quilted from patches of this side: larger keeps larger structures whole.</source>
         <translation>Là où la sortie a une autre taille et qu’il n’y a pas d’image initiale, le détail est assemblé à partir de patchs de ce côté : plus grand garde entières de plus grandes structures.</translation>
-    </message>
-    <message>
-        <source>Width of the zone along the diagonals in which the cuts may run, as a share of the tile: wider joins better.</source>
-        <translation>Largeur de la zone le long des diagonales où les coupes peuvent passer, en part de la tuile : plus large raccorde mieux.</translation>
     </message>
     <message>
         <source>Works on the periodic component, without which the borders draw horizontal and vertical streaks. Outputs that wrap always need it.</source>
@@ -3761,10 +3733,6 @@
         <translation>Des pavés pareils sont des copies d’un seul ; variés, ils diffèrent comme ceux de l’exemplaire diffèrent de leur moyenne, et sont un peu plus doux.</translation>
     </message>
     <message>
-        <source>All tiles side by side; those of a full set match, also round the sheet.</source>
-        <translation>Tous les pavés côte à côte ; ceux d’un jeu complet s’accordent, aussi autour de la planche.</translation>
-    </message>
-    <message>
         <source>Along which axes colours are distributed as in the exemplar: principal axes keep how channels go together.</source>
         <translation>Les axes le long desquels les couleurs sont réparties comme dans l’exemplaire : les axes principaux gardent le lien entre les canaux.</translation>
     </message>
@@ -3871,10 +3839,6 @@
     <message>
         <source>Cuts the exemplars into pieces, shuffles them so that each is used once, and levels the joints. Keeps large natural textures such as stone and metal from repeating; long structures across pieces are lost.</source>
         <translation>Découpe les modèles en morceaux, les mélange pour que chacun serve une fois et nivelle les joints. Évite que de grandes textures naturelles comme la pierre et le métal se répètent ; les longues structures à travers les morceaux sont perdues.</translation>
-    </message>
-    <message>
-        <source>Deformed squares</source>
-        <translation>Carrés déformés</translation>
     </message>
     <message>
         <source>Deforming</source>
@@ -4291,10 +4255,6 @@
     <message>
         <source>The axis that the first three kinds deform; turbulence deforms both.</source>
         <translation>L’axe que déforment les trois premiers genres ; la turbulence déforme les deux.</translation>
-    </message>
-    <message>
-        <source>The colours of every tile&apos;s edges, its place on the sheet, and the tile for each combination of colours; as .json for other programs.</source>
-        <translation>Les couleurs des bords de chaque pavé, sa place sur la planche et le pavé de chaque combinaison de couleurs ; en .json pour d’autres programmes.</translation>
     </message>
     <message>
         <source>The dictionary has patches of {} px, and the patch size is {} px; they need the same.</source>
@@ -5825,10 +5785,6 @@
         <translation>Une région clonée sans couture</translation>
     </message>
     <message>
-        <source>Cohen and others 2003: 16, 81 and 256 tiles of two, three and four colours an axis, then the 8 of a compact set. What strikes the eye comes back less often the more tiles there are.</source>
-        <translation>Cohen et autres 2003 : 16, 81 et 256 tuiles de deux, trois et quatre couleurs par axe, puis les 8 d’un jeu compact. Ce qui saute aux yeux revient d’autant moins qu’il y a plus de tuiles.</translation>
-    </message>
-    <message>
         <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
         <translation>Figures 5.36 à 5.41 de la thèse de Raad sur des exemples libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, carrés de deux exemples ensemble, et une mosaïque chaotique de ballast, trois fois chacun.</translation>
     </message>
@@ -6051,6 +6007,158 @@
     <message>
         <source>The texture is made by the generator that was given, and the exemplar is not looked at; to teach it the exemplar, train it further.</source>
         <translation>La texture est faite par le générateur fourni ; l’échantillon n’est pas regardé. Pour le lui apprendre, poursuivez l’entraînement.</translation>
+    </message>
+    <message>
+        <source>16, 81 and 256 tiles of two, three and four colours of corners (Ng and others 2005), the 16 of Cohen and others 2003 with coloured edges, and the 8 of their compact set. What strikes the eye comes back less often the more tiles there are.</source>
+        <translation>16, 81 et 256 tuiles de deux, trois et quatre couleurs de coins (Ng et autres 2005), les 16 de Cohen et autres 2003 aux bords colorés, et les 8 de leur jeu compact. Ce qui frappe l’œil revient d’autant moins souvent qu’il y a plus de tuiles.</translation>
+    </message>
+    <message>
+        <source>A full set has a tile for every combination of colours and can wrap; a compact one has two for whatever is above and to the left.</source>
+        <translation>Un jeu complet a une tuile pour chaque combinaison de couleurs et peut se raccorder ; un jeu compact en a deux pour tout ce qui peut se trouver en haut et à gauche.</translation>
+    </message>
+    <message>
+        <source>All tiles side by side; those of a full set match there.</source>
+        <translation>Toutes les tuiles côte à côte ; celles d’un jeu complet s’y accordent.</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but each patch is softer than those before it: lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as large as a patch, keep most of it.</source>
+        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels partagés. Ni couture ni raccord, mais chaque patch est plus doux que les précédents : pelouses, graviers et terre perdent plus de la moitié de leur contraste ; écailles et briques, dont les éléments sont aussi grands qu’un patch, en gardent l’essentiel.</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Bords</translation>
+    </message>
+    <message>
+        <source>Filling tiles</source>
+        <translation>Remplissage des tuiles</translation>
+    </message>
+    <message>
+        <source>How much companion maps, such as normals or heights, count where pieces are compared, joined and cut: at 1 as much as the image itself; 0 compares the image alone, and maps follow it.</source>
+        <translation>Combien comptent les cartes associées, comme les normales ou les hauteurs, là où des morceaux sont comparés, joints et coupés : à 1 autant que l’image elle-même ; 0 ne compare que l’image, et les cartes la suivent.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: 0 takes the best whatever the seed, larger lets seeds differ.</source>
+        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : 0 prend la meilleure quelle que soit la graine, plus laisse les graines différer.</translation>
+    </message>
+    <message>
+        <source>Kinds of corners, or of edges on each axis: more make more tiles, which repeat less and are harder to cut well.</source>
+        <translation>Sortes de coins, ou de bords sur chaque axe : davantage donne plus de tuiles, qui se répètent moins et sont plus difficiles à bien couper.</translation>
+    </message>
+    <message>
+        <source>Makes a small set of tiles that match by colours, and lays them without a period. Outputs of any size come in an instant, and any part of them alone; the set can be used by itself. Suits what has no large objects.</source>
+        <translation>Fabrique un petit jeu de tuiles qui s’accordent par couleurs et les pose sans période. Des sorties de toute taille viennent aussitôt, et chaque partie à elle seule ; le jeu peut servir par lui-même. Convient à ce qui n’a pas de grands objets.</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Ce qui s’accorde</translation>
+    </message>
+    <message>
+        <source>The colours of every tile&apos;s edges and corners, its place on the sheet, and the tile for each combination of colours; as .json for other programs.</source>
+        <translation>Les couleurs des bords et des coins de chaque tuile, sa place sur la planche et la tuile de chaque combinaison de couleurs ; en .json pour d’autres programmes.</translation>
+    </message>
+    <message>
+        <source>The first image is {} × {} px, the second {} × {} px: both are cropped to {} × {} px from the top left.</source>
+        <translation>La première image fait {} × {} px, la seconde {} × {} px : toutes deux sont rognées à {} × {} px à partir du coin supérieur gauche.</translation>
+    </message>
+    <message>
+        <source>The place that each pixel comes from, along the axis, with a grey line for what does not move, as in figure 5.30 of the thesis; of turbulence, squares as they are deformed.</source>
+        <translation>L’endroit d’où vient chaque pixel, le long de l’axe, avec une ligne grise pour ce qui ne bouge pas, comme à la figure 5.30 de la thèse ; pour la turbulence, des carrés tels qu’ils sont déformés.</translation>
+    </message>
+    <message>
+        <source>The tiles of Cohen, Shade, Hiller &amp; Deussen 2003: edges of two colours on each axis, four samples in diamonds, the 16 tiles of a full set.</source>
+        <translation>Les tuiles de Cohen, Shade, Hiller &amp; Deussen 2003 : des bords de deux couleurs sur chaque axe, quatre échantillons en losanges, les 16 tuiles d’un jeu complet.</translation>
+    </message>
+    <message>
+        <source>Wang tiles, as published</source>
+        <translation>Tuiles de Wang, comme publié</translation>
+    </message>
+    <message>
+        <source>Weight of companion maps</source>
+        <translation>Poids des cartes associées</translation>
+    </message>
+    <message>
+        <source>What has colours: corners, with fresh texture inside each tile, repeat less; edges are as published first, each tile four samples in diamonds.</source>
+        <translation>Ce qui a des couleurs : des coins, avec de la texture neuve à l’intérieur de chaque tuile, se répètent moins ; des bords sont comme publié d’abord, chaque tuile faite de quatre échantillons en losanges.</translation>
+    </message>
+    <message>
+        <source>What the run starts from has no companion maps, so their weight had no effect.</source>
+        <translation>Ce dont le calcul part n’a pas de cartes associées, leur poids est donc resté sans effet.</translation>
+    </message>
+    <message>
+        <source>Width of the zone in which the cuts may run, as a share of the tile: wider joins better.</source>
+        <translation>Largeur de la zone où les coupes peuvent passer, en part de la tuile : plus large joint mieux.</translation>
+    </message>
+    <message>
+        <source>a picture to blend</source>
+        <translation>une image à fondre</translation>
+    </message>
+    <message>
+        <source>a source of a run that waits</source>
+        <translation>une source d’un calcul en attente</translation>
+    </message>
+    <message>
+        <source>a source of the result that is shown</source>
+        <translation>une source du résultat affiché</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>fondu</translation>
+    </message>
+    <message>
+        <source>contact sheet</source>
+        <translation>planche-contact</translation>
+    </message>
+    <message>
+        <source>open here</source>
+        <translation>ouvert ici</translation>
+    </message>
+    <message>
+        <source>part of the volume</source>
+        <translation>partie du volume</translation>
+    </message>
+    <message>
+        <source>picture of the material</source>
+        <translation>image du matériau</translation>
+    </message>
+    <message>
+        <source>picture of the turn</source>
+        <translation>image de la rotation</translation>
+    </message>
+    <message>
+        <source>the mesh that the material is shown on</source>
+        <translation>le maillage sur lequel le matériau est affiché</translation>
+    </message>
+    <message>
+        <source>the mesh that the volume is shown on</source>
+        <translation>le maillage sur lequel le volume est affiché</translation>
+    </message>
+    <message>
+        <source>the panorama that lights the material</source>
+        <translation>le panorama qui éclaire le matériau</translation>
+    </message>
+    <message>
+        <source>the session that is open</source>
+        <translation>la session ouverte</translation>
+    </message>
+    <message>
+        <source>the volume that is open</source>
+        <translation>le volume ouvert</translation>
+    </message>
+    <message>
+        <source>{} breaks off before its end marker, but all of its rows are there.</source>
+        <translation>{} s’interrompt avant son marqueur de fin, mais toutes ses lignes sont là.</translation>
+    </message>
+    <message>
+        <source>{} goes into {}, which takes no picture, so it has no layer {}.</source>
+        <translation>{0} va dans « {1} », qui ne prend pas d’image ; il n’y a donc pas de calque {2}.</translation>
+    </message>
+    <message>
+        <source>{} holds data, but is compressed with loss ({}), which changes them; save such maps as PNG, or as EXR or TIFF with zip.</source>
+        <translation>{0} contient des données, mais est compressé avec perte ({1}), ce qui les altère ; enregistrez ces cartes en PNG, ou en EXR ou TIFF avec zip.</translation>
+    </message>
+    <message>
+        <source>{} is there, and Texloom did not write it; choose another name or folder.</source>
+        <translation>{} existe déjà, et Texloom ne l’a pas écrit ; choisissez un autre nom ou dossier.</translation>
     </message>
 </context>
 <context>
@@ -6702,6 +6810,10 @@
     <message>
         <source>%1, derived</source>
         <translation>%1, dérivée</translation>
+    </message>
+    <message>
+        <source>%1, layer %2</source>
+        <translation>%1, calque %2</translation>
     </message>
 </context>
 <context>
@@ -8168,12 +8280,12 @@ Déposez une image ici.</translation>
         <translation>Choisir un calque</translation>
     </message>
     <message>
-        <source>%1 holds several pictures. Which one is to be the exemplar?</source>
-        <translation>%1 contient plusieurs images. Laquelle sera l’échantillon ?</translation>
-    </message>
-    <message>
         <source>Layers</source>
         <translation>Calques</translation>
+    </message>
+    <message>
+        <source>%1 holds several pictures. Which one is to be taken?</source>
+        <translation>%1 contient plusieurs images. Laquelle faut-il prendre ?</translation>
     </message>
 </context>
 <context>
