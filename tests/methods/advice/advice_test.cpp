@@ -9,7 +9,7 @@
 
 #include <set>
 
-namespace texloom::test {
+namespace texloom::test::advice_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -84,4 +84,4 @@ TEST(Advice, knowsMadeUpTextures) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::advice_tests

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace texloom::test {
+namespace texloom::test::analogy_tests {
 namespace {
 
 using analogy::Settings;
@@ -89,4 +89,4 @@ TEST(Analogy, picturesThatDoNotGoTogetherAreRefused) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::analogy_tests

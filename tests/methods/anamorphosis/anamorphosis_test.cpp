@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::anamorphosis_tests {
 namespace {
 
 const char* const kKinds[] = {"affine", "parabola", "sinusoid", "turbulence"};
@@ -202,4 +202,4 @@ TEST(StMap, jacobianHoldsWhereTheExemplarIsMirroredOrRepeated) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::anamorphosis_tests

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace texloom::test {
+namespace texloom::test::ashikhmin_tests {
 namespace {
 
 using ashikhmin::kTargetPort;
@@ -164,4 +164,4 @@ TEST(Ashikhmin, refusalsNameTheValueAndTheLimit) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::ashikhmin_tests

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 
-namespace texloom::test {
+namespace texloom::test::dictionary_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(DictionaryMethod, atomsStartFromTheMeanIfAsked) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::dictionary_tests

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace texloom::test {
+namespace texloom::test::efros_leung_tests {
 namespace {
 
 using pixel_growth::Grower;
@@ -321,4 +321,4 @@ TEST(EfrosLeung, refusalsNameTheValueAndTheLimit) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::efros_leung_tests

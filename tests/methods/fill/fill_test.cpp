@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace texloom::test {
+namespace texloom::test::fill_tests {
 namespace {
 
 std::shared_ptr<const Image> kept(Image image) {
@@ -250,4 +250,4 @@ TEST(QuiltedHole, poissonTakesItsLevelFromWhatIsAround) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::fill_tests

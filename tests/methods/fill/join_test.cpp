@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace texloom::test {
+namespace texloom::test::fill_tests {
 namespace {
 
 constexpr Size kPicture{24, 20};
@@ -148,4 +148,4 @@ TEST(Tone, ofACopyThatIsBrighterBecomesThatOfWhatIsAround) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::fill_tests

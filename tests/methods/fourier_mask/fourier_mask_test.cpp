@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace texloom::test {
+namespace texloom::test::fourier_mask_tests {
 namespace {
 
 struct Cosine {
@@ -149,4 +149,4 @@ TEST(FourierMask, noiseHasHardlyARegularPart) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::fourier_mask_tests

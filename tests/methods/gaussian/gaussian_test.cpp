@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::gaussian_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST(ConditionalPatch, equalPatchesGiveThatPatch) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::gaussian_tests

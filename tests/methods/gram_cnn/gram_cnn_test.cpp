@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::gram_cnn_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -205,4 +205,4 @@ TEST(GramCnn, aStepThatGivesNoNumberEndsWithTheLastThatDoes) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::gram_cnn_tests

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace texloom::test {
+namespace texloom::test::graph_cut_tests {
 namespace {
 
 using graph_cut::Canvas;
@@ -169,4 +169,4 @@ TEST(GraphCut, initialImageDecidesWhatIsPasted) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::graph_cut_tests

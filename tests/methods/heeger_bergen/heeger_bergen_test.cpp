@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace texloom::test {
+namespace texloom::test::heeger_bergen_tests {
 namespace {
 
 Synthesis run(const Image& exemplar, Size size, const Values& settings = {},
@@ -82,4 +82,4 @@ TEST(HeegerBergen, constantChannelsStayConstant) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::heeger_bergen_tests

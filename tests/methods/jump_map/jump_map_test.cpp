@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::jump_map_tests {
 namespace {
 
 using jump_map::Jump;
@@ -100,4 +100,4 @@ TEST(JumpMap, wavefrontGivesThePixelsOfRasterOrder) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::jump_map_tests

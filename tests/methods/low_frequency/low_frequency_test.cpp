@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-namespace texloom::test {
+namespace texloom::test::low_frequency_tests {
 namespace {
 
 using Complex = std::complex<float>;
@@ -149,4 +149,4 @@ TEST(LowFrequency, takesDetailFromAnInitialImageAndShadesFromTheExemplar) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::low_frequency_tests

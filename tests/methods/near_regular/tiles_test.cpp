@@ -13,7 +13,7 @@
 #include <utility>
 
 /// Whole tiles stitched along the lattice (Liu, Tsin & Lin, IJCV 62, 2005).
-namespace texloom::test {
+namespace texloom::test::near_regular_tests {
 namespace {
 
 Values byTiles(const Lattice& lattice, const Values& more = {}) {
@@ -186,4 +186,4 @@ TEST(WholeTiles, NothingComesFromUnderTheMask) {
     EXPECT_THAT([&] { stitched(request, byTiles(lattice)); }, refusal("no whole tile"));
 }
 
-} // namespace texloom::test
+} // namespace texloom::test::near_regular_tests

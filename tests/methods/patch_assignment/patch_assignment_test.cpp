@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::patch_assignment_tests {
 
 namespace {
 
@@ -162,4 +162,4 @@ TEST(PatchAssignment, copyHasAnExactMap) {
     EXPECT_TRUE(samePixels(result.map.apply(request.exemplars.front().image->view()), result.image));
 }
 
-} // namespace texloom::test
+} // namespace texloom::test::patch_assignment_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::patch_distribution_tests {
 namespace {
 
 using patch_distribution::Matcher;
@@ -171,4 +171,4 @@ TEST(PatchDistribution, startsFromAnImage) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::patch_distribution_tests

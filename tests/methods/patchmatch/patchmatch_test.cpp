@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::patchmatch_tests {
 
 namespace {
 
@@ -73,4 +73,4 @@ TEST(PatchMatchSynthesis, energyIsRecordedForEveryRound) {
     EXPECT_LT(result.curves.front().values[7], result.curves.front().values[0]);
 }
 
-} // namespace texloom::test
+} // namespace texloom::test::patchmatch_tests

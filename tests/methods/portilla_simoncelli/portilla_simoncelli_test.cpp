@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace texloom::test {
+namespace texloom::test::portilla_simoncelli_tests {
 namespace {
 
 using namespace portilla_simoncelli;
@@ -293,4 +293,4 @@ TEST(PortillaSimoncelli, oddSizesHaveTheStatisticsOfEvenOnes) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::portilla_simoncelli_tests

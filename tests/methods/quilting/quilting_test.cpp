@@ -11,7 +11,7 @@
 
 #include <set>
 
-namespace texloom::test {
+namespace texloom::test::quilting_tests {
 namespace {
 
 using quilting::Settings;
@@ -276,4 +276,4 @@ TEST(Quilting, refusalsNameTheValueAndTheLimit) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::quilting_tests

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace texloom::test {
+namespace texloom::test::random_mosaic_tests {
 namespace {
 
 using random_mosaic::Canvas;
@@ -290,4 +290,4 @@ TEST(RandomMosaic, piecesLargerThanTheExemplarAreRefused) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::random_mosaic_tests

@@ -10,7 +10,7 @@
 #include <complex>
 #include <vector>
 
-namespace texloom::test {
+namespace texloom::test::random_phase_tests {
 namespace {
 
 using Complex = std::complex<float>;
@@ -137,4 +137,4 @@ TEST(RandomPhase, keepsTheScaleOfHighValues) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::random_phase_tests

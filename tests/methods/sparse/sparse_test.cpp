@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace texloom::test {
+namespace texloom::test::sparse_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -231,4 +231,4 @@ TEST(Sparse, smallOutputsAndExemplarsUseFewerScales) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::sparse_tests

@@ -23,7 +23,7 @@
 #include <memory>
 #include <vector>
 
-namespace texloom::test {
+namespace texloom::test::texture_network_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -329,4 +329,4 @@ TEST(TextureNetwork, refusesInASentence) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::texture_network_tests

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::texture_optimization_tests {
 
 namespace {
 
@@ -97,4 +97,4 @@ TEST(TextureOptimization, uniformityAndBothDirectionsUseMoreOfTheExemplar) {
     EXPECT_GT(entropy({{"bidirectional", true}}), plain);
 }
 
-} // namespace texloom::test
+} // namespace texloom::test::texture_optimization_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::texture_transfer_tests {
 namespace {
 
 using texture_transfer::Settings;
@@ -143,4 +143,4 @@ TEST(TextureTransfer, correspondencesThatDoNotBelongTogetherAreRefused) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::texture_transfer_tests

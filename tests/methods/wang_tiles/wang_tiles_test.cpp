@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace texloom::test {
+namespace texloom::test::wang_tiles_tests {
 namespace {
 
 using testing::HasSubstr;
@@ -418,4 +418,4 @@ TEST(WangTiles, tilesThatAreTooLargeAreRefused) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::wang_tiles_tests

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace texloom::test {
+namespace texloom::test::wei_levoy_tests {
 namespace {
 
 using wei_levoy::Search;
@@ -168,4 +168,4 @@ TEST(WeiLevoy, refusalsNameTheValueAndTheLimit) {
 }
 
 } // namespace
-} // namespace texloom::test
+} // namespace texloom::test::wei_levoy_tests
