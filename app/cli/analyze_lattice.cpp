@@ -54,6 +54,8 @@ void printText(const ExemplarFile& exemplar, const LatticeAnalysis& analysis, in
                    ? "rows that run through it but do not repeat"
                : best.lattice.rowsOnly() ? "rows, along which it does not repeat"
                                          : "a lattice");
+    if (analysis.foundInEdges())
+        fmt::print("  seen in edges, not in colours\n");
     if (best.lattice.keepsOrder(exemplar.image->size()))
         fmt::print("  rows in their order, again after {:.0f} px\n", best.lattice.area());
     else if (best.lattice.rowsOnly())
@@ -81,16 +83,20 @@ void printLattice(const LatticeOptions& options) {
         WriteOptions write;
         write.depth = depthsFor(options.picture).front();
         write.space = "raw";
-        writeImage(options.picture, analysis.correlation.picture(), write);
+        writeImage(options.picture, analysis.rating().picture(), write);
     }
     const int limit = 4 * exemplar.image->size().longerSide();
     if (!options.json) {
         printText(exemplar, analysis, limit);
         return;
     }
-    Json json = {{"exemplar", exemplar.name()}, {"size", {exemplar.image->width(), exemplar.image->height()}},
-                 {"found", analysis.found()},   {"confidence", rounded(analysis.confidence)},
-                 {"seconds", seconds},          {"candidates", Json::array()}};
+    Json json = {{"exemplar", exemplar.name()},
+                 {"size", {exemplar.image->width(), exemplar.image->height()}},
+                 {"found", analysis.found()},
+                 {"inEdges", analysis.foundInEdges()},
+                 {"confidence", rounded(analysis.confidence)},
+                 {"seconds", seconds},
+                 {"candidates", Json::array()}};
     for (const LatticeCandidate& candidate : analysis.candidates)
         json["candidates"].push_back(toJson(candidate, limit));
     fmt::print("{}\n", json.dump(2));

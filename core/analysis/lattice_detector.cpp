@@ -5,6 +5,7 @@
 #include "core/analysis/lattice_multiples.h"
 #include "core/analysis/lattice_rating.h"
 #include "core/analysis/lattice_rows.h"
+#include "core/analysis/lattice_views.h"
 
 #include <algorithm>
 #include <array>
@@ -24,53 +25,6 @@ constexpr std::size_t kReported = 4;
 constexpr double kTrusted = 0.5; // confidence
 constexpr double kHalf = 0.5;    // of the best goodness, for an alternative
 constexpr double kSame = 1.5;    // pixels between vectors that count as equal
-
-/// Polynomials of degree 0 to 2 on `length` points, orthonormal.
-std::array<std::vector<double>, 3> polynomials(int length) {
-    std::array<std::vector<double>, 3> basis;
-    for (std::size_t degree = 0; degree < basis.size(); ++degree) {
-        std::vector<double>& own = basis[degree];
-        for (int i = 0; i < length; ++i)
-            own.push_back(std::pow(2 * (i + 0.5) / length - 1, static_cast<double>(degree)));
-        for (std::size_t lower = 0; lower < degree; ++lower) {
-            double shared = 0;
-            for (std::size_t i = 0; i < own.size(); ++i)
-                shared += own[i] * basis[lower][i];
-            for (std::size_t i = 0; i < own.size(); ++i)
-                own[i] -= shared * basis[lower][i];
-        }
-        double norm = 0;
-        for (const double value : own)
-            norm += value * value;
-        for (double& value : own)
-            value = norm > 0 ? value / std::sqrt(norm) : 0;
-    }
-    return basis;
-}
-
-/// Subtracts from a channel the quadratic surface that fits it best.
-void flatten(PlaneSpan plane) {
-    const auto across = polynomials(plane.width), down = polynomials(plane.height);
-    std::array<std::array<double, 3>, 3> weights{};
-    for (int y = 0; y < plane.height; ++y) {
-        std::array<double, 3> row{};
-        for (int x = 0; x < plane.width; ++x)
-            for (std::size_t i = 0; i < 3; ++i)
-                row[i] += static_cast<double>(plane(x, y)) * across[i][static_cast<std::size_t>(x)];
-        for (std::size_t j = 0; j < 3; ++j)
-            for (std::size_t i = 0; i + j < 3; ++i)
-                weights[j][i] += row[i] * down[j][static_cast<std::size_t>(y)];
-    }
-    for (int y = 0; y < plane.height; ++y) {
-        std::array<double, 3> row{};
-        for (std::size_t j = 0; j < 3; ++j)
-            for (std::size_t i = 0; i + j < 3; ++i)
-                row[i] += weights[j][i] * down[j][static_cast<std::size_t>(y)];
-        for (int x = 0; x < plane.width; ++x)
-            for (std::size_t i = 0; i < 3; ++i)
-                plane(x, y) -= static_cast<float>(row[i] * across[i][static_cast<std::size_t>(x)]);
-    }
-}
 
 /// Candidate lattices of a texture.
 class Search {
@@ -140,19 +94,29 @@ void Search::run() {
     addFiner();
 }
 
-/// Adds the lattices with two or three times as many points where those fit equally well: their vectors may
-/// not be among the peaks.
+/// The lattices with `parts` times as many points: each has one at (a v1 + b v2) / parts.
+std::vector<std::array<double, 3>> divisions() {
+    std::vector<std::array<double, 3>> all;
+    for (const int parts : {2, 3, 5, 7}) {
+        all.push_back({1, 0, double(parts)});
+        for (int a = 0; a < parts; ++a)
+            all.push_back({double(a), 1, double(parts)});
+    }
+    return all;
+}
+
+/// Adds the lattices with two, three, five or seven times as many points where those fit equally well: their
+/// vectors may not be among the peaks. Other multiples follow from those of what was added.
 void Search::addFiner() {
     constexpr double kWorthTrying = 0.75; // of the coarser lattice's goodness
-    static const std::array<std::array<double, 3>, 7> kDivisions = {
-        {{1, 0, 2}, {0, 1, 2}, {1, 1, 2}, {1, 0, 3}, {0, 1, 3}, {1, 1, 3}, {1, -1, 3}}};
+    static const std::vector<std::array<double, 3>> kDivisions = divisions();
     for (std::size_t i = 0; i < m_lattices.size() && m_lattices.size() < 2 * kShortlist; ++i) {
         m_peaks.check();
         const Lattice coarse = m_lattices[i];
         const double reached = roughGoodness(m_peaks, coarse);
         for (const auto& [a, b, parts] : kDivisions) {
             const Vec2 point = (1 / parts) * coarse.at(a, b);
-            const Lattice raw = (a == 0 ? Lattice{coarse.v1, point} : Lattice{point, coarse.v2}).reduced();
+            const Lattice raw = (b == 0 ? Lattice{point, coarse.v2} : Lattice{coarse.v1, point}).reduced();
             if (std::min(raw.v1.length(), raw.v2.length()) >= kShortestVector &&
                 roughGoodness(m_peaks, raw) >= kWorthTrying * reached)
                 addUnlike(fitted(m_peaks, raw));
@@ -298,16 +262,11 @@ LatticeCandidate ratedLattice(const Correlation& correlation, const Lattice& lat
     return rated(CorrelationPeaks(correlation, check), lattice);
 }
 
-LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check) {
+namespace {
+
+LatticeAnalysis analysisOf(const ImageView& view, const std::function<void()>& check) {
     LatticeAnalysis analysis;
-    if (exemplar.size().shorterSide() < 8)
-        return analysis;
-    Image flat(exemplar);
-    for (int c = 0; c < flat.channels(); ++c) {
-        check();
-        flatten(flat.plane(c));
-    }
-    analysis.correlation = autocorrelation(flat, check);
+    analysis.correlation = autocorrelation(view, check);
     const CorrelationPeaks peaks(analysis.correlation, check);
     Search search(peaks);
     search.run();
@@ -315,15 +274,46 @@ LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<vo
     return analysis;
 }
 
+/// Makes the best candidate of another view the last of those reported.
+void addOther(std::vector<LatticeCandidate>& reported, const std::vector<LatticeCandidate>& others) {
+    if (others.empty() || std::any_of(reported.begin(), reported.end(), [&](const LatticeCandidate& known) {
+            return known.lattice.like(others.front().lattice, kSame);
+        }))
+        return;
+    reported.resize(std::min(reported.size(), kReported - 1));
+    reported.push_back(others.front());
+}
+
+} // namespace
+
+LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check) {
+    if (exemplar.size().shorterSide() < 8)
+        return {};
+    const Image flat = withoutLight(exemplar, check);
+    LatticeAnalysis analysis = analysisOf(flat, check);
+    if (analysis.found())
+        return analysis;
+    LatticeAnalysis edges = analysisOf(edgesOf(flat, check), check);
+    if (!edges.found()) {
+        addOther(analysis.candidates, edges.candidates);
+        return analysis;
+    }
+    addOther(edges.candidates, analysis.candidates);
+    edges.edges = std::exchange(edges.correlation, std::move(analysis.correlation));
+    return edges;
+}
+
 std::uint64_t latticeBytesFor(Size exemplar, int channels) {
     const auto pixels = static_cast<std::uint64_t>(exemplar.area());
     // Transforms of twice the exemplar in each direction and a little more, γ twice, integral images.
     constexpr std::uint64_t kTransforms = 5 * 8 * 5, kSums = 2 * sizeof(double) + 2 * sizeof(float);
-    return pixels * (kTransforms + kSums * static_cast<std::uint64_t>(channels)) + (4U << 20);
+    // While the lattice is looked for in edges: γ of the exemplar itself, and the pictures of edges.
+    constexpr std::uint64_t kEdges = 4 * sizeof(float) + 4 * sizeof(float);
+    return pixels * (kTransforms + kEdges + kSums * static_cast<std::uint64_t>(channels)) + (4U << 20);
 }
 
 double latticeSecondsFor(Size exemplar) {
-    return 4e-7 * static_cast<double>(exemplar.area());
+    return 8e-7 * static_cast<double>(exemplar.area());
 }
 
 } // namespace texloom

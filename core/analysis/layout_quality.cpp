@@ -3,6 +3,7 @@
 #include "core/analysis/correlation.h"
 #include "core/analysis/correlation_peaks.h"
 #include "core/analysis/lattice_rating.h"
+#include "core/analysis/lattice_views.h"
 #include "core/base/at.h"
 
 #include <algorithm>
@@ -138,12 +139,17 @@ double correlationApart(const ImageView& result, std::span<const ImageView> exem
 
 double latticeKept(const ImageView& result, const ImageView& exemplar, const Lattice& lattice,
                    const std::function<void()>& check) {
+    constexpr double kFaint = 0.15; // here chance counts as much as the lattice
     const auto correlationIn = [&](const ImageView& image) {
-        const Correlation gamma = autocorrelation(middlePart(image), check);
+        const Correlation gamma = autocorrelation(image, check);
         return rated(CorrelationPeaks(gamma, check), lattice).correlation;
     };
-    const double wanted = correlationIn(exemplar);
-    return wanted > 0 ? std::max(0.0, correlationIn(result) / wanted) : 0;
+    const ImageView made = middlePart(result), given = middlePart(exemplar);
+    const double wanted = correlationIn(given);
+    if (wanted > kFaint)
+        return std::max(0.0, correlationIn(made) / wanted);
+    const double inEdges = correlationIn(edgesOf(given, check));
+    return inEdges > 0 ? std::max(0.0, correlationIn(edgesOf(made, check)) / inEdges) : 0;
 }
 
 } // namespace texloom

@@ -45,7 +45,8 @@ double correlationApart(
     const std::function<void()>& check = [] {});
 
 /// Mean γ of the result at the multiples of an exemplar's lattice relative to the exemplar's: 1 where the
-/// pattern runs on, 0 where it is lost; at least 0. Of each image the middle part counts.
+/// pattern runs on, 0 where it is lost; at least 0. Where γ of the exemplar is low, that of edges (edgesOf())
+/// is compared. Of each image the middle part counts.
 double latticeKept(
     const ImageView& result, const ImageView& exemplar, const Lattice& lattice,
     const std::function<void()>& check = [] {});

@@ -186,7 +186,7 @@ void LatticeTool::detect() {
             Detected detected;
             detected.analysis =
                 std::make_shared<const LatticeAnalysis>(analyzeLattice(*image, [&] { context.check(); }));
-            detected.picture = pictureOf(detected.analysis->correlation);
+            detected.picture = pictureOf(detected.analysis->rating());
             return detected;
         },
         [this](Detected detected) { take(std::move(detected)); },
@@ -277,7 +277,7 @@ void LatticeTool::rate() {
         m_ratingTask.start(
             {},
             [analysis = m_analysis, lattice = *lattice()](JobContext& context) {
-                return ratedLattice(analysis->correlation, lattice, [&] { context.check(); });
+                return ratedLattice(analysis->rating(), lattice, [&] { context.check(); });
             },
             [this](const LatticeCandidate& rating) {
                 m_rating = rating;
@@ -320,7 +320,7 @@ void LatticeTool::refit() {
     m_fitting.start(
         {},
         [analysis = m_analysis, rough = *lattice()](JobContext& context) {
-            return fittedLattice(analysis->correlation, rough, [&] { context.check(); });
+            return fittedLattice(analysis->rating(), rough, [&] { context.check(); });
         },
         [this](const LatticeCandidate& candidate) {
             const Drawn before = drawn();

@@ -2,6 +2,7 @@
 #include "core/analysis/lattice_detector.h"
 #include "core/analysis/lattice_settings.h"
 #include "core/job/job_context.h"
+#include "core/job/random.h"
 #include "tests/support/lattices.h"
 #include "tests/support/textures.h"
 
@@ -292,6 +293,49 @@ TEST(LatticeDetector, canBeStopped) {
             throw Cancelled{};
     };
     EXPECT_THROW(analyzeLattice(blobs({200, 200}, 3), check), Cancelled);
+}
+
+/// Bricks in running bond, each of a tone of its own, grainy, with every joint off its place by up to `loose`
+/// pixels.
+Image looseBricks(Size size, int width, int height, double loose, std::uint64_t seed) {
+    const Random random(seed);
+    const auto offset = [&](int a, int b, std::uint32_t of) {
+        return loose * (2 * random.uniform(a, b, of) - 1);
+    };
+    const Image grain = noise(size, 1, seed);
+    Image image(size, 1);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            int row = y / height;
+            while (y < row * height + offset(0, row, 0))
+                --row;
+            while (y >= (row + 1) * height + offset(0, row + 1, 0))
+                ++row;
+            const double along = x + 0.5 * width * (row & 1);
+            int brick = static_cast<int>(along / width);
+            while (along < brick * width + offset(brick, row, 1))
+                --brick;
+            while (along >= (brick + 1) * width + offset(brick + 1, row, 1))
+                ++brick;
+            const double joint = std::min({y - (row * height + offset(0, row, 0)),
+                                           along - (brick * width + offset(brick, row, 1)),
+                                           (brick + 1) * width + offset(brick + 1, row, 1) - along});
+            const double tone = joint < 2 ? 0.3 : 0.25 + 0.5 * random.uniform(brick, row, 2);
+            image(x, y, 0) = static_cast<float>(tone + 0.2 * static_cast<double>(grain(x, y, 0)));
+        }
+    return image;
+}
+
+TEST(LatticeDetector, seesJointsBetweenBricksOfAnyTone) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const LatticeAnalysis analysis = analyzeLattice(looseBricks({240, 220}, 40, 20, 1.5, seed));
+        ASSERT_TRUE(analysis.found()) << seed << ": " << analysis.confidence;
+        EXPECT_TRUE(analysis.foundInEdges());
+        EXPECT_EQ(analysis.edges.size(), analysis.correlation.size());
+        EXPECT_TRUE(analysis.candidates.front().lattice.like({{40, 0}, {20, 20}}, 1.5))
+            << analysis.candidates.front().lattice.v1.x << ", " << analysis.candidates.front().lattice.v1.y;
+        EXPECT_LE(analysis.candidates.size(), 4U);
+    }
 }
 
 } // namespace
