@@ -250,10 +250,33 @@ std::vector<PortLink> linksBetween(const MethodInfo& first, const MethodInfo& se
     return links;
 }
 
+namespace {
+
+/// What runs of methods that copy pixels are told of companion maps: the methods find them in the exemplars'
+/// channels.
+struct CompanionSettings {
+    double weight = 0;
+};
+
+Param companionWeightField() {
+    return field(&CompanionSettings::weight, "companion-weight", TR("Weight of companion maps"))
+        .range(0, 100)
+        .usual(0, 2)
+        .group(TR("Advanced"))
+        .help(
+            TR("How much companion maps, such as normals or heights, count where pieces are compared, joined "
+               "and cut: at 1 as much as the image itself; 0 compares the image alone, and maps follow it."));
+}
+
+} // namespace
+
 Method named(std::string id, Method method) {
     method.m_id = std::move(id);
-    if (method.m_info.input(kExemplarPort) && !method.m_info.input(kCompanionPort))
+    const bool learns = method.m_info.input(kExemplarPort) != nullptr;
+    if (learns && !method.m_info.input(kCompanionPort))
         method.m_info.takes.push_back(ports::companions());
+    if (learns && method.m_info.copiesPixels())
+        method.m_params.push_back(companionWeightField());
     return method;
 }
 

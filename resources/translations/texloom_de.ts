@@ -169,10 +169,6 @@
         <translation>Bedingte Gauß-Patches</translation>
     </message>
     <message>
-        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but soft.</source>
-        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die geteilten Pixel. Keine Nähte und kein Zusammenfügen, aber weich.</translation>
-    </message>
-    <message>
         <source>Correlation</source>
         <translation>Korrelation</translation>
     </message>
@@ -2111,10 +2107,6 @@
     <message>
         <source>Good enough</source>
         <translation>Gut genug</translation>
-    </message>
-    <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
-        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: größer gibt für verschiedene Startwerte verschiedenere Kacheln.</translation>
     </message>
     <message>
         <source>How often the samples are drawn again, at most, until the worst cut is good enough; the best are kept.</source>
@@ -5883,6 +5875,26 @@
     <message>
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
+    </message>
+    <message>
+        <source>How much companion maps, such as normals or heights, count where pieces are compared, joined and cut: at 1 as much as the image itself; 0 compares the image alone, and maps follow it.</source>
+        <translation>Wie viel Begleitkarten, etwa Normalen oder Höhen, zählen, wo Stücke verglichen, verbunden und geschnitten werden: bei 1 so viel wie das Bild selbst; 0 vergleicht nur das Bild, und die Karten folgen ihm.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: 0 takes the best whatever the seed, larger lets seeds differ.</source>
+        <translation>Wie viel schlechter als die beste eine Kachel an sich anschließen darf, um noch gezogen zu werden: 0 nimmt bei jedem Startwert die beste, mehr lässt sie sich nach dem Startwert unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Weight of companion maps</source>
+        <translation>Gewicht der Begleitkarten</translation>
+    </message>
+    <message>
+        <source>What the run starts from has no companion maps, so their weight had no effect.</source>
+        <translation>Wovon der Lauf ausgeht, hat keine Begleitkarten, daher blieb ihr Gewicht ohne Wirkung.</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but each patch is softer than those before it: lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as large as a patch, keep most of it.</source>
+        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die geteilten Pixel. Keine Nähte und kein Zusammenfügen, aber jeder Patch ist weicher als die vor ihm: Rasen, Kies und Erde verlieren mehr als die Hälfte ihres Kontrasts; Schuppen und Ziegel, deren Elemente so groß wie ein Patch sind, behalten das meiste.</translation>
     </message>
 </context>
 <context>

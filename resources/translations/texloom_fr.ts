@@ -169,10 +169,6 @@
         <translation>Gaussien conditionnel</translation>
     </message>
     <message>
-        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but soft.</source>
-        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels partagés. Ni couture ni raccord, mais doux.</translation>
-    </message>
-    <message>
         <source>Correlation</source>
         <translation>Corrélation</translation>
     </message>
@@ -2111,10 +2107,6 @@
     <message>
         <source>Good enough</source>
         <translation>Assez bon</translation>
-    </message>
-    <message>
-        <source>How much worse than the best a tile may join itself and still be drawn: larger gives more variety between seeds.</source>
-        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : plus donne des tuiles plus différentes selon la graine.</translation>
     </message>
     <message>
         <source>How often the samples are drawn again, at most, until the worst cut is good enough; the best are kept.</source>
@@ -5883,6 +5875,26 @@
     <message>
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
+    </message>
+    <message>
+        <source>How much companion maps, such as normals or heights, count where pieces are compared, joined and cut: at 1 as much as the image itself; 0 compares the image alone, and maps follow it.</source>
+        <translation>Combien comptent les cartes associées, comme les normales ou les hauteurs, là où des morceaux sont comparés, joints et coupés : à 1 autant que l’image elle-même ; 0 ne compare que l’image, et les cartes la suivent.</translation>
+    </message>
+    <message>
+        <source>How much worse than the best a tile may join itself and still be drawn: 0 takes the best whatever the seed, larger lets seeds differ.</source>
+        <translation>De combien une tuile peut se raccorder moins bien que la meilleure et être tirée quand même : 0 prend la meilleure quelle que soit la graine, plus laisse les graines différer.</translation>
+    </message>
+    <message>
+        <source>Weight of companion maps</source>
+        <translation>Poids des cartes associées</translation>
+    </message>
+    <message>
+        <source>What the run starts from has no companion maps, so their weight had no effect.</source>
+        <translation>Ce dont le calcul part n’a pas de cartes associées, leur poids est donc resté sans effet.</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but each patch is softer than those before it: lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as large as a patch, keep most of it.</source>
+        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels partagés. Ni couture ni raccord, mais chaque patch est plus doux que les précédents : pelouses, graviers et terre perdent plus de la moitié de leur contraste ; écailles et briques, dont les éléments sont aussi grands qu’un patch, en gardent l’essentiel.</translation>
     </message>
 </context>
 <context>

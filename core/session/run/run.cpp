@@ -112,13 +112,19 @@ void agreeWithHeight(Result& result, const RunPlan& plan, const std::function<vo
     }
 }
 
-/// Splits the companions' channels off the image.
+/// Splits the companions' channels off the image, and off pictures of as many channels. Where pixels were
+/// copied, the maps follow from where they came from.
 void unstack(Result& result, const RunPlan& plan, const std::function<void()>& check) {
     if (plan.request.companionChannels == 0)
         return;
     const Image made = std::move(result.synthesis.image);
     int first = plan.request.resultChannels();
     result.synthesis.image = Image(made.view().channelRange(0, first));
+    for (Picture& picture : result.synthesis.pictures)
+        if (picture.image.channels() == made.channels())
+            picture.image = Image(picture.image.view().channelRange(0, first));
+    if (plan.lastMethod().info().copiesPixels())
+        return;
     for (const ExemplarFile& companion : plan.companions.front()) {
         result.companions.emplace_back(made.view().channelRange(first, companion.image->channels()));
         if (isNormal(companion.role))

@@ -2,13 +2,13 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/job/memory.h"
+#include "core/session/run/companion_stack.h"
 #include "core/session/run/edited_exemplar.h"
 #include "core/session/run/exemplar_use.h"
 #include "core/session/run/older_recipes.h"
 #include "core/session/run/run.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace texloom {
@@ -36,29 +36,6 @@ Recipe recipeFor(const RunInput& input, const std::vector<RunStep>& steps) {
         recipe.exemplars.push_back(recipeExemplar(exemplar));
     recipe.inputs = recipeInputs(input.inputs);
     return recipe;
-}
-
-/// The exemplar with its companions as further channels.
-std::shared_ptr<const Image> withCompanions(const RunExemplar& exemplar) {
-    std::vector<ImageView> images = {*exemplar.image.image};
-    for (const ExemplarFile& companion : exemplar.companions)
-        images.push_back(*companion.image);
-    return std::make_shared<const Image>(stacked(images));
-}
-
-/// An initial image says nothing of companion maps: they start from the means of the first exemplar's.
-std::shared_ptr<const Image> withMeans(const Image& initial, const Image& exemplar) {
-    if (initial.channels() >= exemplar.channels())
-        return std::make_shared<const Image>(initial);
-    Image missing(initial.size(), exemplar.channels() - initial.channels());
-    const std::vector<double> means =
-        channelMeans(exemplar.view().channelRange(initial.channels(), missing.channels()));
-    for (int c = 0; c < missing.channels(); ++c)
-        for (int y = 0; y < missing.height(); ++y)
-            std::fill_n(missing.plane(c).row(y), missing.width(),
-                        static_cast<float>(means[static_cast<std::size_t>(c)]));
-    const std::array<ImageView, 2> parts = {initial, missing};
-    return std::make_shared<const Image>(stacked(parts));
 }
 
 bool hasColor(const Image& image) {
@@ -120,10 +97,15 @@ Assets assetsOf(const InputFiles& inputs) {
     return assets;
 }
 
-Request requestFor(const RunInput& input, bool stacks) {
+Request requestFor(const RunInput& input, const CompanionUse& companions) {
     Request request;
-    for (const RunExemplar& exemplar : input.exemplars) {
-        Exemplar given{exemplar.image.name(), stacks ? withCompanions(exemplar) : exemplar.image.image,
+    const bool stacks = companions.stacked;
+    std::vector<std::shared_ptr<const Image>> images;
+    if (stacks)
+        images = stackedExemplars(input.exemplars, companions);
+    for (std::size_t i = 0; i < input.exemplars.size(); ++i) {
+        const RunExemplar& exemplar = input.exemplars[i];
+        Exemplar given{exemplar.image.name(), stacks ? images[i] : exemplar.image.image,
                        assetsOf(exemplar.inputs), exemplar.weight};
         if (exemplar.mask)
             given.inputs.set(kMaskPort, exemplar.mask->image);
@@ -139,10 +121,6 @@ Request requestFor(const RunInput& input, bool stacks) {
     request.seed = input.seed;
     request.region = input.region;
     return request;
-}
-
-bool hasCompanions(const RunInput& input) {
-    return !input.exemplars.empty() && !input.exemplars.front().companions.empty();
 }
 
 void checkCompanions(const RunInput& input) {
@@ -328,8 +306,11 @@ RunPlan planRun(const RunInput& asked, std::uint64_t memoryLimit, bool strips) {
     for (const RunExemplar& exemplar : input.exemplars)
         for (const auto& [port, files] : exemplar.inputs)
             portOf(input.steps, port);
-    const bool stacks = hasCompanions(input) && !findMethod(input.steps.back().method).info().copiesPixels();
-    plan.request = requestFor(input, stacks);
+    const CompanionUse companions = companionUse(input);
+    plan.request = requestFor(input, companions);
+    if (companions.inVain)
+        plan.notes.emplace_back(TR("What the run starts from has no companion maps, so their weight had no "
+                                   "effect."));
     planSteps(plan, input.steps);
     const std::uint64_t limit = memoryLimit > 0 ? memoryLimit : availableMemory();
     if (strips && plan.estimate.bytes > limit)
