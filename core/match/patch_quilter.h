@@ -25,6 +25,12 @@ struct QuiltGuide {
 
 /// What is quilted, and how.
 struct QuiltOptions {
+    /// `contrast` and `variety` with which most textures keep their contrast and hardly repeat themselves:
+    /// the defaults of methods that quilt. Published image quilting has 0 for both.
+    static constexpr double kUsualContrast = 1, kUsualVariety = 0.5;
+    /// The overlap, as a share of the patch, and ε of Raad & Galerne, IPOL 2017.
+    static constexpr double kUsualOverlap = 0.25, kUsualTolerance = 0.1;
+
     Size size;
     Wrap wrap;
     int patch = 40;       ///< side w_p in pixels

@@ -16,9 +16,9 @@ namespace texloom::gaussian_patches {
 namespace {
 
 constexpr double kMapWeight = 0.15;
-/// What the layout is quilted with: patches as a share of the exemplar's shorter side, their overlap as a
-/// share of theirs, and how much they may differ from the best.
-constexpr double kLayoutPatch = 0.16, kLayoutOverlap = 0.25, kLayoutTolerance = 0.1;
+/// What the layout is quilted with, as image quilting is by default: patches as a share of the exemplar's
+/// shorter side.
+constexpr double kLayoutPatch = 0.16;
 /// Share of the run that quilting the layout makes up.
 constexpr double kLayoutWeight = 0.4;
 
@@ -54,11 +54,11 @@ QuiltOptions layoutOptions(const Request& request, const Settings& settings) {
     if (!leavesWholePatch(request, options.patch) || (request.wrap.x && request.size.width < options.patch) ||
         (request.wrap.y && request.size.height < options.patch))
         options.patch = settings.patch;
-    options.overlap = overlapFor(options.patch, kLayoutOverlap);
-    options.tolerance = kLayoutTolerance;
+    options.overlap = overlapFor(options.patch, QuiltOptions::kUsualOverlap);
+    options.tolerance = QuiltOptions::kUsualTolerance;
     options.traced = false;
-    options.contrast = 1;
-    options.variety = 0.5;
+    options.contrast = QuiltOptions::kUsualContrast;
+    options.variety = QuiltOptions::kUsualVariety;
     return options;
 }
 

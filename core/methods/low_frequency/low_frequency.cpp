@@ -15,7 +15,7 @@ namespace texloom::low_frequency {
 namespace {
 
 /// As image quilting has them by default.
-constexpr double kOverlap = 0.25, kTolerance = 0.1, kContrast = 1, kVariety = 0.5;
+constexpr double kOverlap = QuiltOptions::kUsualOverlap, kTolerance = QuiltOptions::kUsualTolerance;
 
 /// The torus on which the low band is drawn.
 Size torusFor(const Request& request) {
@@ -40,8 +40,8 @@ QuiltOptions quiltOptions(const Request& request, const Settings& settings) {
     options.patch = settings.patch;
     options.overlap = overlapFor(settings.patch, kOverlap);
     options.tolerance = kTolerance;
-    options.contrast = kContrast;
-    options.variety = kVariety;
+    options.contrast = QuiltOptions::kUsualContrast;
+    options.variety = QuiltOptions::kUsualVariety;
     options.traced = false;
     return options;
 }

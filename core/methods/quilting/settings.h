@@ -8,14 +8,15 @@ namespace texloom::quilting {
 
 /// Parameters of image quilting (Raad & Galerne, IPOL 2017, algorithm 1).
 struct Settings {
-    int patch = 40;         ///< side w_p in pixels
-    double overlap = 0.25;  ///< w_o as a share of the patch
-    double tolerance = 0.1; ///< ε: a patch up to (1 + ε) times as far as the nearest may be drawn
+    int patch = 40;                               ///< side w_p in pixels
+    double overlap = QuiltOptions::kUsualOverlap; ///< w_o as a share of the patch
+    /// ε: a patch up to (1 + ε) times as far as the nearest may be drawn
+    double tolerance = QuiltOptions::kUsualTolerance;
     PatchStitch stitch = PatchStitch::Cut; ///< how a new patch is joined to what is there
     int softness = 3;                      ///< half the width in pixels over which a smooth cut blends
-    double contrast = 1;                   ///< see ContrastBalance::share; 0 in the source
-    double variety = 0.5;                  ///< see QuiltOptions::variety; 0 in the source
-    int radius = 0;   ///< in exemplars of the output\'s size, how far a hole\'s sources lie; 0: anywhere
+    double contrast = QuiltOptions::kUsualContrast; ///< see ContrastBalance::share; 0 in the source
+    double variety = QuiltOptions::kUsualVariety;   ///< see QuiltOptions::variety; 0 in the source
+    int radius = 0;   ///< in exemplars of the output's size, how far a hole's sources lie; 0: anywhere
     int context = 80; ///< where a hole is filled, how far around it is copied from; see withoutHole()
 
     /// w_o in pixels.
