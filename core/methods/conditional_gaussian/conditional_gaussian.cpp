@@ -110,9 +110,11 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Conditional Gaussian"),
-     .summary =
-         TR("Continues what is there: every patch is drawn from the Gaussian of similar ones, given the "
-            "pixels it shares. No seams and no stitching, but soft."),
+     .summary = TR(
+         "Continues what is there: every patch is drawn from the Gaussian of similar ones, given the "
+         "pixels it shares. No seams and no stitching, but each patch is softer than those before it: "
+         "lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as "
+         "large as a patch, keep most of it."),
      .citation = "Raad, Desolneux & Morel, 2014; Raad, thesis 2016, algorithms 3 and 4",
      .category = Category::Patches,
      .suits = {.regular = 1, .grain = 2, .objects = 1, .large = 1},
