@@ -386,8 +386,8 @@ std::vector<Param> params() {
                       .symbol("ε")
                       .when("tile", std::string("best"))
                       .group(TR("Advanced"))
-                      .help(TR("How much worse than the best a tile may join itself and still be drawn: "
-                               "larger gives more variety between seeds.")));
+                      .help(TR("How much worse than the best a tile may join itself and still be drawn: 0 "
+                               "takes the best whatever the seed, larger lets seeds differ.")));
     for (Param& param : colourFields())
         all.push_back(std::move(param));
     return all;

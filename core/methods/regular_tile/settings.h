@@ -19,7 +19,7 @@ struct Settings : LatticeSettings {
     Choice tile = Choice::Best;
     double tileX = 0, tileY = 0; ///< top left corner of the given tile
     int border = 16;             ///< width in pixels of the borders that are compared, 2 × 8 in the source
-    double tolerance = 0.1;      ///< how much worse than the best join a drawn tile may be
+    double tolerance = 0;        ///< how much worse than the best join a drawn tile may be; 0 in the source
     Colour colour = Colour::One;
     int bases = 11; ///< principal components of varied tiles, at most (Liu, Lin & Hays 2004)
     Draw draw = Draw::Normal;
