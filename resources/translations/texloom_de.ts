@@ -1381,10 +1381,6 @@
         <translation>Die Maske verdeckt alles von {}; maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
-        <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren; wählen Sie einen kleineren Patch, oder maskieren Sie weniger.</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.</source>
         <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren; wählen Sie kleinere Blöcke, oder maskieren Sie weniger.</translation>
     </message>
@@ -3637,10 +3633,6 @@
         <translation>Gewicht des Ziels</translation>
     </message>
     <message>
-        <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
-        <translation>Die Maske lässt keine ganze Umgebung von {} px übrig; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
-    </message>
-    <message>
         <source>The target has {} channels, the exemplar {}; they need the same number.</source>
         <translation>Das Ziel hat {} Kanäle, die Vorlage {}; es müssen gleich viele sein.</translation>
     </message>
@@ -3847,10 +3839,6 @@
     <message>
         <source>Columns</source>
         <translation>Spalten</translation>
-    </message>
-    <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones.</source>
-        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: alle, doch wo ein Loch gefüllt wird, die wahrscheinlichen.</translation>
     </message>
     <message>
         <source>Context</source>
@@ -5549,10 +5537,6 @@
         <translation>Aus dem meistgenutzten Teil der Vorlage, %</translation>
     </message>
     <message>
-        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
-        <translation>Wie weit flache Patches in ganzen Ausgaben davon abgehalten werden, zu gewinnen, wo nichts gut passt: 1 hält den Kontrast der Vorlage; 0 vergleicht wie veröffentlicht, und Ausgaben können verblassen.</translation>
-    </message>
-    <message>
         <source>How much pieces that were copied near by are avoided in whole outputs: larger repeats itself less, but joins worse; 0 takes whatever fits best, as published.</source>
         <translation>Wie sehr in ganzen Ausgaben Stücke gemieden werden, die in der Nähe schon kopiert wurden: größer wiederholt sich weniger, fügt aber schlechter; 0 nimmt, was am besten passt, wie veröffentlicht.</translation>
     </message>
@@ -5883,6 +5867,34 @@
     <message>
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>Das Training endete nach {} von {} Durchläufen, weil der nächste Werte ergab, die keine Zahlen sind; der Generator ist der des letzten guten Schritts. Mit kleinerer Lernrate kommt es vielleicht weiter.</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
+        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: alle, doch wo ein Loch gefüllt wird, die wahrscheinlichen, und auf feineren Skalen die bei den Quellen der gröberen.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
+        <translation>Die Maske lässt keine ganze Umgebung von {} px übrig, nur welche von höchstens {} px; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy, but only some of at most {} px; choose a smaller patch or mask less.</source>
+        <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren, nur welche von höchstens {} px; wählen Sie einen kleineren Patch, oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut or poisson, moves the borders between what is copied to where they are seen least.</source>
+        <translation>Wo ein Loch mit der Naht cut oder poisson gefüllt wird, werden die Grenzen zwischen dem Kopierten dorthin verlegt, wo man sie am wenigsten sieht.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>
+        <translation>Wo ein Loch mit der Naht cut gefüllt wird, richten sich Helligkeit und Farbe des Kopierten nach der Umgebung, wie bei der Naht poisson; aus: Jedes Pixel ist eine Kopie.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
+        <translation>Wo ein Loch gefüllt wird, höchstens so viele Skalen, jede halb so groß wie die vorige: Eine feinere sieht das Ergebnis der gröberen, wo sie selbst noch nichts gemacht hat, sodass zusammenpasst, was von gegenüberliegenden Seiten wächst. 1 wächst wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>Wie weit flache Patches in ganzen Ausgaben davon abgehalten werden, zu gewinnen, wo nichts gut passt: 1 hält den Kontrast der Vorlage; 0 vergleicht wie veröffentlicht, und Ausgaben können verblassen.</translation>
     </message>
 </context>
 <context>
@@ -9105,6 +9117,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>
         <translation>Das Bild hat jetzt %1 px; „Ausführen“ macht, was über seine Ränder hinaus liegt.</translation>
+    </message>
+    <message>
+        <source>To make more of the picture beyond its edges, choose “Extend a picture…” from the menu Tools instead.</source>
+        <translation>Um das Bild über seine Ränder hinaus fortzusetzen, wählen Sie stattdessen „Ein Bild erweitern …“ im Menü Werkzeuge.</translation>
     </message>
 </context>
 <context>

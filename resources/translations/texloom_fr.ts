@@ -1381,10 +1381,6 @@
         <translation>Le masque cache tout {} ; masquez moins.</translation>
     </message>
     <message>
-        <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
-        <translation>Le masque ne laisse aucun patch entier de {} px à copier ; choisissez un patch plus petit ou masquez moins.</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.</source>
         <translation>Le masque ne laisse aucun patch entier de {} px à copier ; choisissez des blocs plus petits ou masquez moins.</translation>
     </message>
@@ -3637,10 +3633,6 @@
         <translation>Poids de la cible</translation>
     </message>
     <message>
-        <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
-        <translation>Le masque ne laisse aucun voisinage entier de {} px ; choisissez-en un plus petit ou masquez moins.</translation>
-    </message>
-    <message>
         <source>The target has {} channels, the exemplar {}; they need the same number.</source>
         <translation>La cible a {} canaux, l’échantillon {} ; il en faut le même nombre.</translation>
     </message>
@@ -3847,10 +3839,6 @@
     <message>
         <source>Columns</source>
         <translation>Colonnes</translation>
-    </message>
-    <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones.</source>
-        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire. Automatique : toutes, mais là où un trou est rempli, les probables.</translation>
     </message>
     <message>
         <source>Context</source>
@@ -5549,10 +5537,6 @@
         <translation>Issu de la partie la plus utilisée de l’échantillon, %</translation>
     </message>
     <message>
-        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
-        <translation>À quel point, dans les sorties entières, les patchs plats sont empêchés de l’emporter là où rien ne convient bien : 1 garde le contraste de l’échantillon ; 0 compare comme publié, et les sorties peuvent pâlir.</translation>
-    </message>
-    <message>
         <source>How much pieces that were copied near by are avoided in whole outputs: larger repeats itself less, but joins worse; 0 takes whatever fits best, as published.</source>
         <translation>À quel point, dans les sorties entières, les morceaux déjà copiés à proximité sont évités : plus grand se répète moins, mais raccorde moins bien ; 0 prend ce qui convient le mieux, comme publié.</translation>
     </message>
@@ -5883,6 +5867,34 @@
     <message>
         <source>Training ended after {} of {} iterations, since the next gave values that are not numbers; the generator is that of the last good step. A smaller learning rate may go further.</source>
         <translation>L’entraînement s’est terminé après {} itérations sur {}, car la suivante a donné des valeurs qui ne sont pas des nombres ; le générateur est celui du dernier bon pas. Un taux d’apprentissage plus petit ira peut-être plus loin.</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
+        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire. Automatique : toutes, mais là où un trou est rempli, les probables, et aux échelles plus fines celles proches des sources de la plus grossière.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
+        <translation>Le masque ne laisse aucun voisinage entier de {} px, seulement d’au plus {} px ; choisissez-en un plus petit ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy, but only some of at most {} px; choose a smaller patch or mask less.</source>
+        <translation>Le masque ne laisse aucun patch entier de {} px à copier, seulement d’au plus {} px ; choisissez un patch plus petit ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut or poisson, moves the borders between what is copied to where they are seen least.</source>
+        <translation>Là où un trou est rempli avec la couture cut ou poisson, déplace les limites entre ce qui est copié là où elles se voient le moins.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>
+        <translation>Là où un trou est rempli avec la couture cut, la luminosité et la couleur de ce qui est copié suivent ce qui l’entoure, comme avec la couture poisson ; désactivé : chaque pixel est une copie.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
+        <translation>Là où un trou est rempli, au plus autant d’échelles, chacune deux fois plus petite que la précédente : une échelle plus fine voit le résultat de la plus grossière là où elle n’a encore rien fait, de sorte que ce qui croît de côtés opposés se rejoint. 1 croît comme publié.</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>À quel point, dans les sorties entières, les patchs plats sont empêchés de l’emporter là où rien ne convient bien : 1 garde le contraste de l’échantillon ; 0 compare comme publié, et les sorties peuvent pâlir.</translation>
     </message>
 </context>
 <context>
@@ -9105,6 +9117,10 @@ Déposez une image ici.</translation>
     <message>
         <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>
         <translation>L’image fait maintenant %1 px ; Lancer fait ce qui se trouve au-delà de ses bords.</translation>
+    </message>
+    <message>
+        <source>To make more of the picture beyond its edges, choose “Extend a picture…” from the menu Tools instead.</source>
+        <translation>Pour prolonger l’image au-delà de ses bords, choisissez plutôt « Étendre une image… » dans le menu Outils.</translation>
     </message>
 </context>
 <context>
