@@ -9,6 +9,10 @@ namespace texloom {
 
 namespace {
 
+/// Of a patch's contrast so much is the same for all, beside the mean: what is all but flat may still be
+/// taken.
+constexpr float kEvenContrast = 0.25F;
+
 Size maskedFftSize(Size exemplar) {
     return {fastFftLength(exemplar.width), fastFftLength(exemplar.height)};
 }
@@ -35,17 +39,61 @@ MaskedDistances::MaskedDistances(const PatchSource& source, int patch, const std
     }
     m_spectra.push_back(spectrumOf(squares, image.height, check));
     m_count = m_positions.area();
-    if (!source.mask.data)
-        return;
-    m_count = 0;
-    anyWholePatch(
-        source.mask, patch,
-        [this](int x, int y) {
-            m_allowed[index(x, y)] = 1;
-            ++m_count;
-            return false;
-        },
-        check);
+    if (source.mask.data)
+        m_count = 0;
+    if (source.mask.data)
+        anyWholePatch(
+            source.mask, patch,
+            [this](int x, int y) {
+                m_allowed[index(x, y)] = 1;
+                ++m_count;
+                return false;
+            },
+            check);
+    measureContrasts(image, check);
+}
+
+/// The variance of every patch about its own mean, over all channels, beside the mean of those that are
+/// allowed.
+void MaskedDistances::measureContrasts(const ImageView& image, const std::function<void()>& check) {
+    m_contrasts.assign(m_allowed.size(), 0.0F);
+    const auto width = static_cast<std::size_t>(image.width);
+    const double pixels = static_cast<double>(m_patch) * m_patch;
+    for (int c = 0; c < image.channels; ++c) {
+        std::vector<double> sums(width, 0.0), squares(width, 0.0); // of the last rows, by column
+        for (int y = 0; y < image.height; ++y) {
+            check();
+            for (int x = 0; x < image.width; ++x) {
+                const auto at = static_cast<std::size_t>(x);
+                const double mean = m_means[static_cast<std::size_t>(c)];
+                const double in = static_cast<double>(image(x, y, c)) - mean;
+                const double out = y >= m_patch ? static_cast<double>(image(x, y - m_patch, c)) - mean : 0;
+                sums[at] += in - out;
+                squares[at] += in * in - out * out;
+            }
+            double sum = 0, square = 0;
+            for (int x = 0; y + 1 >= m_patch && x < image.width; ++x) {
+                const auto at = static_cast<std::size_t>(x);
+                const std::size_t gone = x >= m_patch ? at - static_cast<std::size_t>(m_patch) : width;
+                sum += sums[at] - (gone < width ? sums[gone] : 0);
+                square += squares[at] - (gone < width ? squares[gone] : 0);
+                if (x + 1 >= m_patch)
+                    m_contrasts[index(x + 1 - m_patch, y + 1 - m_patch)] +=
+                        static_cast<float>(std::max(0.0, square - sum * sum / pixels));
+            }
+        }
+    }
+    double whole = 0;
+    for (std::size_t i = 0; i < m_allowed.size(); ++i)
+        whole += m_allowed[i] != 0 ? static_cast<double>(m_contrasts[i]) : 0;
+    const auto mean = static_cast<float>(m_count > 0 ? whole / static_cast<double>(m_count) : 0);
+    for (float& contrast : m_contrasts)
+        contrast = mean > 0 ? (contrast / mean + kEvenContrast) / (1 + kEvenContrast) : 1;
+}
+
+void MaskedDistances::balance(std::vector<float>& distances) const {
+    for (std::size_t i = 0; i < distances.size(); ++i)
+        distances[i] /= m_contrasts[i];
 }
 
 FftBuffer<std::complex<float>> MaskedDistances::spectrumOf(const FftBuffer<float>& image, int rows,
@@ -101,7 +149,7 @@ void MaskedDistances::compute(const ImageView& known, const PlaneView& counts, s
 std::uint64_t MaskedDistances::bytesFor(Size exemplar, int channels) {
     const RealFft2d fft(maskedFftSize(exemplar));
     return fft.spectrumSize() * sizeof(Complex) * static_cast<std::uint64_t>(channels + 3) +
-           3 * fft.imageSize() * sizeof(float) + static_cast<std::uint64_t>(exemplar.area()) * 5;
+           3 * fft.imageSize() * sizeof(float) + static_cast<std::uint64_t>(exemplar.area()) * 9;
 }
 
 } // namespace texloom

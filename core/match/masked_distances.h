@@ -31,6 +31,11 @@ public:
     void compute(const ImageView& known, const PlaneView& counts, std::vector<float>& distances,
                  const std::function<void()>& check) const;
 
+    /// Divides distances by the contrast of the exemplar's patches, their variance beside its mean: where
+    /// nothing fits well, the flattest patch has the least squared difference, whatever it shows, and holes
+    /// would be filled with it (see ContrastBalance, whose growing outputs would fade).
+    void balance(std::vector<float>& distances) const;
+
     static std::uint64_t bytesFor(Size exemplar, int channels);
 
 private:
@@ -39,6 +44,7 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_positions.width) +
                static_cast<std::size_t>(x);
     }
+    void measureContrasts(const ImageView& image, const std::function<void()>& check);
     FftBuffer<Complex> spectrumOf(const FftBuffer<float>& image, int rows,
                                   const std::function<void()>& check) const;
 
@@ -48,6 +54,7 @@ private:
     std::vector<double> m_means;
     std::vector<FftBuffer<Complex>> m_spectra; ///< of each channel, and of the sum of their squares
     std::vector<std::uint8_t> m_allowed;
+    std::vector<float> m_contrasts; ///< by position: 1 for the mean
     std::int64_t m_count = 0;
 };
 

@@ -178,11 +178,12 @@ void WindowScan::look(const PixelCanvas& canvas, const KnownPixels& known, int x
             row = repeated(row, size.height);
         }
         // The centre is what is asked for, even where it is met round the border.
-        if (!known.at(column, row) || (offset.dx == 0 && offset.dy == 0))
+        const float trust = known.trust(column, row);
+        if (trust == 0 || (offset.dx == 0 && offset.dy == 0))
             continue;
-        query.m_terms.push_back(
-            {static_cast<int>(i), offset.weight, canvas.pixels.at(column, row)[offset.axis]});
-        query.m_whole += offset.axis == 0 ? offset.weight : 0;
+        const float weight = trust * offset.weight;
+        query.m_terms.push_back({static_cast<int>(i), weight, canvas.pixels.at(column, row)[offset.axis]});
+        query.m_whole += offset.axis == 0 ? weight : 0;
     }
 }
 
@@ -200,7 +201,7 @@ void WindowScan::complete(const PixelCanvas& canvas, const KnownPixels& known, i
             const int row = wrap.y ? repeated(y + dy, size.height) : y + dy;
             const bool lies = column >= 0 && row >= 0 && column < size.width && row < size.height;
             const float weight = m_weights[seen.size()];
-            seen.push_back(lies && known.at(column, row) ? canvas.pixels.at(column, row) : nullptr);
+            seen.push_back(lies && known.trust(column, row) > 0 ? canvas.pixels.at(column, row) : nullptr);
             if (!seen.back())
                 continue;
             for (std::size_t c = 0; c < mean.size(); ++c)

@@ -11,12 +11,19 @@
 
 namespace texloom {
 
-/// Which pixels of an output are made, one byte each.
+/// Which pixels of an output are made, one byte each. Others may be guessed: they are seen, but count less.
 struct KnownPixels {
+    static constexpr std::uint8_t kMade = 1, kGuessed = 2;
+
     explicit KnownPixels(Size extent) : size(extent), flags(static_cast<std::size_t>(extent.area()), 0) {}
 
     std::uint8_t& at(int x, int y) { return flags[index(x, y)]; }
-    bool at(int x, int y) const { return flags[index(x, y)] != 0; }
+    bool at(int x, int y) const { return flags[index(x, y)] == kMade; }
+    /// What a pixel counts: 1 if it is made, less if it is guessed, 0 if nothing is there.
+    float trust(int x, int y) const {
+        const std::uint8_t flag = flags[index(x, y)];
+        return flag == kMade ? 1.0F : flag == kGuessed ? guessed : 0.0F;
+    }
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                static_cast<std::size_t>(x);
@@ -24,11 +31,13 @@ struct KnownPixels {
 
     Size size;
     std::vector<std::uint8_t> flags;
+    float guessed = 0.5F; ///< what a guessed pixel counts beside a made one
 };
 
 /// Compares a partly known window of an output with all windows of exemplars (Efros & Leung, ICCV 1999):
 /// d(p, q) = Σ g(i) M(i) |u(p + i) − u₀(q + i)|² / Σ g(i) M(i), where M is 1 on what is known and
-/// g(i) = exp(−|i|² / 2σ²). Windows lie whole in their exemplar and show nothing that its mask hides.
+/// g(i) = exp(−|i|² / 2σ²); what is guessed counts less, see KnownPixels::trust(). Windows lie whole in their
+/// exemplar and show nothing that its mask hides.
 ///
 /// Exact, but most windows are given up after a few terms: colours are turned to their principal axes, which
 /// leaves distances as they are, and the terms that are likely the largest come first.

@@ -88,6 +88,7 @@ std::vector<OffsetProposal> borderOffsets(const CopiedPixels& copied, const Imag
             std::vector<float> found;
             distances.compute(square.pixels, square.counts.view().plane(0), found,
                               [&context] { context.check(); });
+            distances.balance(found);
             places[static_cast<std::size_t>(number)] =
                 leastPlaces(found, distances.positions(), best, std::max(1, side / 4));
         });

@@ -47,6 +47,12 @@ bool showsHole(const Exemplar& exemplar, const Request& request) {
     return !exemplar.mask() && request.initial() && samePixels(*exemplar.image, *request.initial());
 }
 
+[[noreturn]] void failNothingKnown(Size size) {
+    failUsage("Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; "
+              "leave the mask out, or mark what is to be kept.",
+              size.width, size.height);
+}
+
 /// Whether there is nothing to copy but the picture's own rest.
 bool fillsFromItself(const Request& request) {
     return !request.exemplars.empty() &&
@@ -65,6 +71,8 @@ void checkFill(const Request& request) {
         failUsage("All {} × {} px of the image to start from are known, so that there is nothing to make; "
                   "mask less.",
                   size.width, size.height);
+    if (knownOf(request) && rest == 0 && fillsFromItself(request))
+        failNothingKnown(size);
     if (knownOf(request) && rest > 0 && unknown > rest && fillsFromItself(request))
         failUsage("The hole of {:.0f} px is larger than the {:.0f} px of the picture that are left to fill "
                   "it from; mark a smaller one, or add another exemplar.",
@@ -74,10 +82,7 @@ void checkFill(const Request& request) {
 void checkSomeKnown(const Request& request) {
     checkFill(request);
     if (knownOf(request) && unknownPixels(request) == static_cast<double>(request.size.area()))
-        failUsage(
-            "Nothing of the image to start from, {} × {} px, is known, so that there is no hole to fill; "
-            "leave the mask out, or mark what is to be kept.",
-            request.size.width, request.size.height);
+        failNothingKnown(request.size);
 }
 
 namespace {
@@ -241,7 +246,7 @@ Synthesis FillWindow::filled(const PositionMap& made, JobContext& context) const
     for (int y = 0; y < made.height(); ++y)
         for (int x = 0; x < made.width(); ++x) {
             Source source = made.at(x, y);
-            if (!source.valid())
+            if (!source.valid() || (*knownOf(*m_whole))(m_part.x + x, m_part.y + y, 0) != 0)
                 continue;
             if (m_isCut[source.exemplar] != 0) {
                 source.x = static_cast<std::uint16_t>(source.x + m_part.x);

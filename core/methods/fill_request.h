@@ -63,7 +63,7 @@ public:
     const Request& request() const { return m_cut; }
     const Request& whole() const { return *m_whole; }
     Region part() const { return m_part; }
-    /// The whole output with what the window made: pixels of valid sources are copied, the others are known.
+    /// The whole output with what the window made: what is not known is copied where its source is valid.
     Synthesis filled(const PositionMap& made, JobContext& context) const;
 
     /// Upper bound of the memory that a window and the masks and views of its request take.

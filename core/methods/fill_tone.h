@@ -12,7 +12,9 @@ namespace texloom {
 
 /// Keeps the differences between neighbours that the exemplars have, the mean of both copies' where these
 /// differ, and takes the level from what is around (Pérez, Gangnet & Blake, SIGGRAPH 2003): hides steps of
-/// tone at the border of a hole and between copies. What was not made stays bit for bit.
+/// tone at the border of a hole and between copies. A step that is far larger than most along the border is
+/// no step of tone, but something else that lies there: it is evened out only as far as most are, since all
+/// of it would stain what is around. What was not made stays bit for bit.
 /// @param image of the map's size, with the copies. @param progress called with 0 to 1; may throw.
 void evenTone(const CopiedPixels& copied, const PositionMap& map, Image& image,
               const std::function<void(double)>& progress);

@@ -44,12 +44,22 @@ bool leavesWholePatch(const Request& request, int side) {
     });
 }
 
+int largestLeft(const Request& request, int side) {
+    int fits = 0;
+    for (int fails = side; fails - fits > 1;) {
+        const int middle = (fits + fails) / 2;
+        (leavesWholePatch(request, middle) ? fits : fails) = middle;
+    }
+    return fits;
+}
+
 void checkPatchRequest(const Request& request, int patch) {
     for (const Exemplar& exemplar : request.exemplars)
         checkExemplar(exemplar, patch);
     if (!leavesWholePatch(request, patch))
-        failUsage("The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.",
-                  patch);
+        failUsage("The mask leaves no whole patch of {} px to copy, but only some of at most {} px; choose a "
+                  "smaller patch or mask less.",
+                  patch, largestLeft(request, patch));
     checkWrap(request.wrap.x, request.size.width, "width", patch);
     checkWrap(request.wrap.y, request.size.height, "height", patch);
 }

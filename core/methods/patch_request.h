@@ -23,6 +23,8 @@ std::vector<PatchSource> patchSources(const Request& request);
 
 /// Whether the masks leave a whole square of `side` pixels in any exemplar.
 bool leavesWholePatch(const Request& request, int side);
+/// The largest side of which one is left, where none of this side is; 0 if the masks leave nothing.
+int largestLeft(const Request& request, int side);
 
 /// Checks that every exemplar holds a patch of this size, that the masks leave one, and that the output is
 /// large enough to wrap. @throws UsageError

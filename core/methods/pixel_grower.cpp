@@ -17,6 +17,8 @@ namespace {
 /// so many rounds.
 constexpr std::size_t kLikely = 200;
 constexpr std::size_t kTreeRounds = 2;
+/// How far beside likely windows others are looked at, in pixels, where there is a guess.
+constexpr int kNear = 1;
 /// Pixels that one thread makes at a time; fewer are not worth a second thread.
 constexpr int kShare = 4;
 /// Draws at one place, beside that of its candidate.
@@ -43,7 +45,7 @@ Grower::Grower(const Request& request, const Settings& settings, const Start& st
 
 Synthesis Grower::run(double weight) {
     m_context.stage(0.02 * weight, TR("Preparing the exemplar"));
-    if (!m_settings.exact(m_start.known != nullptr))
+    if (m_settings.search == Search::Pca)
         m_tree = std::make_unique<NeighbourhoodTree>(
             m_scan.windows(), treeOptions(m_settings), [this] { m_context.check(); },
             [this](int count, const std::function<void(int)>& body) { m_context.parallel(0, count, body); });
@@ -63,6 +65,8 @@ void Grower::begin() {
         keep();
     if (m_made == 0)
         placeSeed();
+    if (m_start.guess)
+        guess();
     m_wanted = m_request.size.area() - m_made;
     m_made = 0;
 }
@@ -74,6 +78,21 @@ void Grower::keep() {
     m_canvas.map = std::move(picture.map);
     m_known.flags = std::move(picture.known);
     m_made = m_request.size.area() - picture.wanted;
+}
+
+/// Copies what is guessed of the rest.
+void Grower::guess() {
+    for (int y = 0; y < m_request.size.height; ++y) {
+        m_context.check();
+        for (int x = 0; x < m_request.size.width; ++x) {
+            const Source& source = m_start.guess->at(x, y);
+            std::uint8_t& flag = m_known.at(x, y);
+            if (flag == KnownPixels::kMade || !source.valid())
+                continue;
+            m_canvas.put(x, y, source, m_scan.pixels(source.exemplar));
+            flag = KnownPixels::kGuessed;
+        }
+    }
 }
 
 /// Copies a square about a random window's middle to the middle of the output, or, where it grows by rows,
@@ -121,7 +140,7 @@ Grower::Places Grower::unknownBeside(const Places& made) {
                 if (!neighbour(x(place), y(place), dx, dy, near))
                     continue;
                 const auto at = static_cast<std::size_t>(near);
-                if (m_known.flags[at] != 0 || m_turn[at] != 0)
+                if (m_known.flags[at] == KnownPixels::kMade || m_turn[at] != 0)
                     continue;
                 m_turn[at] = 1;
                 beside.push_back(near);
@@ -138,7 +157,7 @@ int Grower::knownAround(Place place) const {
         for (int dx = -reach; dx <= reach; ++dx) {
             Place near = 0;
             if (neighbour(x(place), y(place), dx, dy, near))
-                count += m_known.flags[static_cast<std::size_t>(near)];
+                count += m_known.flags[static_cast<std::size_t>(near)] == KnownPixels::kMade ? 1 : 0;
         }
     return count;
 }
@@ -224,9 +243,9 @@ void Grower::makeLayer(const Places& layer) {
 /// Tells how much is made, and offers it to be looked at.
 void Grower::show(std::int64_t made) {
     m_context.progress(static_cast<double>(made) / static_cast<double>(m_wanted));
-    if (!m_start.offered)
-        return;
-    if (!m_start.image)
+    if (m_start.offer)
+        m_start.offer(m_canvas.map);
+    else if (!m_start.image)
         previewMap(m_canvas.map, patchSources(m_request), 0, m_request, m_context);
     else if (m_context.previewDue())
         m_context.preview(shown());
@@ -235,7 +254,7 @@ void Grower::show(std::int64_t made) {
 void Grower::growLayers() {
     Places made;
     for (Place place = 0; place < m_request.size.area(); ++place)
-        if (m_known.flags[static_cast<std::size_t>(place)] != 0)
+        if (m_known.flags[static_cast<std::size_t>(place)] == KnownPixels::kMade)
             made.push_back(place);
     for (;;) {
         m_context.check();
@@ -251,7 +270,7 @@ void Grower::growLayers() {
 void Grower::growRows() {
     Places order;
     for (Place place = 0; place < m_request.size.area(); ++place)
-        if (m_known.flags[static_cast<std::size_t>(place)] == 0)
+        if (m_known.flags[static_cast<std::size_t>(place)] != KnownPixels::kMade)
             order.push_back(place);
     make(inTurns(order));
 }
@@ -281,7 +300,7 @@ void Grower::make(const std::vector<Places>& turns) {
 void Grower::makePixel(Place place, Workspace& work) {
     const Source source = choose(x(place), y(place), work);
     m_canvas.put(x(place), y(place), source, m_scan.pixels(source.exemplar));
-    m_known.flags[static_cast<std::size_t>(place)] = 1;
+    m_known.flags[static_cast<std::size_t>(place)] = KnownPixels::kMade;
 }
 
 /// What continues the copies around is likely to fit; with the tree, what it finds too.
@@ -289,11 +308,32 @@ void Grower::findLikely(int x, int y, Workspace& work) const {
     static const PixelRuns around = aroundRuns(3);
     coherentCandidates(m_canvas.map, around, x, y, m_request.wrap, work.coherent);
     work.likely.clear();
+    if (const Source& own = m_canvas.map.at(x, y);
+        own.valid() && m_scan.windows().has(own.x, own.y, own.exemplar))
+        work.likely.push_back(own); // what is guessed
     for (const Continuation& one : work.coherent)
         if (m_scan.windows().has(one.x, one.y, one.exemplar))
             work.likely.push_back(one.source());
     if (m_tree)
         findInTree(x, y, work);
+    else if (searchesNear())
+        findNear(work);
+}
+
+/// Windows beside those that are likely: a guess is known to two pixels of its scale.
+void Grower::findNear(Workspace& work) const {
+    const std::size_t count = work.likely.size();
+    for (std::size_t i = 0; i < count; ++i)
+        for (int dy = -kNear; dy <= kNear; ++dy)
+            for (int dx = -kNear; dx <= kNear; ++dx) {
+                const Continuation one(work.likely[i], dx, dy);
+                if (m_scan.windows().has(one.x, one.y, one.exemplar))
+                    work.likely.push_back(one.source());
+            }
+    std::sort(work.likely.begin(), work.likely.end(), [](const Source& a, const Source& b) {
+        return std::tuple(a.exemplar, a.y, a.x) < std::tuple(b.exemplar, b.y, b.x);
+    });
+    work.likely.erase(std::unique(work.likely.begin(), work.likely.end()), work.likely.end());
 }
 
 /// The tree compares whole windows. What is not known of this one is taken from the best window found so far:
@@ -327,7 +367,7 @@ Source Grower::choose(int x, int y, Workspace& work) const {
         return m_scan.windows().drawn(m_context.random().uniform(x, y));
     findLikely(x, y, work);
     const WindowScan::Nearby nearby{m_request.size, x, y, m_settings.radius};
-    if (m_tree) {
+    if (m_tree || (searchesNear() && !work.likely.empty())) {
         const auto far = [&](const Source& one) { return !m_scan.lies(one, nearby); };
         if (!std::all_of(work.likely.begin(), work.likely.end(), far))
             std::erase_if(work.likely, far);
@@ -393,7 +433,7 @@ std::uint64_t Grower::bytesFor(const Request& request, const Settings& settings,
                           static_cast<std::uint64_t>(threads) *
                               (window * window * static_cast<std::uint64_t>(request.channels()) * 64 +
                                3 * windows * sizeof(WindowScan::Found));
-    if (!settings.exact(knownOf(request) != nullptr))
+    if (settings.search == Search::Pca)
         bytes += NeighbourhoodTree::bytesFor(exemplars, treeOptions(settings));
     return bytes;
 }

@@ -15,8 +15,8 @@ namespace texloom::pixel_growth {
 /// In which order pixels are made: those with the most known neighbours first, layer by layer, or in rows.
 enum class Order { Onion, Raster };
 /// How the windows are found that fit: among all of them, or among those that are likely by their principal
-/// components; by itself, the first where an output grows from a seed, and the second, which is fast, where a
-/// hole is filled.
+/// components; by itself, among all where an output grows from a seed or on the coarsest scale of a hole, and
+/// among those near a coarser scale's guess where there is one.
 enum class Search { Auto, Exact, Pca };
 
 /// Parameters of the pixel growing of Efros & Leung (ICCV 1999).
@@ -31,11 +31,13 @@ struct Settings {
     int components = 20; ///< principal axes on which windows are compared first
     int radius =
         0; ///< in exemplars of the output's size, how far a window may lie from the pixel; 0: anywhere
-    int context = 80;  ///< where a hole is filled, how far around it windows lie; see withoutHole()
-    bool tone = false; ///< where a hole is filled, whether its tone is evened out by who runs the Grower
-
-    /// @param fills whether some of the output is known.
-    bool exact(bool fills) const { return search == Search::Exact || (search == Search::Auto && !fills); }
+    /// Where a hole is filled, what is not the Grower's own, but that of who runs it: how far around it
+    /// windows lie (see withoutHole()), on how many scales it grows at most, and whether seams are moved and
+    /// tone evened.
+    int context = 200;
+    int scales = 4;
+    bool seams = true;
+    bool tone = true;
 };
 
 /// What is there before growth begins: an image of the output's size, and a mask that is not 0 where it is to
@@ -43,7 +45,12 @@ struct Settings {
 struct Start {
     const Image* image = nullptr;
     const Image* known = nullptr;
-    bool offered = true; ///< whether the work is offered to be looked at while it grows
+    /// Sources of what is not known, as a guess that growth corrects, such as a coarser scale's; where one is
+    /// invalid nothing is guessed. None: what is not made yet is not seen.
+    const PositionMap* guess = nullptr;
+    /// Called now and then with all sources so far, to offer them to be looked at; none: growth does so
+    /// itself.
+    std::function<void(const PositionMap&)> offer = nullptr;
 };
 
 /// Grows an output pixel by pixel from what is known: each becomes the middle of one of the exemplar's
@@ -77,6 +84,7 @@ private:
     void begin();
     void placeSeed();
     void keep();
+    void guess();
     void growLayers();
     void growRows();
     Places unknownBeside(const Places& made);
@@ -90,6 +98,8 @@ private:
     void makePixel(Place place, Workspace& work);
     Source choose(int x, int y, Workspace& work) const;
     void findLikely(int x, int y, Workspace& work) const;
+    void findNear(Workspace& work) const;
+    bool searchesNear() const { return m_start.guess && m_settings.search == Search::Auto; }
     void findInTree(int x, int y, Workspace& work) const;
     Source draw(const std::vector<WindowScan::Found>& found, int x, int y) const;
     bool neighbour(int x, int y, int dx, int dy, Place& found) const;

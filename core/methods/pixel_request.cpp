@@ -26,8 +26,9 @@ void checkSquares(const Request& request, int side) {
         any = any || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), side);
     }
     if (!any)
-        failUsage("The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.",
-                  side);
+        failUsage("The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a "
+                  "smaller one or mask less.",
+                  side, largestLeft(request, side));
 }
 
 PixelPyramid::PixelPyramid(const Request& request, int levels, int side, const std::function<void()>& check)

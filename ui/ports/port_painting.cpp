@@ -192,8 +192,13 @@ void PortPainting::openMask(const Port& mask, const std::optional<Port>& picture
         this,
         [image = ground.image, given = before ? before->image : nullptr] { return painted(image, given); },
         [this, mask, picture, ground](Painted now) {
-            auto* painter = new MaskPainter(std::move(now.picture), std::move(now.selection),
-                                            translated(mask.help), m_window);
+            QString meaning = translated(mask.help);
+            if (picture && mask.extent == Extent::Output)
+                meaning +=
+                    QLatin1Char(' ') + tr("To make more of the picture beyond its edges, choose “Extend a "
+                                          "picture…” from the menu Tools instead.");
+            auto* painter =
+                new MaskPainter(std::move(now.picture), std::move(now.selection), meaning, m_window);
             connect(painter, &QDialog::accepted, this,
                     [=, this] { keepMask(*painter, mask, picture, ground); });
             show(painter, mask, ground.name);

@@ -1,7 +1,8 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/methods/efros_leung/hole_grower.h"
+#include "core/methods/fill_join.h"
 #include "core/methods/fill_request.h"
-#include "core/methods/fill_tone.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_fields.h"
 #include "core/methods/pixel_grower.h"
@@ -15,21 +16,26 @@ namespace texloom::efros_leung {
 namespace {
 
 using pixel_growth::Grower;
-using pixel_growth::Settings;
 
 Request prepared(
     const Request& request, const Settings& settings, const std::function<void()>& checked = [] {}) {
     return withoutHole(request, settings.context, Grower::window(settings), checked);
 }
 
+/// Whether growth begins from what is around a hole: where nothing is known it begins from a seed.
+bool fillsHole(const Request& request) {
+    return knownOf(request) && unknownPixels(request) < static_cast<double>(request.size.area());
+}
+
 void check(const Request& request, const Settings& settings) {
-    checkSquares(prepared(request, settings), Grower::window(settings));
     if (request.initial() && !knownOf(request))
         failUsage("Nothing says what to keep of the image to start from; give a mask of what is known.");
     checkFill(request);
+    checkSquares(prepared(request, settings), Grower::window(settings));
 }
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
+    const bool fills = fillsHole(request);
     double windows = 0;
     for (const Size& size : request.exemplarSizes()) {
         const auto area = static_cast<double>(size.area());
@@ -37,23 +43,24 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         windows += limited ? std::min(area, 4.0 * settings.radius * settings.radius) : area;
     }
     const double values = static_cast<double>(settings.window) * settings.window * request.channels();
-    const double compared = settings.exact(knownOf(request) != nullptr) ? 1.5e-9 * windows : 2.4e-5;
+    const bool near = fills && settings.scales > 1 && settings.search == pixel_growth::Search::Auto;
+    const double compared = near                                           ? 1e-5
+                            : settings.search == pixel_growth::Search::Pca ? 2.4e-5
+                                                                           : 1.5e-9 * windows;
     Estimate need;
-    need.bytes = Grower::bytesFor(request, settings, threads) + fillMaskBytes(request);
-    if (settings.tone && knownOf(request))
-        need.bytes += toneBytes(request);
+    need.bytes = fills ? HoleGrower::bytesFor(request, settings, threads)
+                       : Grower::bytesFor(request, settings, threads) + fillMaskBytes(request);
     need.seconds = unknownPixels(request) * (compared + values * 6e-9);
     return need;
 }
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
-    const Request hidden = prepared(request, settings, [&context] { context.check(); });
-    const bool evens = settings.tone && knownOf(request);
-    Synthesis result =
-        Grower(hidden, settings, {request.initial(), knownOf(request)}, context).run(evens ? 0.9 : 1);
-    if (evens)
-        evenFilledTone(hidden, 0.1, context, result);
-    return result;
+    const auto checked = [&context] { context.check(); };
+    const Request hidden = prepared(request, settings, checked);
+    if (!fillsHole(request))
+        return Grower(hidden, settings, {request.initial(), knownOf(request)}, context).run();
+    const FillWindow window(hidden, Grower::window(settings), checked);
+    return HoleGrower(window, settings, context).run();
 }
 
 } // namespace
@@ -101,13 +108,21 @@ const Method self = method<Settings>(
          .help(
              TR("Compares all windows exactly, or only those that are likely by their principal components, "
                 "in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the "
-                "likely ones.")),
+                "likely ones, and on finer scales those near the coarser one's sources.")),
      field(&Settings::components, "components", TR("Components"))
          .range(4, 64)
          .group(TR("Advanced"))
          .help(TR("Principal components by which likely windows are found: more find nearer ones, but take "
                   "longer.")),
-     radiusField(&Settings::radius), contextField(&Settings::context), toneField(&Settings::tone)},
+     field(&Settings::scales, "scales", TR("Scales"))
+         .range(1, 8)
+         .group(TR("Advanced"))
+         .help(TR(
+             "Where a hole is filled, at most so many scales, each half the size of the one before: a finer "
+             "one sees the coarser one's result where it has made nothing yet, so that what grows from "
+             "opposite sides meets. 1 grows as published.")),
+     radiusField(&Settings::radius), contextField(&Settings::context), seamsField(&Settings::seams),
+     toneField(&Settings::tone)},
     run, check, estimate);
 
 } // namespace texloom::efros_leung

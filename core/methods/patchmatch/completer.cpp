@@ -1,9 +1,8 @@
 #include "core/methods/patchmatch/completer.h"
 
 #include "core/base/text.h"
-#include "core/image/half_scale.h"
 #include "core/image/mirror.h"
-#include "core/methods/fill_seams.h"
+#include "core/methods/fill_join.h"
 #include "core/methods/fill_tone.h"
 #include "core/methods/patch_request.h"
 #include "core/methods/patchmatch/synthesizer.h"
@@ -25,57 +24,13 @@ constexpr float kTrust = 1.3F;
 constexpr VoteWeight kEarly{0.02F, 4}, kLate{0.05F, 3};
 constexpr int kRandomReach = 1 << 16;
 
-/// Steps from each pixel to the nearest that is known, 0 there; diagonal ones count as one.
-std::vector<int> depths(const Image& known, const JobContext& context) {
-    const int width = known.width(), height = known.height();
-    constexpr int kFar = std::numeric_limits<int>::max() / 2;
-    std::vector<int> depth(static_cast<std::size_t>(known.size().area()), kFar);
-    const auto at = [&](int x, int y) -> int& {
-        return depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(x)];
-    };
-    const auto lower = [&](int x, int y, int dx, int dy) {
-        if (x + dx >= 0 && x + dx < width && y + dy >= 0 && y + dy < height)
-            at(x, y) = std::min(at(x, y), at(x + dx, y + dy) + 1);
-    };
-    for (int y = 0; y < height; ++y) {
-        context.check();
-        for (int x = 0; x < width; ++x) {
-            if (known(x, y, 0) != 0)
-                at(x, y) = 0;
-            for (int dx = -1; dx <= 1; ++dx)
-                lower(x, y, dx, -1);
-            lower(x, y, -1, 0);
-        }
-    }
-    for (int y = height - 1; y >= 0; --y) {
-        context.check();
-        for (int x = width - 1; x >= 0; --x) {
-            for (int dx = -1; dx <= 1; ++dx)
-                lower(x, y, dx, 1);
-            lower(x, y, 1, 0);
-        }
-    }
-    return depth;
-}
-
-int deepest(const Image& known, const JobContext& context) {
-    const std::vector<int> depth = depths(known, context);
-    return *std::max_element(depth.begin(), depth.end());
-}
-
-bool anyKnown(const Image& known) {
-    return valueRange(known).largest > 0;
-}
-
 } // namespace
 
 Completer::Completer(const FillWindow& window, int patch, const Settings& settings, JobContext& context)
     : m_window(window), m_request(window.request()), m_settings(settings), m_context(context), m_patch(patch),
       m_pyramid(patchSources(m_request), settings.scales, m_patch, [&context] { context.check(); }),
-      m_pixels({1, 1}, m_request.channels()) {
-    makeScales(*m_request.initial(), *knownOf(m_request));
-}
+      m_scales(fillScales(m_request, m_patch, m_pyramid.levels(), [&context] { context.check(); })),
+      m_pixels({1, 1}, m_request.channels()) {}
 
 int Completer::patchFor(const Request& request, const Settings& settings) {
     const int larger = settings.patch * 3 / 2 | 1;
@@ -85,21 +40,6 @@ int Completer::patchFor(const Request& request, const Settings& settings) {
     return larger <= shortest && leavesWholePatch(withoutHole(request, settings.context, larger), larger)
                ? larger
                : settings.patch;
-}
-
-/// Scales down to the one at which a patch reaches across the hole.
-void Completer::makeScales(const Image& picture, const Image& known) {
-    m_scales.push_back({picture, known});
-    while (static_cast<int>(m_scales.size()) < m_pyramid.levels()) {
-        m_context.check();
-        const Scale& fine = m_scales.back();
-        if (fine.size().shorterSide() < 2 * m_patch || 2 * deepest(fine.known, m_context) <= m_patch)
-            return;
-        Scale coarse{halved(fine.picture), halvedMask(fine.known.view().plane(0))};
-        if (!anyKnown(coarse.known))
-            return;
-        m_scales.push_back(std::move(coarse));
-    }
 }
 
 Synthesis Completer::run() {
@@ -114,6 +54,8 @@ Synthesis Completer::run() {
         enter(level);
         offer(level);
         refine(level);
+        if (m_settings.seams && level > 0)
+            joinScale(level);
     }
     if (m_settings.seams)
         join();
@@ -123,21 +65,8 @@ Synthesis Completer::run() {
 /// Grows the coarsest scale pixel by pixel.
 void Completer::grow() {
     const int level = static_cast<int>(m_scales.size()) - 1;
-    Request request;
-    for (const PatchSource& source : m_pyramid.level(level)) {
-        Exemplar& exemplar = request.exemplars.emplace_back();
-        exemplar.image = std::make_shared<const Image>(source.image);
-        exemplar.weight = source.weight;
-        if (!source.mask.data)
-            continue;
-        Image mask({source.mask.width, source.mask.height}, 1);
-        for (int y = 0; y < mask.height(); ++y)
-            std::copy_n(source.mask.row(y), mask.width(), mask.plane(0).row(y));
-        exemplar.inputs.set(kMaskPort, std::make_shared<const Image>(std::move(mask)));
-    }
-    const Scale& scale = m_scales.back();
-    request.size = scale.size();
-    request.wrap = m_request.wrap;
+    const FillScale& scale = m_scales.back();
+    const Request request = requestAt(m_request, m_pyramid, level, scale);
     pixel_growth::Settings settings;
     settings.search = pixel_growth::Search::Exact;
     settings.radius = m_settings.radius >> level;
@@ -147,48 +76,47 @@ void Completer::grow() {
         settings.window = std::min(settings.window, (exemplar.image->size().shorterSide() - 1) | 1);
     while (settings.window > 3 && !leavesWholePatch(request, settings.window))
         settings.window -= 2;
-    m_map = pixel_growth::Grower(request, settings, {&scale.picture, &scale.known, false}, m_context)
-                .run(0.1)
-                .map;
+    pixel_growth::Start start{&scale.picture, &scale.known};
+    start.offer = [](const PositionMap&) {};
+    m_map = pixel_growth::Grower(request, settings, start, m_context).run(0.1).map;
+}
+
+/// Moves the seams of a coarser scale: what lies along the border is looked for in squares that show more
+/// there.
+void Completer::joinScale(int level) {
+    const Request request = requestAt(m_request, m_pyramid, level, m_scales[static_cast<std::size_t>(level)]);
+    const int radius = m_settings.radius > 0 ? std::max(1, m_settings.radius >> level) : 0;
+    joinCopies(request, kCoarseJoinSide, radius, m_map, m_context);
 }
 
 /// Takes the map to a scale: as it is on the coarsest, else in the pixels of the next finer one.
 void Completer::enter(int level) {
-    const Scale& scale = m_scales[static_cast<std::size_t>(level)];
-    const bool first = m_map.size() == scale.size();
-    const std::vector<Size> sizes = m_pyramid.sizes(level);
-    PositionMap map(scale.size(), sizes);
+    const FillScale& scale = m_scales[static_cast<std::size_t>(level)];
+    const auto check = [this] { m_context.check(); };
     m_known = &scale.known;
     m_pixels = Interleaved(scale.size(), m_request.channels());
     m_pixels.load(scale.picture, 0, 0, scale.size());
     m_trust.clear();
-    for (const int depth : depths(scale.known, m_context))
+    for (const int depth : depths(scale.known, check))
         m_trust.push_back(std::pow(kTrust, -static_cast<float>(std::min(depth, 200))));
-    for (int y = 0; y < map.height(); ++y) {
+    if (m_map.size() != scale.size())
+        m_map = finer(m_map, scale.known, m_pyramid.sizes(level), check);
+    for (int y = 0; y < m_map.height(); ++y) {
         m_context.check();
-        for (int x = 0; x < map.width(); ++x) {
+        for (int x = 0; x < m_map.width(); ++x) {
             if (!made(x, y))
                 continue;
-            Source source =
-                first ? m_map.at(x, y)
-                      : m_map.at(std::min(x / 2, m_map.width() - 1), std::min(y / 2, m_map.height() - 1));
-            const Size size = sizes[source.exemplar];
-            if (!first) {
-                source.x = static_cast<std::uint16_t>(std::min(2 * source.x + x % 2, size.width - 1));
-                source.y = static_cast<std::uint16_t>(std::min(2 * source.y + y % 2, size.height - 1));
-            }
-            map.at(x, y) = source;
+            const Source& source = m_map.at(x, y);
             const ImageView& image = m_pyramid.level(level)[source.exemplar].image;
             float* const to = m_pixels.data.data() + y * m_pixels.stride() + x * m_pixels.pixel;
             for (int c = 0; c < image.channels; ++c)
                 to[c] = image(source.x, source.y, c);
         }
     }
-    m_map = std::move(map);
 }
 
 void Completer::refine(int level) {
-    const Scale& scale = m_scales[static_cast<std::size_t>(level)];
+    const FillScale& scale = m_scales[static_cast<std::size_t>(level)];
     const std::vector<std::uint8_t> flags = wanted(scale);
     const PatchLattice lattice{scale.size(), m_patch, 1};
     GridMatcher matcher(m_pyramid.level(level), lattice, m_context);
@@ -206,7 +134,7 @@ void Completer::refine(int level) {
 }
 
 /// Which patches, by their top left, show something that is made, and lie in the picture.
-std::vector<std::uint8_t> Completer::wanted(const Scale& scale) const {
+std::vector<std::uint8_t> Completer::wanted(const FillScale& scale) const {
     const Size size = scale.size();
     const int patch = m_patch;
     std::vector<std::uint8_t> rows(static_cast<std::size_t>(size.area()), 0), flags = rows;
@@ -358,15 +286,15 @@ std::uint64_t Completer::bytesFor(const Request& request, const Settings& settin
     const std::vector<Size> exemplars = request.exemplarSizes();
     const int channels = request.channels();
     const auto area = static_cast<std::uint64_t>(request.size.area());
-    // Pictures and masks of all scales; pixels, maps, matches, flags and trust of the finest two.
-    const std::uint64_t scales = Image::bytesFor(request.size, channels + 1) * 3 / 2;
+    // Pictures and masks of all scales, and of the one whose seams are moved; pixels, maps, matches, flags
+    // and trust of the finest two.
+    const std::uint64_t scales = Image::bytesFor(request.size, channels + 1) * 2;
     const std::uint64_t present =
         Interleaved::bytesFor(request.size, channels) + 3 * PositionMap::bytesFor(request.size) +
         PatchField::bytesFor(request.size) + area * (2 * sizeof(std::uint8_t) + sizeof(float) + sizeof(int));
     return scales + present * 5 / 4 + 2 * Image::bytesFor(request.size, channels) +
-           ExemplarPyramid::bytesFor(exemplars, channels) + FillWindow::bytesFor(request) +
-           seamBytes(request.size, exemplars, channels) + offsetBytes(exemplars, channels, threads) +
-           (settings.tone ? toneBytes(request) : 0) +
+           2 * ExemplarPyramid::bytesFor(exemplars, channels) + FillWindow::bytesFor(request) +
+           joinBytes(request, threads) + (settings.tone ? toneBytes(request) : 0) +
            GridMatcher::bytesFor(exemplars, channels, patchFor(request, settings), 1, threads) +
            fillMaskBytes(request) + (24U << 20U);
 }

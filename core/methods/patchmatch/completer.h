@@ -4,6 +4,7 @@
 #include "core/match/exemplar_pyramid.h"
 #include "core/match/grid_match.h"
 #include "core/methods/fill_request.h"
+#include "core/methods/fill_scales.h"
 #include "core/methods/patchmatch/settings.h"
 #include "core/methods/synthesis.h"
 
@@ -15,8 +16,8 @@ namespace texloom::patchmatch {
 /// similar ones in the exemplars (PatchMatch), and vote for its pixels (Wexler, Shechtman & Irani,
 /// "Space-time completion of video", IEEE PAMI 29, 2007; Barnes et al., SIGGRAPH 2009, section 4). As in
 /// Synthesizer, each pixel is a copy of the proposed one nearest to the vote. On the coarsest scale pixels
-/// grow from the border, so that the first votes have something to go by. At last the seams between what is
-/// copied are moved to where they are seen least, and its tone is evened out.
+/// grow from the border, so that the first votes have something to go by. On every scale the seams between
+/// what is copied are moved to where they are seen least, and at last its tone is evened out.
 class Completer {
 public:
     /// @param window of a request with what may be copied in the exemplars' masks: see withoutHole().
@@ -30,17 +31,10 @@ public:
     static std::uint64_t bytesFor(const Request& request, const Settings& settings, int threads);
 
 private:
-    /// The picture at one scale.
-    struct Scale {
-        Image picture;
-        Image known; ///< one channel, 0 where it is made
-        Size size() const { return picture.size(); }
-    };
-    void makeScales(const Image& picture, const Image& known);
     void grow();
     void refine(int level);
     void enter(int level);
-    std::vector<std::uint8_t> wanted(const Scale& scale) const;
+    std::vector<std::uint8_t> wanted(const FillScale& scale) const;
     void adopt(const GridMatcher& matcher, const std::vector<std::uint8_t>& flags, PatchField& field) const;
     Source match(const GridMatcher& matcher, int x, int y) const;
     void gather(int x, int y, Size extent, Interleaved& to) const;
@@ -48,6 +42,7 @@ private:
               bool late);
     void offer(int level);
     void join();
+    void joinScale(int level);
     Synthesis finish();
     bool made(int x, int y) const { return (*m_known)(x, y, 0) == 0; }
     bool place(int& x, int& y) const;
@@ -58,11 +53,11 @@ private:
     JobContext& m_context;
     int m_patch;
     ExemplarPyramid m_pyramid;
-    std::vector<Scale> m_scales;    ///< from fine to coarse
-    const Image* m_known = nullptr; ///< of the present scale
-    Interleaved m_pixels;           ///< of the present scale
-    PositionMap m_map;              ///< of what is made, at the present scale
-    std::vector<float> m_trust;     ///< of the present scale: how much a patch about a pixel counts
+    std::vector<FillScale> m_scales; ///< from fine to coarse
+    const Image* m_known = nullptr;  ///< of the present scale
+    Interleaved m_pixels;            ///< of the present scale
+    PositionMap m_map;               ///< of what is made, at the present scale
+    std::vector<float> m_trust;      ///< of the present scale: how much a patch about a pixel counts
 };
 
 } // namespace texloom::patchmatch

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/methods/fill_join.h"
 #include "core/methods/fill_request.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
@@ -92,12 +93,7 @@ const Method self = method<Settings>(
      radiusField(&Settings::radius)
          .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
                   "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),
-     contextField(&Settings::context),
-     field(&Settings::seams, "seams", TR("Move seams"))
-         .group(TR("Advanced"))
-         .help(TR("Where a hole is filled, moves the borders between what is copied to where they are seen "
-                  "least, so that few large pieces take the place of many small ones.")),
-     toneField(&Settings::tone)},
+     contextField(&Settings::context), seamsField(&Settings::seams), toneField(&Settings::tone)},
     run, check, estimate);
 
 } // namespace texloom::patchmatch

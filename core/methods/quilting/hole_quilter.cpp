@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/image/mirror.h"
 #include "core/math/grid_flow.h"
+#include "core/methods/fill_join.h"
 #include "core/methods/fill_tone.h"
 #include "core/methods/patch_request.h"
 
@@ -20,6 +21,8 @@ constexpr int kLeastPatch = 24;
 /// A cost of the graph for a difference over the whole range.
 constexpr double kCapacity = 1e5;
 constexpr std::int32_t kMostCapacity = 1 << 24;
+/// Share of the run that it takes to move seams, and to even tone.
+constexpr double kJoin = 0.1;
 /// Draw of a cell's tie, beside that of its candidate.
 constexpr std::uint32_t kCellTie = 1;
 
@@ -50,18 +53,19 @@ int HoleQuilter::patchFor(const Request& request, const Settings& settings) {
     return std::min(settings.patch, std::max(kLeastPatch, holeOf(request).shorterSide() / 2));
 }
 
-HoleQuilter::HoleQuilter(const Request& request, const Settings& settings, JobContext& context)
-    : m_request(request), m_settings(settings), m_context(context), m_patch(patchFor(request, settings)),
-      m_overlap(overlapFor(m_patch, settings.overlap)),
-      m_picture(*request.initial(), *knownOf(request), request, context), m_made(m_picture.known.size(), 0) {}
+HoleQuilter::HoleQuilter(const FillWindow& window, const Settings& settings, JobContext& context)
+    : m_window(window), m_request(window.request()), m_settings(settings), m_context(context),
+      m_patch(patchFor(m_request, settings)), m_overlap(overlapFor(m_patch, settings.overlap)),
+      m_picture(*m_request.initial(), *knownOf(m_request), m_request, context),
+      m_made(m_picture.known.size(), 0) {}
 
 Synthesis HoleQuilter::run() {
     m_context.stage(0.1, TR("Preparing the exemplar"));
     measure();
     findParts();
     divide();
-    const bool smooths = m_settings.stitch == PatchStitch::Poisson;
-    m_context.stage(smooths ? 0.7 : 0.9, TR("Placing patches"));
+    m_context.stage(0.6 + (m_settings.movesSeams() ? 0 : kJoin) + (m_settings.evensTone() ? 0 : kJoin),
+                    TR("Placing patches"));
     int laid = 0;
     while (Cell* const cell = next()) {
         m_context.check();
@@ -72,16 +76,9 @@ Synthesis HoleQuilter::run() {
                 (std::abs(other.x - cell->x) < m_patch && std::abs(other.y - cell->y) < m_patch))
                 other.known = countKnown(other);
         m_context.progress(++laid / static_cast<double>(m_cells.size()));
-        m_context.preview(m_picture.image);
+        offer();
     }
-    if (smooths)
-        smooth();
-    Synthesis result;
-    result.image = std::move(m_picture.image);
-    result.mapKind = m_settings.stitch == PatchStitch::Cut || m_settings.stitch == PatchStitch::None
-                         ? filledMapKind(m_picture.map)
-                         : MapKind::Dominant;
-    result.map = std::move(m_picture.map);
+    Synthesis result = finish();
     result.figures = {{TR("Patches"), static_cast<double>(laid)}};
     if (m_patch < m_settings.patch)
         result.notes.push_back(
@@ -90,6 +87,42 @@ Synthesis HoleQuilter::run() {
                     m_patch));
     m_context.progress(1);
     return result;
+}
+
+/// Joins the patches to each other and to what is around, as far as the stitch leaves them copies.
+Synthesis HoleQuilter::finish() {
+    if (m_settings.movesSeams()) {
+        m_context.stage(kJoin, TR("Moving seams"));
+        joinCopies(m_request, kJoinSide, m_settings.radius, m_picture.map, m_context);
+    }
+    m_context.stage(0.1, TR("Copying pixels"));
+    Synthesis result = m_window.filled(m_picture.map, m_context);
+    if (m_settings.stitch == PatchStitch::SmoothCut)
+        keepBlends(result);
+    if (m_settings.evensTone())
+        evenFilledTone(m_window.whole(), kJoin, m_context, result);
+    return result;
+}
+
+/// Takes over what a cut that is smoothed makes of several patches.
+void HoleQuilter::keepBlends(Synthesis& result) const {
+    const Region part = m_window.part();
+    result.mapKind = MapKind::Dominant;
+    for (int y = 0; y < part.size.height; ++y)
+        for (int x = 0; x < part.size.width; ++x)
+            for (int c = 0; m_made[index(x, y)] != 0 && c < result.image.channels(); ++c)
+                result.image(part.x + x, part.y + y, c) = m_picture.image(x, y, c);
+}
+
+void HoleQuilter::offer() {
+    offerFilled(
+        m_window, 0,
+        [this](int x, int y, float* values) {
+            for (int c = 0; m_made[index(x, y)] != 0 && c < m_picture.image.channels(); ++c)
+                values[c] = m_picture.image(x, y, c);
+            return m_made[index(x, y)] != 0;
+        },
+        m_context);
 }
 
 void HoleQuilter::measure() {
@@ -353,17 +386,7 @@ void HoleQuilter::lay(const Cell& cell, const Candidate& candidate) {
         }
 }
 
-/// Takes the level from what is known around.
-void HoleQuilter::smooth() {
-    m_context.stage(0.2, TR("Blending"));
-    const std::vector<PatchSource> sources = patchSources(m_request);
-    evenTone({sources, m_made, m_request.wrap}, m_picture.map, m_picture.image, [this](double share) {
-        m_context.check();
-        m_context.progress(share);
-    });
-}
-
-Estimate HoleQuilter::estimate(const Request& request, const Settings& settings) {
+Estimate HoleQuilter::estimate(const Request& request, const Settings& settings, int threads) {
     const int patch = patchFor(request, settings), overlap = overlapFor(patch, settings.overlap);
     const Box hole = holeOf(request);
     const double step = patch - overlap;
@@ -379,8 +402,11 @@ Estimate HoleQuilter::estimate(const Request& request, const Settings& settings)
         need.bytes += MaskedDistances::bytesFor(size, request.channels());
         need.seconds += cells * 6e-8 * static_cast<double>(size.area()) * (request.channels() + 2);
     }
-    if (settings.stitch == PatchStitch::Poisson)
-        need.bytes += static_cast<std::uint64_t>(unknownPixels(request)) * 300 + area * 2;
+    need.bytes += FillWindow::bytesFor(request) + 2 * PositionMap::bytesFor(request.size);
+    if (settings.movesSeams())
+        need.bytes += joinBytes(request, threads);
+    if (settings.evensTone())
+        need.bytes += toneBytes(request);
     return need;
 }
 

@@ -13,16 +13,16 @@ namespace texloom::quilting {
 /// Lays patches over what is not known of a picture, those first that show most of what is known. A patch is
 /// compared on all known pixels that it covers, whatever their shape; it is cut against earlier ones along
 /// the minimum cut of a graph (Kwatra et al., SIGGRAPH 2003), since these may surround it; and it leaves what
-/// was known from the beginning as it is.
+/// was known from the beginning as it is. At last all cuts are moved together, and the tone is evened out.
 class HoleQuilter {
 public:
-    /// @param request with what may be copied in the exemplars' masks: see withoutHole().
-    HoleQuilter(const Request& request, const Settings& settings, JobContext& context);
+    /// @param window of a request with what may be copied in the exemplars' masks: see withoutHole().
+    HoleQuilter(const FillWindow& window, const Settings& settings, JobContext& context);
     Synthesis run();
 
     /// Side of the patches: at most half of what is made, so that several share it.
     static int patchFor(const Request& request, const Settings& settings);
-    static Estimate estimate(const Request& request, const Settings& settings);
+    static Estimate estimate(const Request& request, const Settings& settings, int threads);
 
 private:
     /// A square of the output, of which some is to be made.
@@ -57,10 +57,13 @@ private:
     std::vector<std::uint8_t> keptOf(const Cell& cell, const ImageView& fresh) const;
     std::int32_t cost(const Cell& cell, const ImageView& fresh, int x, int y) const;
     float keptShare(const std::vector<std::uint8_t>& kept, int x, int y) const;
-    void smooth();
+    Synthesis finish();
+    void keepBlends(Synthesis& result) const;
+    void offer();
     bool there(int x, int y) const { return m_picture.known[index(x, y)] != 0 || m_made[index(x, y)] != 0; }
 
-    const Request& m_request;
+    const FillWindow& m_window;
+    const Request& m_request; ///< the window's
     const Settings& m_settings;
     JobContext& m_context;
     int m_patch, m_overlap;

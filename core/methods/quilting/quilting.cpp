@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/methods/fill_join.h"
 #include "core/methods/fill_request.h"
 #include "core/methods/method.h"
 #include "core/methods/patch_request.h"
@@ -36,7 +37,7 @@ void check(const Request& request, const Settings& settings) {
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
     if (knownOf(request))
-        return HoleQuilter::estimate(request, settings);
+        return HoleQuilter::estimate(request, settings, threads);
     Estimate need =
         growthEstimate(request, settings.patch, settings.overlapPixels(), threads, settings.contrast > 0);
     // Where an axis wraps, overlaps differ by a pixel.
@@ -51,8 +52,10 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
 
 Synthesis run(const Request& request, const Settings& settings, JobContext& context) {
     if (knownOf(request)) {
-        const Request hidden = prepared(request, settings, [&context] { context.check(); });
-        return HoleQuilter(hidden, settings, context).run();
+        const auto checked = [&context] { context.check(); };
+        const Request hidden = prepared(request, settings, checked);
+        const FillWindow window(hidden, HoleQuilter::patchFor(request, settings), checked);
+        return HoleQuilter(window, settings, context).run();
     }
     const std::vector<PatchSource> exemplars = patchSources(request);
     const QuiltOptions options = settings.quiltOptions(request);
@@ -106,7 +109,15 @@ const Method self = method<Settings>(
      radiusField(&Settings::radius)
          .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
                   "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),
-     contextField(&Settings::context)},
+     contextField(&Settings::context),
+     seamsField(&Settings::seams)
+         .help(TR("Where a hole is filled with the stitch cut or poisson, moves the borders between what is "
+                  "copied "
+                  "to where they are seen least.")),
+     toneField(&Settings::tone)
+         .help(TR(
+             "Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied "
+             "from what is around it, as the stitch poisson does; off: every pixel is a copy."))},
     run, check, estimate);
 
 } // namespace texloom::quilting

@@ -16,8 +16,15 @@ struct Settings {
     int softness = 3;                      ///< half the width in pixels over which a smooth cut blends
     double contrast = QuiltOptions::kUsualContrast; ///< see ContrastBalance::share; 0 in the source
     double variety = QuiltOptions::kUsualVariety;   ///< see QuiltOptions::variety; 0 in the source
-    int radius = 0;   ///< in exemplars of the output's size, how far a hole's sources lie; 0: anywhere
-    int context = 80; ///< where a hole is filled, how far around it is copied from; see withoutHole()
+    int radius = 0;    ///< in exemplars of the output's size, how far a hole's sources lie; 0: anywhere
+    int context = 200; ///< where a hole is filled, how far around it is copied from; see withoutHole()
+    bool seams = true; ///< where a hole is filled, whether seams between copies are moved; see joinCopies()
+    bool tone = true;  ///< where a hole is filled, whether its tone is evened out; see evenTone()
+
+    /// Whether every pixel of a filled hole is copied from one patch, so that copies can be moved and evened.
+    bool copies() const { return stitch == PatchStitch::Cut || stitch == PatchStitch::Poisson; }
+    bool movesSeams() const { return seams && copies(); }
+    bool evensTone() const { return stitch == PatchStitch::Poisson || (tone && copies()); }
 
     /// w_o in pixels.
     int overlapPixels() const { return overlapFor(patch, overlap); }

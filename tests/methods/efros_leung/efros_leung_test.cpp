@@ -228,6 +228,47 @@ TEST(EfrosLeung, holeInAPeriodIsFilledWithoutATrace) {
     EXPECT_TRUE(samePixels(grown(request, settings, 2, {&hole.picture, &hole.known}).image, whole));
 }
 
+/// Where a coarser scale guesses the hole's own pixels, nothing fits better than these.
+TEST(EfrosLeung, aGuessThatFitsIsKept) {
+    const Image whole = gravelOf({70, 70});
+    const Hole hole(whole);
+    const Request request = requestFor(whole, {70, 70}); // of which nothing is hidden
+    PositionMap guess({70, 70}, {{70, 70}});
+    for (int y = 25; y < 45; ++y)
+        for (int x = 20; x < 50; ++x)
+            guess.at(x, y) = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0};
+    for (const Order order : {Order::Onion, Order::Raster}) {
+        Settings settings;
+        settings.window = 9;
+        settings.order = order;
+        settings.tolerance = 0;
+        const Start start{&hole.picture, &hole.known, &guess};
+        const Synthesis one = grown(request, settings, 1, start);
+        EXPECT_TRUE(samePixels(one.image, whole));
+        EXPECT_TRUE(samePixels(grown(request, settings, 3, start).image, one.image));
+    }
+}
+
+TEST(WindowScan, whatIsGuessedCountsLess) {
+    Scene scene(noise({20, 20}, 1), 5, 1.3, {20, 20});
+    std::fill(scene.known.flags.begin(), scene.known.flags.end(), KnownPixels::kMade);
+    const auto distance = [&] {
+        WindowScan::Query query;
+        std::vector<WindowScan::Found> found;
+        const Source one{9, 9, 0};
+        scene.scan.look(scene.canvas, scene.known, 10, 10, {}, query);
+        scene.scan.withinOf({&one, 1}, 0, query, found);
+        return static_cast<double>(found.front().distance);
+    };
+    const double made = distance();
+    scene.known.at(9, 10) = KnownPixels::kGuessed;
+    const double guessed = distance();
+    scene.known.at(9, 10) = 0;
+    const double unknown = distance();
+    EXPECT_LT(unknown, made);
+    EXPECT_NEAR(guessed, (made + unknown) / 2, 1e-4 * made);
+}
+
 TEST(EfrosLeung, sourcesOfAHoleLieWithinTheRadius) {
     const Hole hole(blobs({70, 70}, 3));
     Request request = requestFor(hole.picture, {70, 70});

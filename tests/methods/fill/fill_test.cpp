@@ -53,8 +53,7 @@ protected:
     /// Small windows and patches, since the pictures are small.
     Values settings(Values more = {}) const {
         more[GetParam() == "efros-leung" ? "window" : "patch"] = GetParam() == "patchmatch" ? 5 : 9;
-        if (GetParam() == "patchmatch")
-            more.try_emplace("tone", false); // copies only
+        more.try_emplace("tone", false); // copies only
         return more;
     }
     Synthesis filled(const Request& request, const Values& more = {}, int threads = 2) const {
@@ -84,10 +83,10 @@ TEST_P(Fill, whatIsKnownStaysAndTheRestIsCopied) {
 TEST_P(Fill, holeInAPeriodIsFilledWithoutATrace) {
     const Image whole = periodic({110, 100}, {8, 8}, 2);
     Values exactly;
-    if (GetParam() == "patchmatch")
-        exactly = {{"scales", 1}, {"tone", false}};
-    else
-        exactly = {{"tolerance", 0.0}};
+    if (GetParam() != "quilting")
+        exactly["scales"] = 1;
+    if (GetParam() != "patchmatch")
+        exactly["tolerance"] = 0.0;
     if (GetParam() == "efros-leung")
         exactly["search"] = std::string("exact"); // the other may miss the window that fits
     EXPECT_TRUE(samePixels(filled(requestFor(pierced(whole)), exactly).image, whole));
@@ -216,14 +215,16 @@ TEST(FilledWindow, isWhatMasksAndHoleNeed) {
 TEST(FilledWindow, toneChangesNothingThatIsKnown) {
     const Image picture = pierced(blobs({110, 100}, 3));
     const Request request = requestFor(picture);
-    const Synthesis result = resultOf(findMethod("patchmatch"), request, {{"patch", 5}});
-    EXPECT_EQ(result.mapKind, MapKind::Dominant);
-    for (int c = 0; c < 3; ++c)
-        for (int y = 0; y < 100; ++y)
-            for (int x = 0; x < 110; ++x)
-                if (!inHole(x, y)) {
-                    ASSERT_EQ(result.image(x, y, c), picture(x, y, c));
-                }
+    for (const char* method : {"patchmatch", "efros-leung", "quilting"}) {
+        const Synthesis result = resultOf(findMethod(method), request, {});
+        EXPECT_EQ(result.mapKind, MapKind::Dominant);
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < 100; ++y)
+                for (int x = 0; x < 110; ++x)
+                    if (!inHole(x, y)) {
+                        ASSERT_EQ(result.image(x, y, c), picture(x, y, c)) << method;
+                    }
+    }
 }
 
 TEST(QuiltedHole, poissonTakesItsLevelFromWhatIsAround) {
@@ -238,7 +239,7 @@ TEST(QuiltedHole, poissonTakesItsLevelFromWhatIsAround) {
     const auto step = [&](const char* stitch) {
         const Synthesis result =
             resultOf(findMethod("quilting"), request,
-                     {{"patch", 12}, {"tolerance", 0.0}, {"stitch", std::string(stitch)}});
+                     {{"patch", 12}, {"tolerance", 0.0}, {"stitch", std::string(stitch)}, {"tone", false}});
         double most = 0;
         for (int y = 0; y < 100; ++y)
             for (int x = 0; x < 110; ++x)

@@ -1,4 +1,5 @@
 // Seams between copies and their tone.
+#include "core/match/masked_distances.h"
 #include "core/methods/fill_seams.h"
 #include "core/methods/fill_tone.h"
 #include "tests/support/textures.h"
@@ -126,6 +127,40 @@ TEST(Seams, copyOnlyWhatMasksAllow) {
             EXPECT_GE(map.at(x, y).x, 7);
 }
 
+/// So that a patch of half the contrast must fit nearly twice as well.
+TEST(Offsets, distancesAreDividedByThePatchesContrasts) {
+    constexpr int kPatch = 5;
+    Image exemplar = noise(kPicture, 2, 4);
+    for (int c = 0; c < 2; ++c)
+        for (int y = 0; y < kPicture.height; ++y)
+            for (int x = 0; x < kPicture.width / 2; ++x)
+                exemplar(x, y, c) *= 0.2F;
+    const MaskedDistances distances({exemplar.view(), {}, 1}, kPatch, [] {});
+    std::vector<double> variances;
+    double mean = 0;
+    for (int y = 0; y + kPatch <= kPicture.height; ++y)
+        for (int x = 0; x + kPatch <= kPicture.width; ++x) {
+            double variance = 0;
+            for (int c = 0; c < 2; ++c) {
+                double sum = 0, squares = 0;
+                for (int j = 0; j < kPatch; ++j)
+                    for (int i = 0; i < kPatch; ++i) {
+                        const auto value = static_cast<double>(exemplar(x + i, y + j, c));
+                        sum += value;
+                        squares += value * value;
+                    }
+                variance += squares - sum * sum / (kPatch * kPatch);
+            }
+            variances.push_back(variance);
+            mean += variance;
+        }
+    mean /= static_cast<double>(variances.size());
+    std::vector<float> balanced(variances.size(), 1.0F);
+    distances.balance(balanced);
+    for (std::size_t i = 0; i < variances.size(); ++i)
+        EXPECT_NEAR(balanced[i], 1.25 / (variances[i] / mean + 0.25), 1e-4);
+}
+
 TEST(Tone, ofACopyThatIsBrighterBecomesThatOfWhatIsAround) {
     const Image picture = blobs(kPicture, 1, 6);
     Image exemplar = picture, image = picture;
@@ -145,6 +180,22 @@ TEST(Tone, ofACopyThatIsBrighterBecomesThatOfWhatIsAround) {
     for (int y = 0; y < kPicture.height; ++y)
         for (int x = 0; x < kPicture.width; ++x)
             EXPECT_NEAR(image(x, y, 0), picture(x, y, 0), isMade(x, y) ? 1e-5 : 0);
+}
+
+TEST(Tone, whatElseLiesAtTheBorderDoesNotStain) {
+    Image picture = constant(kPicture, 1, 0.5F);
+    picture(10, 7, 0) = 1; // 1 of the 14 pixels along the border
+    Image image = picture;
+    PositionMap map(kPicture, {kPicture});
+    for (int y = 8; y < 11; ++y)
+        for (int x = 9; x < 13; ++x)
+            map.at(x, y) = shiftedBy(x, y, 0, 8);
+    const std::vector<PatchSource> sources{{picture.view(), {}, 1}};
+    const std::vector<std::uint8_t> made = madePixels();
+    evenTone({sources, made, {}}, map, image, [](double) {});
+    for (int y = 8; y < 11; ++y)
+        for (int x = 9; x < 13; ++x)
+            EXPECT_NEAR(image(x, y, 0), 0.5F, 0.01);
 }
 
 } // namespace
