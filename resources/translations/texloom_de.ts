@@ -1377,10 +1377,6 @@
         <translation>Die Maske verdeckt alles von {}; maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
-        <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren; wählen Sie einen kleineren Patch, oder maskieren Sie weniger.</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.</source>
         <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren; wählen Sie kleinere Blöcke, oder maskieren Sie weniger.</translation>
     </message>
@@ -3609,10 +3605,6 @@
         <translation>Gewicht des Ziels</translation>
     </message>
     <message>
-        <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
-        <translation>Die Maske lässt keine ganze Umgebung von {} px übrig; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
-    </message>
-    <message>
         <source>The target has {} channels, the exemplar {}; they need the same number.</source>
         <translation>Das Ziel hat {} Kanäle, die Vorlage {}; es müssen gleich viele sein.</translation>
     </message>
@@ -3815,10 +3807,6 @@
     <message>
         <source>Columns</source>
         <translation>Spalten</translation>
-    </message>
-    <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones.</source>
-        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: alle, doch wo ein Loch gefüllt wird, die wahrscheinlichen.</translation>
     </message>
     <message>
         <source>Context</source>
@@ -6159,6 +6147,30 @@
     <message>
         <source>{} is there, and Texloom did not write it; choose another name or folder.</source>
         <translation>{} ist schon da, und Texloom hat es nicht geschrieben; wählen Sie einen anderen Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
+        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: alle, doch wo ein Loch gefüllt wird, die wahrscheinlichen, und auf feineren Skalen die bei den Quellen der gröberen.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
+        <translation>Die Maske lässt keine ganze Umgebung von {} px übrig, nur welche von höchstens {} px; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy, but only some of at most {} px; choose a smaller patch or mask less.</source>
+        <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren, nur welche von höchstens {} px; wählen Sie einen kleineren Patch, oder maskieren Sie weniger.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut or poisson, moves the borders between what is copied to where they are seen least.</source>
+        <translation>Wo ein Loch mit der Naht cut oder poisson gefüllt wird, werden die Grenzen zwischen dem Kopierten dorthin verlegt, wo man sie am wenigsten sieht.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>
+        <translation>Wo ein Loch mit der Naht cut gefüllt wird, richten sich Helligkeit und Farbe des Kopierten nach der Umgebung, wie bei der Naht poisson; aus: Jedes Pixel ist eine Kopie.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
+        <translation>Wo ein Loch gefüllt wird, höchstens so viele Skalen, jede halb so groß wie die vorige: Eine feinere sieht das Ergebnis der gröberen, wo sie selbst noch nichts gemacht hat, sodass zusammenpasst, was von gegenüberliegenden Seiten wächst. 1 wächst wie veröffentlicht.</translation>
     </message>
 </context>
 <context>
@@ -9385,6 +9397,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>
         <translation>Das Bild hat jetzt %1 px; „Ausführen“ macht, was über seine Ränder hinaus liegt.</translation>
+    </message>
+    <message>
+        <source>To make more of the picture beyond its edges, choose “Extend a picture…” from the menu Tools instead.</source>
+        <translation>Um das Bild über seine Ränder hinaus fortzusetzen, wählen Sie stattdessen „Ein Bild erweitern …“ im Menü Werkzeuge.</translation>
     </message>
 </context>
 <context>

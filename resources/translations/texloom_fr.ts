@@ -1377,10 +1377,6 @@
         <translation>Le masque cache tout {} ; masquez moins.</translation>
     </message>
     <message>
-        <source>The mask leaves no whole patch of {} px to copy; choose a smaller patch or mask less.</source>
-        <translation>Le masque ne laisse aucun patch entier de {} px à copier ; choisissez un patch plus petit ou masquez moins.</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole patch of {} px to copy; choose smaller blocks or mask less.</source>
         <translation>Le masque ne laisse aucun patch entier de {} px à copier ; choisissez des blocs plus petits ou masquez moins.</translation>
     </message>
@@ -3609,10 +3605,6 @@
         <translation>Poids de la cible</translation>
     </message>
     <message>
-        <source>The mask leaves no whole neighbourhood of {} px; choose a smaller one or mask less.</source>
-        <translation>Le masque ne laisse aucun voisinage entier de {} px ; choisissez-en un plus petit ou masquez moins.</translation>
-    </message>
-    <message>
         <source>The target has {} channels, the exemplar {}; they need the same number.</source>
         <translation>La cible a {} canaux, l’échantillon {} ; il en faut le même nombre.</translation>
     </message>
@@ -3815,10 +3807,6 @@
     <message>
         <source>Columns</source>
         <translation>Colonnes</translation>
-    </message>
-    <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones.</source>
-        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire. Automatique : toutes, mais là où un trou est rempli, les probables.</translation>
     </message>
     <message>
         <source>Context</source>
@@ -6159,6 +6147,30 @@
     <message>
         <source>{} is there, and Texloom did not write it; choose another name or folder.</source>
         <translation>{} existe déjà, et Texloom ne l’a pas écrit ; choisissez un autre nom ou dossier.</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
+        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire. Automatique : toutes, mais là où un trou est rempli, les probables, et aux échelles plus fines celles proches des sources de la plus grossière.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
+        <translation>Le masque ne laisse aucun voisinage entier de {} px, seulement d’au plus {} px ; choisissez-en un plus petit ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>The mask leaves no whole patch of {} px to copy, but only some of at most {} px; choose a smaller patch or mask less.</source>
+        <translation>Le masque ne laisse aucun patch entier de {} px à copier, seulement d’au plus {} px ; choisissez un patch plus petit ou masquez moins.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut or poisson, moves the borders between what is copied to where they are seen least.</source>
+        <translation>Là où un trou est rempli avec la couture cut ou poisson, déplace les limites entre ce qui est copié là où elles se voient le moins.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>
+        <translation>Là où un trou est rempli avec la couture cut, la luminosité et la couleur de ce qui est copié suivent ce qui l’entoure, comme avec la couture poisson ; désactivé : chaque pixel est une copie.</translation>
+    </message>
+    <message>
+        <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
+        <translation>Là où un trou est rempli, au plus autant d’échelles, chacune deux fois plus petite que la précédente : une échelle plus fine voit le résultat de la plus grossière là où elle n’a encore rien fait, de sorte que ce qui croît de côtés opposés se rejoint. 1 croît comme publié.</translation>
     </message>
 </context>
 <context>
@@ -9385,6 +9397,10 @@ Déposez une image ici.</translation>
     <message>
         <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>
         <translation>L’image fait maintenant %1 px ; Lancer fait ce qui se trouve au-delà de ses bords.</translation>
+    </message>
+    <message>
+        <source>To make more of the picture beyond its edges, choose “Extend a picture…” from the menu Tools instead.</source>
+        <translation>Pour prolonger l’image au-delà de ses bords, choisissez plutôt « Étendre une image… » dans le menu Outils.</translation>
     </message>
 </context>
 <context>
