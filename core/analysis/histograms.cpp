@@ -10,11 +10,11 @@ namespace texloom {
 
 namespace {
 
-constexpr int kPatch = 8;
-constexpr int kPatches = 6000;
+constexpr int kHistogramPatch = 8;
+constexpr int kHistogramPatches = 6000;
 /// Patches that the principal axes are learnt from.
-constexpr int kLearnt = 1500;
-constexpr int kChannels = 3;
+constexpr int kHistogramLearnt = 1500;
+constexpr int kHistogramChannels = 3;
 
 /// Counts values into bins.
 class Counter {
@@ -70,7 +70,7 @@ void count(const PlaneView& plane, Counter& counter, const JobContext& context) 
 std::vector<double> patches(std::span<const ImageView> images, int channels, std::uint32_t stream,
                             const JobContext& context) {
     std::vector<double> values;
-    for (int n = 0; n < kPatches; ++n) {
+    for (int n = 0; n < kHistogramPatches; ++n) {
         if (n % 256 == 0)
             context.check();
         const auto draw = [&](int limit, int which) {
@@ -79,10 +79,11 @@ std::vector<double> patches(std::span<const ImageView> images, int channels, std
         };
         const int number = draw(static_cast<int>(images.size()), 0);
         const ImageView& image = images[static_cast<std::size_t>(number)];
-        const int left = draw(image.width - kPatch + 1, 1), top = draw(image.height - kPatch + 1, 2);
+        const int left = draw(image.width - kHistogramPatch + 1, 1),
+                  top = draw(image.height - kHistogramPatch + 1, 2);
         for (int c = 0; c < channels; ++c)
-            for (int y = 0; y < kPatch; ++y)
-                for (int x = 0; x < kPatch; ++x)
+            for (int y = 0; y < kHistogramPatch; ++y)
+                for (int x = 0; x < kHistogramPatch; ++x)
                     values.push_back(static_cast<double>(image(left + x, top + y, c)));
     }
     return values;
@@ -144,15 +145,15 @@ std::vector<HistogramPair> colorHistograms(const ImageView& result, std::span<co
 
 std::vector<HistogramPair> componentHistograms(const ImageView& result, std::span<const ImageView> exemplars,
                                                int bins, JobContext& context) {
-    const auto tooSmall = [](const ImageView& image) { return image.size().shorterSide() < kPatch; };
+    const auto tooSmall = [](const ImageView& image) { return image.size().shorterSide() < kHistogramPatch; };
     if (tooSmall(result) || std::any_of(exemplars.begin(), exemplars.end(), tooSmall))
         return {};
-    const int channels = std::min(result.channels, kChannels);
-    const int dimension = kPatch * kPatch * channels;
+    const int channels = std::min(result.channels, kHistogramChannels);
+    const int dimension = kHistogramPatch * kHistogramPatch * channels;
     const std::vector<double> theirs = patches(exemplars, channels, 0, context);
     const std::vector<double> own = patches({&result, 1}, channels, 1, context);
     context.progress(0.4);
-    const auto learnt = static_cast<std::size_t>(kLearnt) * static_cast<std::size_t>(dimension);
+    const auto learnt = static_cast<std::size_t>(kHistogramLearnt) * static_cast<std::size_t>(dimension);
     const PrincipalAxes axes = principalAxes(std::span(theirs).first(learnt), dimension, 2);
     context.check();
     std::vector<HistogramPair> pairs;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kScanLanes = 8;
 /// Candidates that are compared at a time, and terms after which they may be given up.
-constexpr int kBlock = 2 * kScanLanes;
+constexpr int kScannedAtOnce = 2 * kScanLanes;
 constexpr int kTerms = 4;
 /// Colours are learnt from about this many pixels.
 constexpr double kScanSamples = 20000;
@@ -113,11 +113,11 @@ Interleaved WindowScan::turned(const ImageView& image, const std::function<void(
 void WindowScan::makePlanes(const std::function<void()>& check) {
     for (const Interleaved& pixels : m_pixels) {
         // Blocks may read beyond the last row's end.
-        const auto area = static_cast<std::size_t>(pixels.size.area()) + kBlock;
+        const auto area = static_cast<std::size_t>(pixels.size.area()) + kScannedAtOnce;
         std::vector<float>& planes = m_planes.emplace_back(area * static_cast<std::size_t>(m_channels), 0.0F);
         for (std::size_t a = 0; a < static_cast<std::size_t>(m_channels); ++a) {
             check();
-            for (std::size_t i = 0; i + kBlock < area; ++i)
+            for (std::size_t i = 0; i + kScannedAtOnce < area; ++i)
                 planes[a * area + i] = pixels.data[i * static_cast<std::size_t>(pixels.pixel) + a];
         }
     }
@@ -125,7 +125,7 @@ void WindowScan::makePlanes(const std::function<void()>& check) {
 
 const float* WindowScan::plane(int exemplar, int axis) const {
     const auto e = static_cast<std::size_t>(exemplar);
-    const auto area = static_cast<std::size_t>(m_pixels[e].size.area()) + kBlock;
+    const auto area = static_cast<std::size_t>(m_pixels[e].size.area()) + kScannedAtOnce;
     return m_planes[e].data() + static_cast<std::size_t>(axis) * area;
 }
 
@@ -260,7 +260,7 @@ TEXLOOM_WIDE_VECTORS void scanRow(std::span<const WindowScan::Factor> factors, c
     using Vector =
         float __attribute__((vector_size(kScanLanes * sizeof(float)), aligned(alignof(float)), may_alias));
     const std::size_t count = factors.size();
-    for (int x = 0; x < row.count; x += kBlock) {
+    for (int x = 0; x < row.count; x += kScannedAtOnce) {
         Vector first{}, second{};
         std::size_t term = 0;
         while (term < count) {
@@ -282,7 +282,7 @@ TEXLOOM_WIDE_VECTORS void scanRow(std::span<const WindowScan::Factor> factors, c
         }
         if (term < count)
             continue;
-        for (int lane = 0; lane < std::min(kBlock, row.count - x); ++lane) {
+        for (int lane = 0; lane < std::min(kScannedAtOnce, row.count - x); ++lane) {
             const float sum = lane < kScanLanes ? first[lane] : second[lane - kScanLanes];
             if (sum > bound.limit)
                 continue;
