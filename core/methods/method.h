@@ -58,7 +58,7 @@ struct MethodInfo {
     std::vector<Port> takes; ///< Method adds companion maps where there are exemplars
     std::vector<Port> gives; ///< at least an image
     Repeats repeats = Repeats::Bits;
-    bool usesSeed = true;                         ///< whether another seed gives another result
+    bool usesSeed = true;                         ///< whether seeds can matter, if only at some settings
     std::chrono::milliseconds cancelsWithin{100}; ///< how soon it ends once it is told to
 
     /// The port of this id, or null.
