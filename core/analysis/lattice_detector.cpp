@@ -29,7 +29,8 @@ constexpr double kSame = 1.5;    // pixels between vectors that count as equal
 /// Candidate lattices of a texture.
 class Search {
 public:
-    explicit Search(const CorrelationPeaks& peaks) : m_peaks(peaks) {}
+    /// @param every whether all of divisions() are tried
+    Search(const CorrelationPeaks& peaks, bool every) : m_peaks(peaks), m_every(every) {}
 
     /// Tries pairs of peaks and parts of the best of them.
     void run();
@@ -44,6 +45,7 @@ private:
     std::vector<LatticeCandidate> candidates(const std::optional<Rows>& rows) const;
 
     const CorrelationPeaks& m_peaks;
+    bool m_every;
     std::vector<Lattice> m_lattices;
 };
 
@@ -94,29 +96,32 @@ void Search::run() {
     addFiner();
 }
 
-/// The lattices with `parts` times as many points: each has one at (a v1 + b v2) / parts.
-std::vector<std::array<double, 3>> divisions() {
-    std::vector<std::array<double, 3>> all;
-    for (const int parts : {2, 3, 5, 7}) {
-        all.push_back({1, 0, double(parts)});
-        for (int a = 0; a < parts; ++a)
-            all.push_back({double(a), 1, double(parts)});
+/// Lattices with two and three times as many points, or also five and seven times: each has one at (a v1 + b
+/// v2) / parts, and v1 where a is 0, else v2.
+std::vector<std::array<double, 3>> divisions(bool all) {
+    std::vector<std::array<double, 3>> some = {{1, 0, 2}, {0, 1, 2}, {1, 1, 2}, {1, 0, 3},
+                                               {0, 1, 3}, {1, 1, 3}, {1, -1, 3}};
+    for (const int parts : {5, 7}) {
+        if (!all)
+            break;
+        some.push_back({0, 1, double(parts)});
+        for (int b = 0; b < parts; ++b)
+            some.push_back({1, double(b), double(parts)});
     }
-    return all;
+    return some;
 }
 
-/// Adds the lattices with two, three, five or seven times as many points where those fit equally well: their
-/// vectors may not be among the peaks. Other multiples follow from those of what was added.
+/// Adds the lattices of divisions() where those fit equally well: their vectors may not be among the peaks.
 void Search::addFiner() {
     constexpr double kWorthTrying = 0.75; // of the coarser lattice's goodness
-    static const std::vector<std::array<double, 3>> kDivisions = divisions();
+    const std::vector<std::array<double, 3>> parted = divisions(m_every);
     for (std::size_t i = 0; i < m_lattices.size() && m_lattices.size() < 2 * kShortlist; ++i) {
         m_peaks.check();
         const Lattice coarse = m_lattices[i];
         const double reached = roughGoodness(m_peaks, coarse);
-        for (const auto& [a, b, parts] : kDivisions) {
+        for (const auto& [a, b, parts] : parted) {
             const Vec2 point = (1 / parts) * coarse.at(a, b);
-            const Lattice raw = (b == 0 ? Lattice{point, coarse.v2} : Lattice{coarse.v1, point}).reduced();
+            const Lattice raw = (a == 0 ? Lattice{coarse.v1, point} : Lattice{point, coarse.v2}).reduced();
             if (std::min(raw.v1.length(), raw.v2.length()) >= kShortestVector &&
                 roughGoodness(m_peaks, raw) >= kWorthTrying * reached)
                 addUnlike(fitted(m_peaks, raw));
@@ -264,11 +269,11 @@ LatticeCandidate ratedLattice(const Correlation& correlation, const Lattice& lat
 
 namespace {
 
-LatticeAnalysis analysisOf(const ImageView& view, const std::function<void()>& check) {
+LatticeAnalysis analysisOf(const ImageView& view, bool every, const std::function<void()>& check) {
     LatticeAnalysis analysis;
     analysis.correlation = autocorrelation(view, check);
     const CorrelationPeaks peaks(analysis.correlation, check);
-    Search search(peaks);
+    Search search(peaks, every);
     search.run();
     search.report(findRows(peaks), analysis);
     return analysis;
@@ -290,10 +295,10 @@ LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<vo
     if (exemplar.size().shorterSide() < 8)
         return {};
     const Image flat = withoutLight(exemplar, check);
-    LatticeAnalysis analysis = analysisOf(flat, check);
+    LatticeAnalysis analysis = analysisOf(flat, false, check);
     if (analysis.found())
         return analysis;
-    LatticeAnalysis edges = analysisOf(edgesOf(flat, check), check);
+    LatticeAnalysis edges = analysisOf(edgesOf(flat, check), true, check);
     if (!edges.found()) {
         addOther(analysis.candidates, edges.candidates);
         return analysis;

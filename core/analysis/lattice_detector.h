@@ -32,14 +32,14 @@ struct LatticeAnalysis {
 /// Finds the two shortest vectors by which a near-regular texture repeats itself (López Recas 2011,
 /// section 3.3): pairs of local maxima of γ, rated by the mean of γ at their multiples with a preference for
 /// smaller tiles. Beyond the source: a quadratic surface of light is first subtracted from each channel,
-/// every pair is fitted to the maxima at all its multiples, to a fraction of a pixel, and lattices with two,
-/// three, five and seven times the points of a good one are tried as well. Where that finds nothing, it is
-/// done again with the exemplar's edges (edgesOf()): colours of bricks differ, their joints are alike. A
-/// vector is found if the exemplar is about twice as long. Where only rows repeat (findRows()), the lattice
-/// has a vector of one pixel along them, and lattices that explain nothing within the rows are left out.
-/// Where nothing repeats, but rows run through the whole exemplar (findOrderedRows()), their direction is the
-/// result. The runners-up include the smallest
-/// tile that is half as good, the rows, and the best of the edges or colours in which nothing was found.
+/// every pair is fitted to the maxima at all its multiples, to a fraction of a pixel, and lattices with two
+/// and three times the points of a good one are tried as well. Where that finds nothing, it is done again
+/// with the exemplar's edges (edgesOf()), and with five and seven times the points: colours of bricks differ,
+/// their joints are alike. A vector is found if the exemplar is about twice as long. Where only rows repeat
+/// (findRows()), the lattice has a vector of one pixel along them, and lattices that explain nothing within
+/// the rows are left out. Where nothing repeats, but rows run through the whole exemplar (findOrderedRows()),
+/// their direction is the result. The runners-up include the smallest tile that is half as good, the rows,
+/// and the best of the edges or colours in which nothing was found.
 /// @param check called every few milliseconds; may throw.
 LatticeAnalysis analyzeLattice(
     const ImageView& exemplar, const std::function<void()>& check = [] {});
