@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
@@ -170,12 +171,50 @@ void writeWideTiff(const std::filesystem::path& path, Size size, const std::vect
           output.get());
 }
 
+namespace {
+
+void appendLittle(Bytes& bytes, std::uint32_t number, int count) {
+    for (int i = 0; i < count; ++i)
+        bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
+}
+
+} // namespace
+
+void writePaletteTiff(const std::filesystem::path& path) {
+    constexpr std::uint32_t kWidth = 64, kHeight = 48, kEntries = 10;
+    constexpr std::uint32_t kColours = 8 + 2 + kEntries * 12 + 4, kPixels = kColours + 12;
+    constexpr std::uint32_t kShort = 3, kLong = 4;
+    const std::array<std::array<std::uint32_t, 4>, kEntries> entries = {
+        {{256, kLong, 1, kWidth},
+         {257, kLong, 1, kHeight},
+         {258, kShort, 1, 1},
+         {259, kShort, 1, 1}, // not compressed
+         {262, kShort, 1, 3}, // palette
+         {273, kLong, 1, kPixels},
+         {277, kShort, 1, 1},
+         {278, kLong, 1, kHeight},
+         {279, kLong, 1, kWidth / 8 * kHeight},
+         {320, kShort, 6, kColours}}};
+    Bytes tiff = {'I', 'I', 42, 0, 8, 0, 0, 0, kEntries, 0};
+    for (const auto& [tag, type, count, value] : entries) {
+        appendLittle(tiff, tag, 2);
+        appendLittle(tiff, type, 2);
+        appendLittle(tiff, count, 4);
+        appendLittle(tiff, value, 4);
+    }
+    appendLittle(tiff, 0, 4);
+    for (const std::uint32_t level : {0xffffU, 0U, 0U, 0U, 0U, 0xffffU}) // both reds, greens, blues
+        appendLittle(tiff, level, 2);
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+        for (std::uint32_t byte = 0; byte < kWidth / 8; ++byte)
+            tiff.push_back(byte < kWidth / 16 ? 0 : 0xff);
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(tiff.data()), static_cast<std::streamsize>(tiff.size()));
+}
+
 void writeEmptyTiff(const std::filesystem::path& path, std::uint32_t side, bool whole) {
     Bytes tiff = {'I', 'I', 42, 0, 8, 0, 0, 0, 9, 0};
-    const auto little = [&tiff](std::uint32_t number, int bytes) {
-        for (int i = 0; i < bytes; ++i)
-            tiff.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
-    };
+    const auto little = [&tiff](std::uint32_t number, int bytes) { appendLittle(tiff, number, bytes); };
     constexpr std::uint32_t kBits = 8 + 2 + 9 * 12 + 4, kPixels = kBits + 6;
     const auto entry = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
         little(tag, 2);
