@@ -162,8 +162,11 @@ class Suites:
         print(self.faults[-1], flush=True)
 
     def oiiotool(self, *words):
-        return subprocess.run(["oiiotool", *map(str, words)], cwd=self.folder, capture_output=True, timeout=300, text=True,
-                              errors="replace")
+        try:
+            return subprocess.run(["oiiotool", *map(str, words)], cwd=self.folder, capture_output=True, timeout=900,
+                                  text=True, errors="replace")
+        except subprocess.TimeoutExpired:  # then it is no reference for this file
+            return subprocess.CompletedProcess(words, 1, "", "")
 
     def texloom(self, path, width, height):
         """Decodes a file. @return how it ended."""
