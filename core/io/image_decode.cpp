@@ -131,7 +131,10 @@ std::uintmax_t densityOf(const OIIO::ImageSpec& spec, const std::string& format)
 
 /// A decoder fills what a file cut short claims to hold, which takes minutes where that is much.
 void checkBytes(const fs::path& path, const OIIO::ImageSpec& spec, const std::string& format) {
-    const int bits = spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.size()));
+    // Of a palette the first is what the file has, the second what it stands for.
+    const int decoded =
+        spec.get_int_attribute("oiio:BitsPerSample", static_cast<int>(8 * spec.format.size()));
+    const int bits = spec.get_int_attribute("tiff:BitsPerSample", decoded);
     const auto pixels = static_cast<std::uintmax_t>(Size{spec.width, spec.height}.area());
     const std::uintmax_t least =
         pixels * static_cast<std::uintmax_t>(std::max(bits, 1)) / 8; // of one channel

@@ -6,12 +6,17 @@
 #include "core/io/file_name_json.h"
 #include "core/io/image_file.h"
 #include "core/io/json_field.h"
+#include "core/io/temporary_file.h"
 #include "core/session/run/asset_file.h"
 #include "core/session/run/exemplar_use.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -92,11 +97,23 @@ fs::path placeFor(const fs::path& file, const fs::path& folder, std::set<fs::pat
 void copyTo(const fs::path& place, const fs::path& file) {
     std::error_code error;
     fs::create_directories(place.parent_path(), error);
-    if (!fs::exists(place, error))
-        fs::copy_file(file, place, error);
-    if (error)
+    if (fs::exists(place, error))
+        return;
+    std::ifstream from(file, std::ios::binary);
+    if (error || !from)
         fail("{} could not be copied to {}: {}.", file.string(), place.parent_path().string(),
-             error.message());
+             error ? error.message() : std::strerror(errno));
+    TemporaryFile to(place);
+    std::vector<char> block(1U << 20U);
+    std::int64_t at = 0;
+    while (from.read(block.data(), static_cast<std::streamsize>(block.size())), from.gcount() > 0) {
+        to.write(block.data(), static_cast<std::size_t>(from.gcount()), at);
+        at += from.gcount();
+    }
+    if (from.bad())
+        fail("{} could not be copied to {}: {}.", file.string(), place.parent_path().string(),
+             std::strerror(errno));
+    to.commit();
 }
 
 void leaveOut(RecipeInputs& inputs, const fs::path& file) {

@@ -3,24 +3,49 @@
 #include "tests/support/file_content.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace texloom::test {
 
 namespace {
 
+constexpr const char* kReport = "sanitizer";
+
 void redirect(const std::filesystem::path& path, int to) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(file, to);
     ::close(file);
+}
+
+/// Sanitizers write what they find to files: the program gives its stderr away, and its decoders have none.
+void reportTo(const std::filesystem::path& files) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"}) {
+        const char* given = std::getenv(name);
+        const std::string options = given ? std::string(given) + ":" : "";
+        ::setenv(name, (options + "log_path=" + files.string()).c_str(), 1);
+    }
+#else
+    static_cast<void>(files);
+#endif
+}
+
+/// Fails the test with what a sanitizer wrote.
+void expectNoReport(const std::filesystem::path& folder) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().stem() == kReport)
+            ADD_FAILURE() << contentOf(entry.path());
 }
 
 } // namespace
@@ -47,6 +72,7 @@ Program::Program(const std::vector<std::string>& arguments, const std::filesyste
     redirect("/dev/null", STDIN_FILENO);
     redirect(out, STDOUT_FILENO);
     redirect(err, STDERR_FILENO);
+    reportTo(m_output / kReport);
     if (::chdir(folder.c_str()) == 0)
         ::execv(pointers.front(), pointers.data());
     ::_exit(127);
@@ -57,6 +83,7 @@ Program::~Program() {
         signal(SIGKILL);
         ::waitpid(m_id, &m_status, 0);
     }
+    expectNoReport(m_output.path());
 }
 
 bool Program::running() {

@@ -1,5 +1,3 @@
-#include "core/base/error.h"
-#include "core/base/text.h"
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
 #include "core/io/model_file.h"
@@ -12,7 +10,7 @@
 #include "core/volume/mesh_file.h"
 #include "core/volume/volume_file.h"
 #include "tests/core/tools/sample_edits.h"
-#include "tests/fuzz/damage.h"
+#include "tests/fuzz/fuzzed.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/textures.h"
@@ -20,13 +18,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <ctime>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <ostream>
-#include <random>
 
 namespace texloom::test {
 
@@ -35,40 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kLargestPixels = 1 << 20;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kLongest = 20; // seconds of processor time, whatever else the machine does
-#else
-constexpr double kLongest = 5;
-#endif
-
-/// The number in a variable of the environment.
-std::uint64_t numberFrom(const char* name, std::uint64_t otherwise) {
-    const char* asked = std::getenv(name);
-    std::uint64_t number = otherwise;
-    if (asked && !parseUnsigned(asked, number))
-        ADD_FAILURE() << name << " is " << asked << ", not a number";
-    return number;
-}
-
-int iterations() {
-    return static_cast<int>(numberFrom("TEXLOOM_FUZZ_ITERATIONS", 300));
-}
-
-/// Another one at each call of the program, so that many short runs are as good as a long one.
-std::uint64_t seed() {
-    static const std::uint64_t drawn = std::random_device()();
-    return numberFrom("TEXLOOM_FUZZ_SEED", drawn);
-}
-
-/// "TEXLOOM_FUZZ_SEED=7, iteration 12": what it takes to see it again.
-std::string placeText(int iteration) {
-    return "TEXLOOM_FUZZ_SEED=" + std::to_string(seed()) + ", iteration " + std::to_string(iteration);
-}
-
-/// Processor time of this process, in seconds.
-double worked() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 std::string get(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -77,54 +37,6 @@ std::string get(const fs::path& path) {
 
 void put(const fs::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
-
-/// Runs a reader, which may succeed or throw Error, and nothing else, in time.
-void expectReadOrRefused(const std::function<void()>& read) {
-    const double start = worked();
-    try {
-        read();
-    } catch (const Error& error) {
-        EXPECT_STRNE(error.what(), "");
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    } catch (const std::exception& error) {
-        ADD_FAILURE() << "not a texloom::Error: " << error.what();
-    } catch (...) {
-        ADD_FAILURE() << "not a texloom::Error, and no exception of the standard";
-    }
-    EXPECT_LT(worked() - start, kLongest);
-}
-
-/// Says in a file which iteration is under way, since after a crash nobody is left to say it.
-class Trace {
-public:
-    Trace(const char* name) : m_path(fs::temp_directory_path() / (std::string("texloom-fuzz-") + name)) {}
-    ~Trace() {
-        std::error_code ignored;
-        fs::remove(m_path, ignored);
-    }
-    Trace(const Trace&) = delete;
-    Trace& operator=(const Trace&) = delete;
-    void at(int iteration) const { put(m_path, placeText(iteration) + "\n"); }
-
-private:
-    fs::path m_path;
-};
-
-/// Damages `originals` in turn and hands each to `read`.
-void fuzz(const char* name, const std::vector<std::string>& originals, int count,
-          const std::function<void(const std::string&)>& read) {
-    const Random random(seed());
-    const Trace trace(name);
-    for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
-        SCOPED_TRACE(placeText(i));
-        trace.at(i);
-        const auto which = static_cast<std::size_t>(i) % originals.size();
-        const std::string& other =
-            originals[(which + 1 + static_cast<std::size_t>(i) / 7) % originals.size()];
-        const std::string bytes = damaged(originals[which], other, random, i);
-        expectReadOrRefused([&] { read(bytes); });
-    }
 }
 
 /// The bytes of one small image in this format.

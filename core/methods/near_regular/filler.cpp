@@ -311,7 +311,8 @@ void Filler::blendCell(Cell cell) {
     for (int row = cell.row - 1; row <= cell.row + 1; ++row)
         for (int column = cell.column - 1; column <= cell.column + 1; ++column)
             shifts[{column, row}] = shiftOf({column, row}, patchAt({column, row}));
-    const int width = m_settings.blend;
+    // Where blocks are small, so are their borders, and beyond those a patch has no pixels.
+    const int width = std::min(m_settings.blend, 2 * m_layout.reach());
     for (int y = top; y < bottom; ++y) {
         const Share down = shareOf(m_layout.vertical(), y, width);
         for (int x = left; x < right; ++x) {

@@ -311,6 +311,29 @@ void writeBilevelTiff(const std::filesystem::path& path, const std::vector<std::
     put(path, tiff.bytes);
 }
 
+void writePaletteTiff(const std::filesystem::path& path) {
+    constexpr std::uint32_t kWidth = 64, kHeight = 48, kEntries = 10, kShort = 3, kLong = 4;
+    constexpr std::uint32_t kColours = 8 + 2 + kEntries * 12 + 4, kPixels = kColours + 12;
+    LittleTiff tiff(kEntries);
+    tiff.entry(256, kLong, 1, kWidth);
+    tiff.entry(257, kLong, 1, kHeight);
+    tiff.entry(258, kShort, 1, 1);
+    tiff.entry(259, kShort, 1, 1); // not compressed
+    tiff.entry(262, kShort, 1, 3); // palette
+    tiff.entry(273, kLong, 1, kPixels);
+    tiff.entry(277, kShort, 1, 1);
+    tiff.entry(278, kLong, 1, kHeight);
+    tiff.entry(279, kLong, 1, kWidth / 8 * kHeight);
+    tiff.entry(320, kShort, 6, kColours);
+    tiff.number(0, 4);
+    for (const std::uint32_t level : {0xffffU, 0U, 0U, 0U, 0U, 0xffffU}) // both reds, greens, blues
+        tiff.number(level, 2);
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+        for (std::uint32_t byte = 0; byte < kWidth / 8; ++byte)
+            tiff.bytes.push_back(byte < kWidth / 16 ? 0 : 0xff);
+    put(path, tiff.bytes);
+}
+
 void writeEmptyTiff(const std::filesystem::path& path, std::uint32_t side, bool whole) {
     constexpr std::uint32_t kEntries = 9, kBits = 8 + 2 + kEntries * 12 + 4, kPixels = kBits + 6;
     constexpr std::uint32_t kShort = 3, kLong = 4;

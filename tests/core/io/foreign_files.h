@@ -45,6 +45,9 @@ void writePages(const std::filesystem::path& path, const std::vector<ImageView>&
 /// A palette PNG of 3 × 2 px, 8 bits an index: red, green, blue; blue, green, red.
 void writePalettePng(const std::filesystem::path& path);
 
+/// An uncompressed palette TIFF of 64 × 48 px, one bit an index: its left half red, its right half blue.
+void writePaletteTiff(const std::filesystem::path& path);
+
 /// Writes an EXR of several parts, each of the same image, by these names.
 void writeParts(const std::filesystem::path& path, const std::vector<ImageView>& images,
                 const std::vector<std::string>& names);

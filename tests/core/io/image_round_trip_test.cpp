@@ -216,6 +216,17 @@ TEST(ImageFile, ReadsAPaletteAsColours) {
     EXPECT_TRUE(samePixels(back.image, expected));
 }
 
+TEST(ImageFile, ReadsAPaletteOfFewBitsThatIsNotCompressed) {
+    const TemporaryFolder folder;
+    writePaletteTiff(folder / "a.tif");
+    const LoadedImage back = readImage(folder / "a.tif");
+    Image expected({64, 48}, 3);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x)
+            expected(x, y, x < 32 ? 0 : 2) = 1;
+    EXPECT_TRUE(samePixels(back.image, expected));
+}
+
 TEST(ImageFile, GoesByTheFirstBytesNotTheName) {
     const TemporaryFolder folder;
     const Image image = holdable({9, 7}, 3, Depth::Bits8);

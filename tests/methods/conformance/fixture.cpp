@@ -119,6 +119,14 @@ const Synthesis& usualResult(const Method& method) {
     return made.emplace(method.id(), runWith(method, requestFor({50, 61}, 3, {97, 80}), 2)).first->second;
 }
 
+Size reduced(Size size) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return {size.width / 2, size.height / 2};
+#else
+    return size;
+#endif
+}
+
 RunPlan longPlan(const Method& method, Size output) {
     Request request = requestFor({256, 256}, 3, output);
     fillPorts(method.info(), request);

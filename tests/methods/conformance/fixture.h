@@ -39,6 +39,9 @@ Synthesis runWith(const Method& method, Request request, const Values& settings,
 /// only look at it.
 const Synthesis& usualResult(const Method& method);
 
+/// A size; half of its sides under a sanitizer, where everything takes ten times as long.
+Size reduced(Size size);
+
 /// A run that keeps nearly every method busy for seconds, so that it can be watched and stopped.
 RunPlan longPlan(const Method& method, Size output = {4096, 4096});
 

@@ -36,7 +36,7 @@ TEST_P(Conformance, cancelAnswersAtOnce) {
 }
 
 TEST_P(Conformance, progressNeverFallsAndEndsAtOne) {
-    Request request = requestFor({64, 64}, 3, {512, 512});
+    Request request = requestFor({64, 64}, 3, reduced({512, 512}));
     fillPorts(method().info(), request);
     const auto job = startRun(planFor(method(), request, briefSettings(method(), request)), false);
     double last = 0;
@@ -98,7 +98,7 @@ TEST_P(Conformance, previewsComeWhileItRuns) {
 
 TEST_P(Conformance, stopsEarlyWithWhatItHas) {
     // What has been learned until then still makes a picture of the whole size.
-    const RunPlan plan = longPlan(method(), {1024, 1024});
+    const RunPlan plan = longPlan(method(), reduced({1024, 1024}));
     const auto job = startRun(plan, false);
     job->stopAndKeep();
     const Outcome<Result> outcome = job->take();

@@ -298,6 +298,25 @@ TEST(NearRegular, blendsAsTheSourceSays) {
         }
 }
 
+TEST(NearRegular, blendsNoWiderThanSmallBlocksBordersAre) {
+    // A wider band once took what lies beyond the patches, and at the exemplar's edges beyond its memory.
+    Image exemplar = noise({36, 34}, 3);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < 34; ++y)
+            for (int x = 0; x < 36; ++x)
+                exemplar(x, y, c) = 2 + exemplar(x, y, c); // as nothing else in memory is
+    for (const int band : {3, 9, 64, 256})
+        for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+            const Values settings = {
+                {"lattice", std::string("none")}, {"join", std::string("blend")}, {"blend", band}};
+            const Image image = run(exemplar, {61, 90}, settings, wrap).image;
+            for (int c = 0; c < 3; ++c)
+                for (int y = 0; y < image.height(); ++y)
+                    for (int x = 0; x < image.width(); ++x)
+                        ASSERT_NEAR(image(x, y, c), 2.5, 0.5 + 1e-5) << band << " at " << x << ", " << y;
+        }
+}
+
 TEST(NearRegular, closesOnItselfWithWholePeriods) {
     const Lattice lattice{{16, 0}, {8, 13}};
     const Image exemplar = regularTexture({128, 120}, 1, lattice, {}, 5);
