@@ -335,8 +335,10 @@ TEST(WangTiles, cellsThatWrapFillTheOutput) {
 TEST(WangTiles, smallerThresholdsSearchLongerAndJoinBetter) {
     const Request request = requestOf(blobs({96, 96}, 3), {100, 100});
     const auto figure = [](const Synthesis& result, std::size_t i) { return result.figures[i].value; };
-    const Synthesis quick = made(request, {{"threshold", 2.0}, {"tile", 32}});
-    const Synthesis long_ = made(request, {{"threshold", 0.0}, {"tile", 32}, {"tries", 12}});
+    const std::string match = "edges";
+    const Synthesis quick = made(request, {{"match", match}, {"threshold", 2.0}, {"tile", 32}});
+    const Synthesis long_ =
+        made(request, {{"match", match}, {"threshold", 0.0}, {"tile", 32}, {"tries", 12}});
     EXPECT_EQ(figure(quick, 1), 1);
     EXPECT_EQ(figure(long_, 1), 12);
     EXPECT_LE(figure(long_, 2), figure(quick, 2));
