@@ -246,6 +246,17 @@ void readSamples(const DecodeRequest& request, OIIO::ImageInput& input, const Fi
         scaleToSpan<std::int32_t>(samples, header.samples, header);
 }
 
+/// The EXIF orientation. Of Radiance pictures that are stored by columns, "+X N +Y M" is turned to the right
+/// in the file and "-X N -Y M" to the left (Ward, Radiance File Formats); the library has it the other way
+/// around.
+int orientationOf(const OIIO::ImageSpec& spec, const std::string& format) {
+    constexpr int kToTheRight = 6, kToTheLeft = 8; // what is to be done
+    const int told = spec.get_int_attribute("Orientation", 1);
+    if (format == "hdr" && (told == kToTheRight || told == kToTheLeft))
+        return kToTheRight + kToTheLeft - told;
+    return told;
+}
+
 /// An EXR may hold pixels around or within the picture that it is meant to show.
 void noteWindow(ImageFileInfo& info, const OIIO::ImageSpec& spec) {
     const bool same = spec.x == spec.full_x && spec.y == spec.full_y && spec.width == spec.full_width &&
@@ -277,7 +288,7 @@ DecodedHeader decode(const DecodeRequest& request, const SamplePlace& place) {
     noteWindow(header.info, spec);
     takePart(header.info, part, parts, request.layer);
     header.stored = {spec.width, spec.height};
-    header.orientation = spec.get_int_attribute("Orientation", 1);
+    header.orientation = orientationOf(spec, format);
     if (!request.pixels)
         return header;
     checkSpec(request.path, spec, request.largestPixels);

@@ -236,9 +236,16 @@ void writeGreyPng(const std::filesystem::path& path, int bits, const std::vector
              row, static_cast<std::uint8_t>(bits));
 }
 
-void writeTurnedHdr(const std::filesystem::path& path) {
+void writeTurnedPng(const std::filesystem::path& path) {
+    constexpr std::uint8_t kTag = 0x12, kShort = 3, kToTheRight = 6;
+    const Bytes exif = {'M',    'M', 0, 42, 0, 0, 0,           8, 0, 1, 1, kTag, 0,
+                        kShort, 0,   0, 0,  1, 0, kToTheRight, 0, 0, 0, 0, 0,    0};
+    writePng(path, 3, 1, 2, {{"eXIf", exif}}, {0, 255, 255, 255, 0, 0, 0, 0, 0, 0});
+}
+
+void writeOrderedHdr(const std::filesystem::path& path, const std::string& order) {
     Bytes file;
-    append(file, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 2 +Y 3\n");
+    append(file, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n" + order + "\n");
     file.insert(file.end(), {128, 128, 128, 129});
     file.resize(file.size() + 5 * 4);
     put(path, file);

@@ -35,9 +35,12 @@ void writeForeign(const std::filesystem::path& path, const ImageView& image, con
 /// A grey PNG of a row of whole bytes, in each of which are 8 / bits pixels. @param bits 1, 2 or 4
 void writeGreyPng(const std::filesystem::path& path, int bits, const std::vector<std::uint8_t>& bytes);
 
-/// A Radiance file of 2 × 3 px, stored by columns: "+X 2 +Y 3". Only the pixel in the top left corner is
-/// white.
-void writeTurnedHdr(const std::filesystem::path& path);
+/// A Radiance file of 2 × 3 px, in which only the first pixel is white. @param order as "+X 2 +Y 3" for one
+/// that is stored by columns, from left to right and each upwards.
+void writeOrderedHdr(const std::filesystem::path& path, const std::string& order);
+
+/// A PNG of 3 × 1 px, white, black and black, that is to be turned to the right.
+void writeTurnedPng(const std::filesystem::path& path);
 
 /// A TIFF with a page for each picture, of 8 bits.
 void writePages(const std::filesystem::path& path, const std::vector<ImageView>& pages);

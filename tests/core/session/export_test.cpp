@@ -274,6 +274,24 @@ TEST(ExportPresets, UnityWantsSmoothnessAndMayHaveNoMap) {
     EXPECT_NEAR(packed(5, 5, 3), 1 - result.companion(0)(5, 5, 0), 1e-6);
 }
 
+TEST(ExportResult, WritesAMapOfAJpegWithoutLoss) {
+    SampleRun sample;
+    const fs::path source = sample.folder / "bark_bump.jpg";
+    writeImage(source, blobs({48, 44}, 1), {});
+    sample.input.exemplars[0].companions = {loadData(source)};
+    const Result result = sample.run();
+    ASSERT_FALSE(result.synthesis.notes.empty());
+    EXPECT_THAT(result.synthesis.notes.front().text(), HasSubstr("bark_bump.jpg holds data"));
+    const TemporaryFolder out;
+    ExportOptions options;
+    options.image = out / "made.png";
+    options.sidecar = false;
+    exportResult(result, options);
+    const std::set<fs::path> expected = {out / "made.png", out / "made_bump.png"};
+    EXPECT_EQ(filesIn(out.path()), expected);
+    EXPECT_TRUE(samePixels(readImage(out / "made_bump.png").image, result.companion(0)));
+}
+
 TEST(ExportResult, ReplacesOnlyWhatItWasToldItMay) {
     SampleExport sample;
     sample.options.mayReplace.emplace();
