@@ -25,8 +25,8 @@ Eigen::VectorXd vector(const std::vector<double>& from) {
 }
 
 /// A model with `known` entries given and `unknown` ones wanted.
-struct Model {
-    Model(int known, int unknown, int m, double deviation)
+struct Conditioned {
+    Conditioned(int known, int unknown, int m, double deviation)
         : given(normalMatrix(known, m, 1)), wanted(normalMatrix(unknown, m, 2)),
           difference(normalMatrix(known, 1, 3)), sigma(deviation) {}
 
@@ -44,7 +44,7 @@ struct Model {
 TEST(ConditionalGaussian, meanIsThatOfTheDenseSolution) {
     for (const int m : {1, 4, 12, 40})
         for (const double sigma : {0.03, 1.0}) {
-            const Model model(25, 18, m, sigma);
+            const Conditioned model(25, 18, m, sigma);
             const ConditionalGaussian conditional(values(model.given), 25, values(model.difference), sigma);
             const Eigen::VectorXd found = model.wanted * vector(conditional.mean());
             const Eigen::VectorXd dense = model.gain() * model.difference;
@@ -55,7 +55,7 @@ TEST(ConditionalGaussian, meanIsThatOfTheDenseSolution) {
 TEST(ConditionalGaussian, covarianceIsThatOfTheDenseSolution) {
     for (const int m : {1, 4, 12, 40})
         for (const double sigma : {0.03, 1.0}) {
-            const Model model(25, 18, m, sigma);
+            const Conditioned model(25, 18, m, sigma);
             const ConditionalGaussian conditional(values(model.given), 25, values(model.difference), sigma);
             const Eigen::VectorXd mean = vector(conditional.mean());
             Eigen::MatrixXd spread(m, m);
@@ -72,7 +72,7 @@ TEST(ConditionalGaussian, covarianceIsThatOfTheDenseSolution) {
 }
 
 TEST(ConditionalGaussian, aVectorOfTheModelIsReproducedAsSigmaFalls) {
-    const Model model(30, 10, 8, 1);
+    const Conditioned model(30, 10, 8, 1);
     const Eigen::VectorXd coefficients = normalMatrix(8, 1, 7);
     const Eigen::VectorXd difference = model.given * coefficients;
     double last = 1e9;
