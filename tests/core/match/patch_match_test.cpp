@@ -14,7 +14,7 @@ namespace texloom::test {
 namespace {
 
 /// A promise of the design.
-constexpr std::chrono::milliseconds kCancelLimit{100};
+constexpr std::chrono::milliseconds kMatchCancelLimit{100};
 
 PatchField matched(const ImageView& query, std::vector<PatchSource> sources, const PatchMatchOptions& options,
                    int threads = 2, std::uint64_t seed = 5) {
@@ -149,7 +149,7 @@ TEST(PatchMatch, endsSoonAfterCancelling) {
         EXPECT_TRUE(std::holds_alternative<Cancelled>(job.take()));
         return std::chrono::steady_clock::now() - asked;
     };
-    const auto limit = limitNow(kCancelLimit);
+    const auto limit = limitNow(kMatchCancelLimit);
     if (!limit)
         GTEST_SKIP() << kTooBusy;
     EXPECT_LE(shortest(*limit, timeToCancel), *limit);

@@ -25,7 +25,7 @@ std::shared_ptr<const VolumeSource> coordinates() {
         3);
 }
 
-Mesh triangle() {
+Mesh placedTriangle() {
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
     mesh.normals.assign(3, Eigen::Vector3f::UnitZ());
@@ -63,7 +63,7 @@ TEST(SolidPlacement, VerticesHaveTheColourOfTheirVoxel) {
     placement.angles = {0.3, -0.4, 1.1};
     placement.offset = {-5.5, 7, 100};
     TestContext context;
-    const Mesh mesh = triangle();
+    const Mesh mesh = placedTriangle();
     const std::vector<float> colours = vertexColours(mesh, *coordinates(), placement, context);
     ASSERT_EQ(colours.size(), 9U);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -77,7 +77,7 @@ TEST(SolidPlacement, SolidsOfOneChannelAreGrey) {
     const FunctionSource grey(
         [](std::int64_t x, std::int64_t, std::int64_t, int) { return 0.1 * static_cast<double>(x); });
     TestContext context;
-    const std::vector<float> colours = vertexColours(triangle(), grey, {}, context);
+    const std::vector<float> colours = vertexColours(placedTriangle(), grey, {}, context);
     EXPECT_FLOAT_EQ(colours[3], 0.1F);
     EXPECT_FLOAT_EQ(colours[4], 0.1F);
     EXPECT_FLOAT_EQ(colours[5], 0.1F);
@@ -88,21 +88,21 @@ TEST(SolidPlacement, WhatCannotBeColouredIsRefused) {
     EXPECT_THROW(vertexColours(Mesh(), *coordinates(), {}, context), UsageError);
     SolidPlacement none;
     none.scale = 0;
-    EXPECT_THROW(vertexColours(triangle(), *coordinates(), none, context), UsageError);
+    EXPECT_THROW(vertexColours(placedTriangle(), *coordinates(), none, context), UsageError);
     SolidPlacement far;
     far.offset.x() = 1e13;
-    EXPECT_THROW(vertexColours(triangle(), *coordinates(), far, context), UsageError);
+    EXPECT_THROW(vertexColours(placedTriangle(), *coordinates(), far, context), UsageError);
 }
 
 TEST(RefinedMesh, HasShortEdgesAndTheSameSurface) {
     TestContext context;
-    const Mesh fine = refined(triangle(), 0.3, 1'000'000, context);
+    const Mesh fine = refined(placedTriangle(), 0.3, 1'000'000, context);
     EXPECT_EQ(fine.triangles.size(), 64U); // √5 halved three times
     EXPECT_EQ(fine.positions.size(), 45U) << "neighbours share what they have in common";
     EXPECT_EQ(fine.normals.size(), fine.positions.size());
     EXPECT_NEAR(area(fine), 1, 1e-6);
-    EXPECT_EQ(refined(triangle(), 0.3, 16, context).triangles.size(), 16U);
-    EXPECT_EQ(refined(triangle(), 10, 16, context).triangles.size(), 1U);
+    EXPECT_EQ(refined(placedTriangle(), 0.3, 16, context).triangles.size(), 16U);
+    EXPECT_EQ(refined(placedTriangle(), 10, 16, context).triangles.size(), 1U);
 }
 
 TEST(ColouredMesh, HasItsRecipe) {
@@ -111,7 +111,7 @@ TEST(ColouredMesh, HasItsRecipe) {
     const std::vector<float> colours(9, 0.5F);
     const std::string recipe = "{\n  \"seed\": 7\n}";
     for (const char* name : {"a.ply", "a.obj", "a.glb"}) {
-        writeColouredMesh(folder.path() / name, triangle(), colours, {}, recipe);
+        writeColouredMesh(folder.path() / name, placedTriangle(), colours, {}, recipe);
         EXPECT_THAT(readText(folder.path() / name), testing::HasSubstr("seed")) << name;
         EXPECT_EQ(readMesh(folder.path() / name, context).triangles.size(), 1U) << name;
     }
