@@ -157,7 +157,8 @@ TEST_F(Cli, SetsEveryParameter) {
            "softness=2", "--set", "contrast=0.5", "--set", "variety=2"});
     EXPECT_EQ(json("out.json").at("parameters"),
               Json::parse(R"({"patch": 12, "overlap": 0.5, "tolerance": 1.5, "contrast": 0.5,
-                              "variety": 2.0, "stitch": "smooth-cut", "softness": 2, "radius": 0, "context": 80})"));
+                              "variety": 2.0, "stitch": "smooth-cut", "softness": 2, "radius": 0, "context": 200,
+                              "seams": true, "tone": true, "companion-weight": 0.0})"));
 }
 
 TEST_F(Cli, Wraps) {
