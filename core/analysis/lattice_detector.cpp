@@ -289,6 +289,14 @@ void addOther(std::vector<LatticeCandidate>& reported, const std::vector<Lattice
     reported.push_back(others.front());
 }
 
+/// Whether nothing but rounding is left of an exemplar without its light, which has edges of its own.
+bool isPlain(const ImageView& exemplar, const ImageView& flat) {
+    constexpr float kRounding = 1e-5F;
+    const ValueRange whole = valueRange(exemplar), left = valueRange(flat);
+    return left.largest - left.smallest <=
+           kRounding * std::max(std::abs(whole.largest), std::abs(whole.smallest));
+}
+
 } // namespace
 
 LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check) {
@@ -296,7 +304,7 @@ LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<vo
         return {};
     const Image flat = withoutLight(exemplar, check);
     LatticeAnalysis analysis = analysisOf(flat, false, check);
-    if (analysis.found())
+    if (analysis.found() || isPlain(exemplar, flat))
         return analysis;
     LatticeAnalysis edges = analysisOf(edgesOf(flat, check), true, check);
     if (!edges.found()) {

@@ -6,7 +6,9 @@
 #include "tests/support/textures.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace texloom::test {
 namespace {
@@ -60,6 +62,17 @@ Asset triangle() {
     return std::shared_ptr<const Mesh>(mesh);
 }
 
+/// Repeats the first exemplar.
+Asset repeatedMap(Size size, std::vector<Size> exemplars) {
+    const Size own = exemplars.front();
+    auto map = std::make_shared<PositionMap>(size, std::move(exemplars));
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            map->at(x, y) = {static_cast<std::uint16_t>(x % own.width),
+                             static_cast<std::uint16_t>(y % own.height), 0};
+    return std::shared_ptr<const PositionMap>(map);
+}
+
 /// Something made up for a port. @param size of pictures.
 Asset madeUp(const Port& port, Size size, const Request& request) {
     switch (port.kind) {
@@ -68,7 +81,7 @@ Asset madeUp(const Port& port, Size size, const Request& request) {
     case AssetKind::Mask:
         return std::make_shared<const Image>(constant(size, 1, 1));
     case AssetKind::Map:
-        return std::make_shared<const PositionMap>(size, request.exemplarSizes());
+        return repeatedMap(size, request.exemplarSizes());
     case AssetKind::Model:
         return modelFor(port, request);
     case AssetKind::Volume:
