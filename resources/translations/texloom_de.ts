@@ -6062,7 +6062,7 @@
     </message>
     <message>
         <source>Weight of companion maps</source>
-        <translation>Gewicht der Begleitkarten</translation>
+        <translation>Kartengewicht</translation>
     </message>
     <message>
         <source>What has colours: corners, with fresh texture inside each tile, repeat less; edges are as published first, each tile four samples in diamonds.</source>

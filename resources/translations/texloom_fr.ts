@@ -5002,7 +5002,7 @@
     </message>
     <message>
         <source>Move seams</source>
-        <translation>Déplacer les coutures</translation>
+        <translation>Bouger les joints</translation>
     </message>
     <message>
         <source>Moving seams</source>
@@ -6062,7 +6062,7 @@
     </message>
     <message>
         <source>Weight of companion maps</source>
-        <translation>Poids des cartes associées</translation>
+        <translation>Poids des cartes</translation>
     </message>
     <message>
         <source>What has colours: corners, with fresh texture inside each tile, repeat less; edges are as published first, each tile four samples in diamonds.</source>
