@@ -5002,7 +5002,7 @@
     </message>
     <message>
         <source>Move seams</source>
-        <translation>Bouger les joints</translation>
+        <translation>Coutures mobiles</translation>
     </message>
     <message>
         <source>Moving seams</source>
