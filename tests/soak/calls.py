@@ -27,12 +27,17 @@ def as_text(value):
 
 
 def settings_for(method, rng, share=0.3):
-    """Values for some of the parameters, but none for those that only make a run longer."""
+    """Values for some of the parameters; few iterations for every method that has them, since the defaults train for
+    minutes."""
     values = {}
     for parameter in method["parameters"]:
-        long = "iterations" in parameter["name"] or parameter["name"] in ("rounds", "pause")
-        if not long and parameter["type"] in ("toggle", "choice", "integer", "real") and rng.random() < share:
-            values[parameter["name"]] = value_for(parameter, rng)
+        name = parameter["name"]
+        if "iterations" in name:
+            least = int(parameter["range"][0])
+            values[name] = rng.randint(least, least + 5)
+        elif name not in ("rounds", "pause") and parameter["type"] in ("toggle", "choice", "integer", "real") and \
+                rng.random() < share:
+            values[name] = value_for(parameter, rng)
     return values
 
 
