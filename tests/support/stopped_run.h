@@ -16,7 +16,7 @@ inline RunPlan madeUpPlan(const std::string& method, const Values& settings, Siz
     input.steps.front() = {method, settings};
     RunExemplar& exemplar = input.exemplars.emplace_back();
     exemplar.image.path = "made up";
-    exemplar.image.space = "linear";
+    exemplar.image.space = "srgb";
     exemplar.image.image = std::make_shared<const Image>(blobs({48, 48}, 3));
     input.size = size;
     input.judged = false;
