@@ -1,5 +1,7 @@
 #include "core/methods/wang_tiles/edge_tiles.h"
 
+#include "core/base/at.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,8 +57,8 @@ Source EdgeTiles::sampled(const Colours& colours, int part, int x, int y) const 
                       static_cast<std::uint16_t>(sample.y + std::clamp(dy, 0, last)),
                       static_cast<std::uint16_t>(sample.exemplar)};
     };
-    const auto across = [&](int colour) { return m_samples[static_cast<std::size_t>(2 * colour)]; };
-    const auto upright = [&](int colour) { return m_samples[static_cast<std::size_t>(2 * colour + 1)]; };
+    const auto across = [&](int colour) { return m_samples[at(2 * colour)]; };
+    const auto upright = [&](int colour) { return m_samples[at(2 * colour + 1)]; };
     switch (part) {
     case North:
         return from(across(colours.north), x, m_reach + y);

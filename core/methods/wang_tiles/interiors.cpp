@@ -60,7 +60,7 @@ std::vector<PatchPosition> Interiors::continued(const CornerTiles& border, const
 
 std::vector<PatchPosition> Interiors::bestPlaces(const CornerTiles& border, const Colours& colours,
                                                  std::size_t exemplar,
-                                                 std::vector<PatchPosition> avoided) const {
+                                                 const std::vector<PatchPosition>& avoided) const {
     const int side = m_settings.tile, depth = border.depth();
     Image known({side, side}, m_request.channels()), counts({side, side}, 1);
     for (int y = 0; y < side; ++y)
@@ -135,8 +135,7 @@ void Interiors::find(const CornerTiles& border, const std::vector<Colours>& tile
         const auto tile = static_cast<int>(m_places.size());
         std::vector<PatchPosition> avoided = continued(border, colours);
         avoided.insert(avoided.end(), m_places.begin(), m_places.end());
-        const std::vector<PatchPosition> places =
-            bestPlaces(border, colours, drawnExemplar(tile), std::move(avoided));
+        const std::vector<PatchPosition> places = bestPlaces(border, colours, drawnExemplar(tile), avoided);
         std::vector<std::int64_t> costs(places.size());
         m_context.parallel(0, static_cast<int>(places.size()),
                            [&](int i) { costs[at(i)] = covered(border, colours, places[at(i)]).cost; });

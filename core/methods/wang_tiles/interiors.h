@@ -36,7 +36,8 @@ private:
     };
     Covered covered(const CornerTiles& border, const Colours& colours, const PatchPosition& patch) const;
     std::vector<PatchPosition> bestPlaces(const CornerTiles& border, const Colours& colours,
-                                          std::size_t exemplar, std::vector<PatchPosition> avoided) const;
+                                          std::size_t exemplar,
+                                          const std::vector<PatchPosition>& avoided) const;
     std::vector<PatchPosition> continued(const CornerTiles& border, const Colours& colours) const;
     std::size_t drawnExemplar(int tile) const;
 
