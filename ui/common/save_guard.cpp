@@ -66,7 +66,7 @@ QString askWhereToSave(QWidget* parent, const QString& title, const QString& sta
         dialog.selectFile(place.fileName());
     while (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) {
         const QString chosen = dialog.selectedFiles().constFirst();
-        const QString path = whole(chosen);
+        QString path = whole(chosen);
         if (path == chosen || !QFileInfo::exists(path))
             return path;
         dialog.selectFile(path); // which the dialog did not ask about
