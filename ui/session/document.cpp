@@ -258,7 +258,7 @@ void Document::opened(const LoadedSession& loaded, const QString& file, const QS
 
 QString Document::askForFile(const QString& title) {
     const QString start = m_file.isEmpty() ? QSettings().value(kFolder).toString() : m_file;
-    const QString path = askWhereToSave(m_window.widget, title, start, filter(), {kEnding.mid(1), true});
+    QString path = askWhereToSave(m_window.widget, title, start, filter(), {kEnding.mid(1), true});
     if (!path.isEmpty())
         QSettings().setValue(kFolder, QFileInfo(path).path());
     return path;
