@@ -6161,8 +6161,8 @@
         <translation>Die Maske lässt keinen ganzen Patch von {} px zum Kopieren, nur welche von höchstens {} px; wählen Sie einen kleineren Patch, oder maskieren Sie weniger.</translation>
     </message>
     <message>
-        <source>Where a hole is filled with the stitch cut or poisson, moves the borders between what is copied to where they are seen least.</source>
-        <translation>Wo ein Loch mit der Naht cut oder poisson gefüllt wird, werden die Grenzen zwischen dem Kopierten dorthin verlegt, wo man sie am wenigsten sieht.</translation>
+        <source>Where a hole is filled with the stitch cut, moves the borders between what is copied to where they are seen least.</source>
+        <translation>Wo ein Loch mit der Naht cut gefüllt wird, werden die Grenzen zwischen dem Kopierten dorthin verlegt, wo man sie am wenigsten sieht.</translation>
     </message>
     <message>
         <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>

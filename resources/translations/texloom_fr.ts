@@ -6161,8 +6161,8 @@
         <translation>Le masque ne laisse aucun patch entier de {} px à copier, seulement d’au plus {} px ; choisissez un patch plus petit ou masquez moins.</translation>
     </message>
     <message>
-        <source>Where a hole is filled with the stitch cut or poisson, moves the borders between what is copied to where they are seen least.</source>
-        <translation>Là où un trou est rempli avec la couture cut ou poisson, déplace les limites entre ce qui est copié là où elles se voient le moins.</translation>
+        <source>Where a hole is filled with the stitch cut, moves the borders between what is copied to where they are seen least.</source>
+        <translation>Là où un trou est rempli avec la couture cut, déplace les limites entre ce qui est copié là où elles se voient le moins.</translation>
     </message>
     <message>
         <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>

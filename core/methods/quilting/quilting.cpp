@@ -111,9 +111,8 @@ const Method self = method<Settings>(
                   "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),
      contextField(&Settings::context),
      seamsField(&Settings::seams)
-         .help(TR("Where a hole is filled with the stitch cut or poisson, moves the borders between what is "
-                  "copied "
-                  "to where they are seen least.")),
+         .help(TR("Where a hole is filled with the stitch cut, moves the borders between what is copied to "
+                  "where they are seen least.")),
      toneField(&Settings::tone)
          .help(TR(
              "Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied "

@@ -23,7 +23,8 @@ struct Settings {
 
     /// Whether every pixel of a filled hole is copied from one patch, so that copies can be moved and evened.
     bool copies() const { return stitch == PatchStitch::Cut || stitch == PatchStitch::Poisson; }
-    bool movesSeams() const { return seams && copies(); }
+    /// Not for the Poisson stitch, which joins copies of different brightness, too.
+    bool movesSeams() const { return seams && stitch == PatchStitch::Cut; }
     bool evensTone() const { return stitch == PatchStitch::Poisson || (tone && copies()); }
 
     /// w_o in pixels.

@@ -237,12 +237,9 @@ TEST(QuiltedHole, poissonTakesItsLevelFromWhatIsAround) {
     Request request = requestFor(pierced(whole));
     request.exemplars.front().image = kept(brighter);
     const auto step = [&](const char* stitch) {
-        const Synthesis result = resultOf(findMethod("quilting"), request,
-                                          {{"patch", 12},
-                                           {"tolerance", 0.0},
-                                           {"stitch", std::string(stitch)},
-                                           {"tone", false},
-                                           {"seams", false}});
+        const Synthesis result =
+            resultOf(findMethod("quilting"), request,
+                     {{"patch", 12}, {"tolerance", 0.0}, {"stitch", std::string(stitch)}, {"tone", false}});
         double most = 0;
         for (int y = 0; y < 100; ++y)
             for (int x = 0; x < 110; ++x)
