@@ -25,16 +25,10 @@ void append(Bytes& bytes, std::string_view text) {
     bytes.insert(bytes.end(), text.begin(), text.end());
 }
 
-/// The smallest ICC profile with a description.
-Bytes profile(const std::string& description) {
-    Bytes tag;
-    append(tag, "desc");
-    append(tag, 0);
-    append(tag, static_cast<std::uint32_t>(description.size() + 1));
-    append(tag, description);
-    tag.resize(12 + description.size() + 1 + 78);
+/// What an ICC profile of so many bytes begins with; the list of its tags follows.
+Bytes profileHead(std::uint32_t whole) {
     Bytes bytes;
-    append(bytes, static_cast<std::uint32_t>(128 + 16 + tag.size()));
+    append(bytes, whole);
     append(bytes, "lcms");
     append(bytes, 0x02400000);
     append(bytes, "mntrRGB XYZ ");
@@ -44,6 +38,18 @@ Bytes profile(const std::string& description) {
     for (const std::uint32_t illuminant : {0xf6d6U, 0x10000U, 0xd32dU}) // D50
         append(bytes, illuminant);
     bytes.resize(128);
+    return bytes;
+}
+
+/// The smallest ICC profile with a description.
+Bytes profile(const std::string& description) {
+    Bytes tag;
+    append(tag, "desc");
+    append(tag, 0);
+    append(tag, static_cast<std::uint32_t>(description.size() + 1));
+    append(tag, description);
+    tag.resize(12 + description.size() + 1 + 78);
+    Bytes bytes = profileHead(static_cast<std::uint32_t>(128 + 16 + tag.size()));
     append(bytes, 1);
     append(bytes, "desc");
     append(bytes, 128 + 16);
@@ -206,17 +212,7 @@ std::vector<std::uint8_t> matrixProfile(double gamma) {
     std::uint32_t at = 128 + 4 + 12 * static_cast<std::uint32_t>(tags.size()), whole = at;
     for (const auto& [name, tag] : tags)
         whole += static_cast<std::uint32_t>(tag.size());
-    Bytes bytes;
-    append(bytes, whole);
-    append(bytes, "lcms");
-    append(bytes, 0x02400000);
-    append(bytes, "mntrRGB XYZ ");
-    bytes.resize(36);
-    append(bytes, "acsp");
-    bytes.resize(68);
-    for (const std::uint32_t illuminant : {0xf6d6U, 0x10000U, 0xd32dU}) // D50
-        append(bytes, illuminant);
-    bytes.resize(128);
+    Bytes bytes = profileHead(whole);
     append(bytes, static_cast<std::uint32_t>(tags.size()));
     for (const auto& [name, tag] : tags) {
         append(bytes, name);
