@@ -7580,22 +7580,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>Außerdem</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>Enthält</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>Auf dem Datenträger</translation>
-    </message>
-    <message>
-        <source>Files that will be written</source>
-        <translation>Dateien, die geschrieben werden</translation>
-    </message>
-    <message>
         <source>&amp;Write files</source>
         <translation>Dateien s&amp;chreiben</translation>
     </message>
@@ -7620,44 +7604,12 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>→ %1</translation>
     </message>
     <message>
-        <source>replaces the file there</source>
-        <translation>ersetzt die Datei dort</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>neu</translation>
-    </message>
-    <message>
         <source>Export to</source>
         <translation>Exportieren nach</translation>
     </message>
     <message>
-        <source>8-bit</source>
-        <translation>8 Bit</translation>
-    </message>
-    <message>
-        <source>16-bit</source>
-        <translation>16 Bit</translation>
-    </message>
-    <message>
-        <source>half</source>
-        <translation>halbe Genauigkeit</translation>
-    </message>
-    <message>
-        <source>float</source>
-        <translation>Gleitkomma</translation>
-    </message>
-    <message>
         <source>Folder to write to</source>
         <translation>Ordner zum Schreiben</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Depth of %1</source>
-        <translation>Tiefe von %1</translation>
     </message>
     <message>
         <source>Export “%1”</source>
@@ -7696,10 +7648,6 @@ Ziehen Sie ein Bild hierher.</translation>
         <translation>%1 ist schon da und nicht von Texloom. Wählen Sie einen anderen Namen oder Ordner, oder erlauben Sie, dass es ersetzt wird.</translation>
     </message>
     <message>
-        <source>replaces a file that is not Texloom&apos;s</source>
-        <translation>ersetzt eine Datei, die nicht von Texloom ist</translation>
-    </message>
-    <message>
         <source>Create &amp;folder</source>
         <translation>&amp;Ordner anlegen</translation>
     </message>
@@ -7710,6 +7658,61 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1, %2 values clipped</source>
         <translation>%1, %2 Werte abgeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExportTable</name>
+    <message>
+        <source>8-bit</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16-bit</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>halbe Genauigkeit</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>Gleitkomma</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Files that will be written</source>
+        <translation>Dateien, die geschrieben werden</translation>
+    </message>
+    <message>
+        <source>replaces a file that is not Texloom&apos;s</source>
+        <translation>ersetzt eine Datei, die nicht von Texloom ist</translation>
+    </message>
+    <message>
+        <source>replaces the file there</source>
+        <translation>ersetzt die Datei dort</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>Depth of %1</source>
+        <translation>Tiefe von %1</translation>
     </message>
 </context>
 <context>

@@ -7580,22 +7580,6 @@ Déposez une image ici.</translation>
         <translation>Aussi</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>Contient</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>Sur le disque</translation>
-    </message>
-    <message>
-        <source>Files that will be written</source>
-        <translation>Fichiers qui seront écrits</translation>
-    </message>
-    <message>
         <source>&amp;Write files</source>
         <translation>É&amp;crire les fichiers</translation>
     </message>
@@ -7620,44 +7604,12 @@ Déposez une image ici.</translation>
         <translation>→ %1</translation>
     </message>
     <message>
-        <source>replaces the file there</source>
-        <translation>remplace le fichier existant</translation>
-    </message>
-    <message>
-        <source>new</source>
-        <translation>nouveau</translation>
-    </message>
-    <message>
         <source>Export to</source>
         <translation>Exporter vers</translation>
     </message>
     <message>
-        <source>8-bit</source>
-        <translation>8 bits</translation>
-    </message>
-    <message>
-        <source>16-bit</source>
-        <translation>16 bits</translation>
-    </message>
-    <message>
-        <source>half</source>
-        <translation>demi-précision</translation>
-    </message>
-    <message>
-        <source>float</source>
-        <translation>flottant</translation>
-    </message>
-    <message>
         <source>Folder to write to</source>
         <translation>Dossier où écrire</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
-    </message>
-    <message>
-        <source>Depth of %1</source>
-        <translation>Profondeur de %1</translation>
     </message>
     <message>
         <source>Export “%1”</source>
@@ -7696,10 +7648,6 @@ Déposez une image ici.</translation>
         <translation>%1 existe, et Texloom ne l&apos;a pas écrit. Choisissez un autre nom ou dossier, ou permettez son remplacement.</translation>
     </message>
     <message>
-        <source>replaces a file that is not Texloom&apos;s</source>
-        <translation>remplace un fichier qui n&apos;est pas de Texloom</translation>
-    </message>
-    <message>
         <source>Create &amp;folder</source>
         <translation>Créer le &amp;dossier</translation>
     </message>
@@ -7710,6 +7658,61 @@ Déposez une image ici.</translation>
     <message>
         <source>%1, %2 values clipped</source>
         <translation>%1, %2 valeurs écrêtées</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::ExportTable</name>
+    <message>
+        <source>8-bit</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16-bit</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>demi-précision</translation>
+    </message>
+    <message>
+        <source>float</source>
+        <translation>flottant</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Contient</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Sur le disque</translation>
+    </message>
+    <message>
+        <source>Files that will be written</source>
+        <translation>Fichiers qui seront écrits</translation>
+    </message>
+    <message>
+        <source>replaces a file that is not Texloom&apos;s</source>
+        <translation>remplace un fichier qui n&apos;est pas de Texloom</translation>
+    </message>
+    <message>
+        <source>replaces the file there</source>
+        <translation>remplace le fichier existant</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nouveau</translation>
+    </message>
+    <message>
+        <source>Depth of %1</source>
+        <translation>Profondeur de %1</translation>
     </message>
 </context>
 <context>

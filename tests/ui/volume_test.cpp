@@ -1,21 +1,11 @@
 // The views of volumes: slices with one crosshair, an oblique slice, a block, a mesh.
 
 #include "core/base/error.h"
-#include "core/io/image_file.h"
-#include "core/volume/mesh_file.h"
-#include "core/volume/volume_file.h"
-#include "tests/support/volumes.h"
-#include "tests/ui/window_fixture.h"
+#include "tests/ui/volume_views.h"
 #include "ui/common/text.h"
-#include "ui/volume/box_dialog.h"
-#include "ui/volume/slice_view.h"
-#include "ui/volume/volume_page.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QLabel>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QToolButton>
@@ -33,19 +23,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Different everywhere, and not symmetric in its axes.
-std::shared_ptr<const VolumeSource> endless() {
-    return std::make_shared<FunctionSource>(
-        [](std::int64_t x, std::int64_t y, std::int64_t z, int c) {
-            return static_cast<double>((x * 7 + y * 131 + z * 1021 + c * 13) & 1023) / 1023;
-        },
-        3);
-}
-
-NamedVolume named(const QString& name, std::shared_ptr<const VolumeSource> source) {
-    return {name, {std::move(source), "{\"seed\": 7}"}};
-}
-
 /// The pixel of a view that a point in space is seen in.
 QPoint pixelOf(const SliceView& view, const Vector3d& space) {
     const QPointF place = view.placeOf(space);
@@ -54,19 +31,11 @@ QPoint pixelOf(const SliceView& view, const Vector3d& space) {
 
 } // namespace
 
-class VolumeTest : public QObject {
+class VolumeTest : public VolumeViews {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() {
-        m_source = endless();
-        m_page = std::make_unique<VolumePage>();
-        m_page->resize(760, 560);
-        m_page->show();
-        m_page->setVolumes({named(QStringLiteral("solid"), m_source)});
-        rest();
-    }
-
+    void init() { showEndless(); }
     void cleanup() { m_page.reset(); }
 
     void anEndlessVolumeIsLookedAtFromItsOrigin() {
@@ -275,50 +244,6 @@ private Q_SLOTS:
         QVERIFY2(m_page->message().isEmpty(), qPrintable(m_page->message()));
     }
 
-    void whatCannotBeDoneIsSaidAndNothingIsLost() {
-        m_page->solid()->setView(SolidPanel::OnMesh);
-        SolidView& view = *m_page->solid()->onMesh();
-        QTRY_VERIFY(view.mesh());
-        const auto mesh = view.mesh();
-        const QString flat = m_folder.filePath(QStringLiteral("flat.obj"));
-        std::ofstream(toPath(flat)) << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
-        m_page->solid()->openMesh(flat);
-        QTRY_VERIFY2(m_page->message().contains(QStringLiteral("flat.obj")), qPrintable(m_page->message()));
-        QCOMPARE(view.mesh(), mesh);
-        QCOMPARE(child<QComboBox>(*m_page, "solidShape")->currentIndex(), 1);
-
-        m_page->saveBox({0, 0, 0, {10000, 10000, 10000}}, m_folder.filePath(QStringLiteral("huge.json")));
-        QTRY_VERIFY2(m_page->message().contains(QStringLiteral("10000 × 10000 × 10000")),
-                     qPrintable(m_page->message()));
-        QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("huge.json"))));
-
-        QSignalSpy refused(m_page.get(), &VolumePage::refused);
-        m_page->openFile(m_folder.filePath(QStringLiteral("none.safetensors")));
-        QTRY_COMPARE(refused.count(), 1);
-        const QString other = QStringLiteral(TEXLOOM_RESOURCES "/descriptors/own.safetensors");
-        m_page->openFile(other);
-        QTRY_COMPARE(refused.count(), 2);
-        QVERIFY2(m_page->message().contains(QStringLiteral("solid-generator")),
-                 qPrintable(m_page->message()));
-        QCOMPARE(m_page->volumes().size(), std::size_t{1});
-        rest();
-        compare(Axis::Z);
-    }
-
-    void theBoxToSaveSaysHowLargeItIs() {
-        BoxDialog dialog({-5, 0, 3, {16, 16, 16}});
-        QCOMPARE(dialog.box(), (Box{-5, 0, 3, {16, 16, 16}}));
-        auto* verdict = child<QLabel>(dialog, "boxVerdict");
-        QVERIFY(verdict->text().contains(QStringLiteral("4")));
-        auto* save = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
-        QVERIFY(save->isEnabled());
-        for (const char* side : {"boxSide_x", "boxSide_y", "boxSide_z"})
-            child<QSpinBox>(dialog, side)->setValue(10000);
-        QVERIFY(!save->isEnabled());
-        QVERIFY2(verdict->text().contains(QStringLiteral("10000 × 10000 × 10000")),
-                 qPrintable(verdict->text()));
-    }
-
     void aVolumeThatEndsIsShownWhereItIs() {
         const auto source =
             std::make_shared<DenseSource>(sampleVolume({40, 30, 20}, 1), DenseSource::Edge::Ends, -10, 0, 5);
@@ -370,31 +295,6 @@ private Q_SLOTS:
         QVERIFY(m_page->slice(Axis::X)->isVisible() && m_page->solid()->isVisible());
     }
 
-    void slicesBoxesAndMeshesAreSavedWithTheRecipe() {
-        QSignalSpy saved(m_page.get(), &VolumePage::saved);
-        const auto file = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
-        SliceView& xy = *m_page->slice(Axis::Z);
-        m_page->saveSlice(xy, file("seen.png"));
-        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 20000);
-        QCOMPARE(QImage(file("seen.png")).size(), xy.size());
-        QVERIFY(readImage(toPath(file("seen.png"))).info.recipe.find("seed") != std::string::npos);
-        m_page->saveBox({-4, -3, -2, {6, 5, 4}}, file("box.json"));
-        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 2, 20000);
-        TestContext context;
-        const LoadedVolume box = readVolume(toPath(file("box.json")), context);
-        QVERIFY(sameVoxels(box.source->volume(), m_source->sample({-4, -3, -2, {6, 5, 4}}, context)));
-        m_page->saveBox({-4, -3, -2, {6, 5, 4}}, file("box.png"));
-        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 3, 20000);
-        QVERIFY(QFile::exists(file("box-0003.png")));
-        m_page->solid()->setView(SolidPanel::OnMesh);
-        QTRY_VERIFY(m_page->solid()->placed().mesh);
-        m_page->saveMesh(file("ball.ply"), 4);
-        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 4, 20000);
-        QVERIFY(readMesh(toPath(file("ball.ply")), context).triangles.size() >
-                m_page->solid()->placed().mesh->triangles.size());
-        QVERIFY2(m_page->message().isEmpty(), qPrintable(m_page->message()));
-    }
-
     void aRefusalIsSaidInPlace() {
         class Broken : public VolumeSource {
             int channels() const override { return 1; }
@@ -437,44 +337,11 @@ private Q_SLOTS:
     }
 
 private:
-    const Vector3d& cross() const { return m_page->place()->cross(); }
-
-    /// Waits until all that is seen of the slices is there.
-    void rest() const {
-        for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
-            QTRY_VERIFY2_WITH_TIMEOUT(!m_page->slice(axis)->busy(), qPrintable(m_page->message()), 20000);
-        if (m_page->solid()->view() == SolidPanel::Oblique)
-            QTRY_VERIFY_WITH_TIMEOUT(!m_page->solid()->oblique()->busy(), 20000);
-    }
-
-    /// Holds the tile around what is in the middle against the voxels of the source.
-    void compare(Axis axis) const {
-        const SliceView& view = *m_page->slice(axis);
-        const Plane plane = view.plane();
-        const Vector3d& middle = m_page->place()->middle();
-        const int i = static_cast<int>(std::floor(plane.right.dot(middle) / SliceView::kTile));
-        const int j = static_cast<int>(std::floor(plane.down.dot(middle) / SliceView::kTile));
-        const SliceView::Tile* tile = view.tile(i, j);
-        QVERIFY2(tile != nullptr && tile->values, qPrintable(m_page->message()));
-        TestContext context;
-        for (const auto& [x, y] : {std::pair(0, 0), std::pair(63, 1), std::pair(17, 63)}) {
-            const Vector3d at = plane.at(i * SliceView::kTile + x, j * SliceView::kTile + y);
-            const Volume voxel = m_source->sample({static_cast<std::int64_t>(at.x()),
-                                                   static_cast<std::int64_t>(at.y()),
-                                                   static_cast<std::int64_t>(at.z()),
-                                                   {1, 1, 1}},
-                                                  context);
-            for (int c = 0; c < 3; ++c)
-                QCOMPARE(tile->values->values()(x, y, c), voxel(0, 0, 0, c));
-        }
-    }
-
-    void compareOblique() const {
-        const SliceView& view = *m_page->solid()->oblique();
-        TestContext context;
-        QVERIFY(view.tile(0, 0) != nullptr);
-        QVERIFY(samePixels(view.tile(0, 0)->values->values(),
-                           texloom::slice(*m_source, view.plane(), {64, 64}, context)));
+    QString roof() const {
+        const QString path = m_folder.filePath(QStringLiteral("roof.obj"));
+        std::ofstream(toPath(path))
+            << "v 10 0 0\nv 13 0 0\nv 10.5 1 0\nv 10.5 0.4 -1\nf 1 2 3\nf 2 4 3\nf 4 1 3\nf 1 4 2\n";
+        return path;
     }
 
     static void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
@@ -487,17 +354,6 @@ private:
         send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
         send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
     }
-
-    QString roof() const {
-        const QString path = m_folder.filePath(QStringLiteral("roof.obj"));
-        std::ofstream(toPath(path))
-            << "v 10 0 0\nv 13 0 0\nv 10.5 1 0\nv 10.5 0.4 -1\nf 1 2 3\nf 2 4 3\nf 4 1 3\nf 1 4 2\n";
-        return path;
-    }
-
-    QTemporaryDir m_folder;
-    std::shared_ptr<const VolumeSource> m_source;
-    std::unique_ptr<VolumePage> m_page;
 };
 
 TEXLOOM_UI_TESTS(VolumeTest)

@@ -12,84 +12,11 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace texloom::ui {
 
 namespace {
-
-/// White where the mask hides.
-QImage hiddenPicture(const Image& mask) {
-    QImage hidden(mask.width(), mask.height(), QImage::Format_Alpha8);
-    for (int y = 0; y < mask.height(); ++y) {
-        uchar* row = hidden.scanLine(y);
-        for (int x = 0; x < mask.width(); ++x)
-            row[x] = mask(x, y, 0) == 0 ? 255 : 0;
-    }
-    return hidden;
-}
-
-/// A small picture of a map, by its nearest pixels.
-QImage thumbOf(const Image& map) {
-    constexpr int kSide = 96;
-    const double step = std::max(1.0, static_cast<double>(map.size().longerSide()) / kSide);
-    const int width = std::max(1, static_cast<int>(map.width() / step));
-    const int height = std::max(1, static_cast<int>(map.height() / step));
-    QImage thumb(width, height, QImage::Format_RGB32);
-    const auto level = [&](int x, int y, int c) {
-        const float value = map(x, y, map.channels() >= 3 ? c : 0);
-        return static_cast<int>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
-    };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const int column = static_cast<int>(x * step), row = static_cast<int>(y * step);
-            thumb.setPixel(x, y, qRgb(level(column, row, 0), level(column, row, 1), level(column, row, 2)));
-        }
-    return thumb;
-}
-
-ExemplarState stateOf(const RunExemplar& exemplar) {
-    return {exemplar.original(), exemplar.edits};
-}
-
-/// Whether both have the same pictures for the same ports.
-bool samePictures(const InputFiles& a, const InputFiles& b) {
-    const auto sameFile = [](const InputFile& one, const InputFile& two) {
-        return one.file.image == two.file.image && one.file.path == two.file.path;
-    };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& two) {
-        return one.first == two.first && std::equal(one.second.begin(), one.second.end(), two.second.begin(),
-                                                    two.second.end(), sameFile);
-    });
-}
-
-/// Whether making the exemplar anew from the state would change no pixel.
-bool samePixels(const RunExemplar& exemplar, const ExemplarState& state) {
-    const RunExemplar& original = exemplar.original();
-    const auto same = [](const ExemplarFile& a, const ExemplarFile& b) {
-        return a.image == b.image && a.role == b.role;
-    };
-    const auto sameMask = [&] {
-        return original.mask ? state.original.mask && same(*original.mask, *state.original.mask)
-                             : !state.original.mask;
-    };
-    return exemplar.edits == state.edits && samePictures(original.inputs, state.original.inputs) &&
-           same(original.image, state.original.image) && sameMask() &&
-           std::equal(original.companions.begin(), original.companions.end(),
-                      state.original.companions.begin(), state.original.companions.end(), same);
-}
-
-/// What the state makes of an exemplar, whose pixels are kept where they stay the same.
-RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known) {
-    if (!samePixels(known, state))
-        return texloom::edited(state.original, state.edits);
-    RunExemplar made = known;
-    made.weight = state.original.weight;
-    if (known.source)
-        made.source = std::make_shared<const RunExemplar>(state.original);
-    return made;
-}
 
 /// Loads the companion maps in a file and checks that they fit. @throws Error, UsageError
 std::vector<ExemplarFile> loadFitting(const RunExemplar& original, const QString& path,
@@ -175,20 +102,8 @@ ExemplarEntry* ExemplarStore::entry(int id) {
     return const_cast<ExemplarEntry*>(std::as_const(*this).find(id));
 }
 
-ExemplarStore::Shown ExemplarStore::shown(RunExemplar exemplar, const ExemplarEntry* before) {
-    Shown made{std::move(exemplar), nullptr, {}, {}};
-    const bool same = before != nullptr && before->file().image == made.exemplar.image.image;
-    made.picture = same ? before->picture : std::make_shared<const DisplayPicture>(made.exemplar.image.image);
-    if (made.exemplar.mask)
-        made.hidden = hiddenPicture(*made.exemplar.mask->image);
-    for (const ExemplarFile& companion : made.exemplar.companions)
-        made.companionThumbs.push_back(thumbOf(*companion.image));
-    return made;
-}
-
-int ExemplarStore::add(Shown made) {
-    m_entries.push_back({++m_lastId, std::move(made.exemplar), true, std::move(made.picture),
-                         std::move(made.hidden), std::move(made.companionThumbs)});
+int ExemplarStore::add(ShownExemplar made) {
+    m_entries.push_back({std::move(made), ++m_lastId});
     return m_lastId;
 }
 
@@ -294,14 +209,14 @@ ExemplarStore::Opening ExemplarStore::opening(const QString& path, const QString
 
 void ExemplarStore::replaceAll(std::vector<RunExemplar> exemplars) {
     const auto make = [exemplars = std::move(exemplars)] {
-        std::vector<Shown> made;
+        std::vector<ShownExemplar> made;
         for (const RunExemplar& exemplar : exemplars)
             made.push_back(shown(exemplar));
         return made;
     };
-    load(tr("exemplars"), make, [this](std::vector<Shown> made) {
+    load(tr("exemplars"), make, [this](std::vector<ShownExemplar> made) {
         m_entries.clear();
-        for (Shown& one : made)
+        for (ShownExemplar& one : made)
             add(std::move(one));
         m_current = m_entries.empty() ? 0 : m_entries.front().id;
         Q_EMIT changed();
@@ -399,7 +314,7 @@ void ExemplarStore::nextChange() {
             apply(state);
             return shown(madeFrom(state, entry.exemplar), &entry);
         },
-        [this, before = stateOf(known->exemplar)](Shown made) {
+        [this, before = stateOf(known->exemplar)](ShownExemplar made) {
             const Change done = std::move(m_changes.front());
             endChange();
             changeDone(done, before, std::move(made));
@@ -424,14 +339,11 @@ ExemplarEdits ExemplarStore::wantedEdits(int id) const {
     return known != nullptr ? known->exemplar.edits : ExemplarEdits{};
 }
 
-void ExemplarStore::changeDone(const Change& change, const ExemplarState& before, Shown made) {
+void ExemplarStore::changeDone(const Change& change, const ExemplarState& before, ShownExemplar made) {
     ExemplarEntry* const changing = entry(change.id);
     if (changing == nullptr)
         return;
-    changing->exemplar = std::move(made.exemplar);
-    changing->picture = std::move(made.picture);
-    changing->hidden = std::move(made.hidden);
-    changing->companionThumbs = std::move(made.companionThumbs);
+    static_cast<ShownExemplar&>(*changing) = std::move(made);
     const ExemplarState after = stateOf(changing->exemplar);
     Q_EMIT changed();
     Q_EMIT currentChanged();

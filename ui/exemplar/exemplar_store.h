@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/session/run/run.h"
+#include "ui/exemplar/exemplar_entry.h"
 #include "ui/exemplar/layer_dialog.h"
-#include "ui/picture/display_picture.h"
 
-#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -18,24 +16,6 @@
 #include <vector>
 
 namespace texloom::ui {
-
-/// One exemplar that is open.
-struct ExemplarEntry {
-    int id = 0; ///< its own as long as the window lives
-    RunExemplar exemplar;
-    bool checked = true; ///< whether methods that learn from several use it
-    std::shared_ptr<const DisplayPicture> picture;
-    QImage hidden; ///< what the mask hides, as Format_Alpha8 of the exemplar's size; null without a mask
-    std::vector<QImage> companionThumbs;
-
-    const ExemplarFile& file() const { return exemplar.image; }
-};
-
-/// All that can be changed of an exemplar, and undone: pixels are shared, so that copies cost nothing.
-struct ExemplarState {
-    RunExemplar original;
-    ExemplarEdits edits;
-};
 
 /// The exemplars that are open, and which of them is looked at. Files are read on a worker: what is asked for
 /// here shows in a later signal.
@@ -129,26 +109,17 @@ private:
         bool undoable;
         std::optional<ExemplarEdits> edits = {}; ///< what it makes of them, where that is known before
     };
-    /// An exemplar with the pictures that show it.
-    struct Shown {
-        RunExemplar exemplar;
-        std::shared_ptr<const DisplayPicture> picture;
-        QImage hidden;
-        std::vector<QImage> companionThumbs;
-    };
-
     /// What came of reading a file: an exemplar, or a question.
     struct Opening {
-        std::optional<Shown> shown;
+        std::optional<ShownExemplar> shown;
         QStringList refused;            ///< companions, each with the reason
         std::vector<LayerEntry> layers; ///< of which one is to be chosen
     };
 
     static Opening opening(const QString& path, const QStringList& companions,
                            const std::optional<std::string>& layer);
-    static Shown shown(RunExemplar exemplar, const ExemplarEntry* before = nullptr);
     ExemplarEntry* entry(int id);
-    int add(Shown made);
+    int add(ShownExemplar made);
     void useAlone(int id);
     /// How many methods that learn from several would use.
     int inUse() const;
@@ -160,7 +131,7 @@ private:
     void change(Change change);
     void nextChange();
     void endChange();
-    void changeDone(const Change& change, const ExemplarState& before, Shown made);
+    void changeDone(const Change& change, const ExemplarState& before, ShownExemplar made);
     void beginLoading(int step);
     template <class Work, class Done, class Failed>
     void load(const QString& what, Work work, Done done, Failed onFailed);

@@ -8,6 +8,7 @@
 #include "ui/common/icons.h"
 #include "ui/common/save_guard.h"
 #include "ui/common/text.h"
+#include "ui/export/export_table.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -15,13 +16,11 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QSettings>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -32,24 +31,9 @@ namespace texloom::ui {
 
 namespace {
 
-constexpr int kTableLines = 8;
 constexpr int kNameWidth = 60;
 /// Where the way of the last export is kept.
 const QString kLast = QStringLiteral("export/");
-
-QString depthText(Depth depth) {
-    switch (depth) {
-    case Depth::Bits8:
-        return ExportDialog::tr("8-bit");
-    case Depth::Bits16:
-        return ExportDialog::tr("16-bit");
-    case Depth::Half:
-        return ExportDialog::tr("half");
-    case Depth::Float:
-        break;
-    }
-    return ExportDialog::tr("float");
-}
 
 } // namespace
 
@@ -61,7 +45,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
       m_stMap(new QCheckBox(tr("S&TMap for compositors (EXR)"), this)),
       m_exactMap(new QCheckBox(tr("Exact &positions (16-bit PNG)"), this)),
       m_sidecar(new QCheckBox(tr("&Recipe beside the picture (JSON)"), this)),
-      m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new QTableWidget(0, 4, this)),
+      m_companions(new QCheckBox(tr("Companion &maps"), this)), m_table(new ExportTable(this)),
       m_foreign(new QCheckBox(tr("Replace &files that Texloom did not write"), this)),
       m_problem(new QLabel(this)), m_makeFolder(new QPushButton(tr("Create &folder"), this)) {
     setObjectName(QStringLiteral("exportDialog"));
@@ -80,13 +64,11 @@ ExportDialog::ExportDialog(std::shared_ptr<const Result> result, const QString& 
     m_exactMap->setObjectName(QStringLiteral("exportExactMap"));
     m_sidecar->setObjectName(QStringLiteral("exportSidecar"));
     m_companions->setObjectName(QStringLiteral("exportCompanions"));
-    m_table->setObjectName(QStringLiteral("exportTable"));
     m_foreign->setObjectName(QStringLiteral("exportForeign"));
     m_problem->setObjectName(QStringLiteral("exportProblem"));
     m_makeFolder->setObjectName(QStringLiteral("exportMakeFolder"));
     fillFormats();
     followExemplar();
-    makeTable();
     m_problem->setWordWrap(true);
     m_problem->setTextFormat(Qt::PlainText);
     QPalette colors = palette();
@@ -186,7 +168,7 @@ QString ExportDialog::holds(const ExportEntry& entry) const {
 void ExportDialog::presetChosen() {
     const ExportPreset& preset = findExportPreset(m_preset->currentData().toString().toStdString());
     m_name->setText(QString::fromStdString(preset.pattern));
-    m_depths.clear();
+    m_table->forgetDepths();
     refresh();
 }
 
@@ -320,21 +302,6 @@ QComboBox* ExportDialog::volumeFormats(const OutputFile& output) {
     return formats;
 }
 
-void ExportDialog::makeTable() {
-    m_table->setHorizontalHeaderLabels({tr("File"), tr("Holds"), tr("Depth"), tr("On disk")});
-    m_table->setAccessibleName(tr("Files that will be written"));
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(m_depth->sizeHint().height());
-    // Names are never cut: where they are long, the table scrolls.
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionMode(QAbstractItemView::NoSelection);
-    m_table->setTabKeyNavigation(false);
-    m_table->setTextElideMode(Qt::ElideNone);
-    m_table->setMinimumHeight(fontMetrics().height() * kTableLines);
-}
-
 QWidget* ExportDialog::makeButtons() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_write = buttons->addButton(tr("&Write files"), QDialogButtonBox::AcceptRole);
@@ -378,7 +345,7 @@ ExportOptions ExportDialog::options() const {
     options.preset = m_preset->currentData().toString().toStdString();
     options.pattern = holdsMap ? pattern : "";
     options.normals = static_cast<MapRole>(m_normals->currentData().toInt());
-    options.mayReplace = m_replaced;
+    options.mayReplace = m_table->replaced();
     const QString place = folder() + QLatin1Char('/');
     options.image =
         toPath(place + nameFor(findExportPreset(options.preset).color) + m_format->currentData().toString());
@@ -394,7 +361,7 @@ ExportOptions ExportDialog::options() const {
     if (m_exactMap->isChecked())
         options.maps.push_back(besideIt("map", ".png"));
     options.companions = m_companions->isChecked();
-    options.depths = m_depths;
+    options.depths = m_table->depths();
     for (const OutputRow& row : m_outputs)
         if (row.box->isChecked()) {
             const std::string extension = row.format != nullptr
@@ -449,7 +416,7 @@ void ExportDialog::refresh() {
     const std::vector<ExportEntry> files = entries();
     m_foreign->setVisible(
         std::any_of(files.begin(), files.end(), [](const ExportEntry& entry) { return entry.foreign; }));
-    fillTable(files);
+    m_table->fill(files, [this](const ExportEntry& entry) { return holds(entry); });
 }
 
 std::vector<ExportEntry> ExportDialog::entries() const {
@@ -458,50 +425,6 @@ std::vector<ExportEntry> ExportDialog::entries() const {
     } catch (const Error&) {
         return {};
     }
-}
-
-void ExportDialog::fillTable(const std::vector<ExportEntry>& entries) {
-    m_table->setRowCount(static_cast<int>(entries.size()));
-    m_replaced.clear();
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const ExportEntry& entry = entries[static_cast<std::size_t>(row)];
-        if (entry.exists)
-            m_replaced.insert(entry.path);
-        auto* file = new QTableWidgetItem(toQString(entry.path.filename()));
-        file->setToolTip(toQString(entry.path));
-        auto* disk = new QTableWidgetItem(entry.foreign  ? tr("replaces a file that is not Texloom's")
-                                          : entry.exists ? tr("replaces the file there")
-                                                         : tr("new"));
-        QFont font = m_table->font();
-        font.setBold(entry.exists);
-        disk->setFont(font);
-        m_table->setItem(row, 0, file);
-        m_table->setItem(row, 1, new QTableWidgetItem(holds(entry)));
-        QWidget* const chooser = depthCell(entry);
-        const bool said = entry.depth && chooser == nullptr;
-        m_table->setItem(row, 2, new QTableWidgetItem(said ? depthText(*entry.depth) : QString()));
-        m_table->setCellWidget(row, 2, chooser);
-        m_table->setItem(row, 3, disk);
-    }
-}
-
-/// The choice of a companion map's depth; null where there is none to be made in the table.
-QWidget* ExportDialog::depthCell(const ExportEntry& entry) {
-    if (entry.word.empty())
-        return nullptr;
-    const std::vector<Depth> held = depthsFor(entry.path);
-    if (held.size() < 2)
-        return nullptr;
-    auto* chooser = new QComboBox(m_table);
-    chooser->setObjectName(QStringLiteral("depth-%1").arg(QString::fromStdString(entry.word)));
-    chooser->setAccessibleName(tr("Depth of %1").arg(toQString(entry.path.filename())));
-    for (const Depth depth : held)
-        chooser->addItem(depthText(depth), static_cast<int>(depth));
-    chooser->setCurrentIndex(chooser->findData(static_cast<int>(*entry.depth)));
-    connect(chooser, &QComboBox::activated, this, [this, chooser, word = entry.word] {
-        m_depths[word] = static_cast<Depth>(chooser->currentData().toInt());
-    });
-    return chooser;
 }
 
 void ExportDialog::chooseFolder() {

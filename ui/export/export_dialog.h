@@ -15,9 +15,10 @@ class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QTableWidget;
 
 namespace texloom::ui {
+
+class ExportTable;
 
 /// Asks where and how to write a result, and shows every file before it is written: what it holds, and
 /// whether it replaces one that is there. Writing is up to whoever opened the dialog, off the GUI thread.
@@ -52,7 +53,6 @@ private:
     void addOutputs(QFormLayout* form);
     QComboBox* volumeFormats(const OutputFile& output);
     QFormLayout* makeForm();
-    void makeTable();
     QWidget* makeButtons();
     void connectFields();
     QWidget* makeFolderRow();
@@ -66,8 +66,6 @@ private:
     void refresh();
     /// Every file as it would be written now; none while something is wrong.
     std::vector<ExportEntry> entries() const;
-    void fillTable(const std::vector<ExportEntry>& entries);
-    QWidget* depthCell(const ExportEntry& entry);
     void chooseFolder();
     void presetChosen();
     /// The name for one kind of map, from the template in the name's field. @throws UsageError
@@ -87,14 +85,12 @@ private:
     QCheckBox* m_sidecar;
     QCheckBox* m_companions;
     std::vector<OutputRow> m_outputs;
-    QTableWidget* m_table;
+    ExportTable* m_table;
     QCheckBox* m_foreign; ///< shown where files of others would be replaced
     QLabel* m_problem;
     QPushButton* m_makeFolder;   ///< shown where the folder is not there
     std::uint64_t m_clipped = 0; ///< samples of the result that whole numbers cut off
     QPushButton* m_write = nullptr;
-    std::set<std::filesystem::path> m_replaced; ///< files that the table says are replaced
-    std::map<std::string, Depth> m_depths;      ///< of companion files, where not the preset's
 };
 
 } // namespace texloom::ui
