@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over core, ui and app, and remembers what passed; packaging/check_style.sh calls it.
 
+    tidy.py CLANG_TIDY [I/N]    of all sources, or the I-th of N parts of them
+
 Most of clang-tidy's time goes into headers. So sources of one room are looked at together, as one text; where
 that text has a flaw, or names that clash, each half is looked at again, down to single files, whose flaws are shown.
 """
@@ -114,14 +116,20 @@ def check(clang_tidy, members):
     return "\n".join(filter(None, (check(clang_tidy, part) for part in (members[:half], members[half:]))))
 
 
-def main(clang_tidy):
+def part_of(everything, part):
+    """The sources of every N-th group, from the I-th on, for a part "I/N"."""
+    index, count = map(int, part.split("/"))
+    return [source for group in list(groups(everything))[index - 1::count] for source in group]
+
+
+def main(clang_tidy, part="1/1"):
     TIDY.mkdir(exist_ok=True)
     everything = sources()
     stamps = {source.stamp for source in everything}
     for old in TIDY.glob("*.stamp"):
         if old not in stamps:
             old.unlink()
-    pending = [source for source in everything if not source.stamp.exists()]
+    pending = [source for source in part_of(everything, part) if not source.stamp.exists()]
     if pending:
         print(f"clang-tidy: {len(pending)} files", flush=True)
     failed = False
@@ -134,4 +142,4 @@ def main(clang_tidy):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))

@@ -52,7 +52,6 @@ Inspector::Inspector(QWidget* parent)
 void Inspector::setMethod(const Method& method) {
     const Values kept = m_form ? m_form->changedValues() : Values{};
     delete m_form;
-    m_output->setMethod(method.info());
     Mnemonics mnemonics(tr("fexsvhidtc"));
     m_form = new MethodForm(method, mnemonics);
     m_form->setExemplarSide(m_exemplar.shorterSide());
@@ -133,15 +132,17 @@ void Inspector::setSteps(const std::vector<RecipeStep>& steps) {
 }
 
 /// A row for everything that the methods take apart from exemplars and what is shown beside them: their masks
-/// and companion maps.
+/// and companion maps. The last method decides whether the result wraps, and whether a part can be made.
 void Inspector::showPorts() {
     std::vector<Port> ports;
-    for (const RecipeStep& step : steps())
+    const std::vector<RecipeStep> chain = steps();
+    for (const RecipeStep& step : chain)
         for (const Port& port : findMethod(step.method).info().takes)
             if (port.id != kExemplarPort && port.id != kMaskPort && port.id != kCompanionPort &&
                 !findPort(ports, port.id) && (port.id != kInitialPort || step.method == method()->id()))
                 ports.push_back(port);
     m_output->setPorts(ports);
+    m_output->setMethod(findMethod(chain.back().method).info());
 }
 
 void Inspector::resetAll() {

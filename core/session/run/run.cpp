@@ -264,7 +264,7 @@ void runSteps(const RunPlan& plan, JobContext& context, Result& result, Assets& 
         const RunStep& step = plan.steps[i];
         const MethodInfo& info = step.method->info();
         context.step(static_cast<std::uint32_t>(i), shareOf(step, plan));
-        Request request = plan.requestFor(i, info);
+        Request request = plan.requestFor(i, info, i + 1 == plan.steps.size());
         if (!info.heedsWeights())
             forgetWeights(request);
         if (i > 0)

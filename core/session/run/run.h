@@ -81,8 +81,9 @@ struct RunPlan {
     int resultChannels() const { return steps.back().channels - request.companionChannels; }
     bool hasCompanions() const { return !companions.empty() && !companions.front().empty(); }
     /// What the method of one step is given: of the plan's request what it has ports for. @param info of that
-    /// method, which may not be among `steps` yet.
-    Request requestFor(std::size_t step, const MethodInfo& info) const;
+    /// method, which may not be among `steps` yet. @param last whether none follows it: one that cannot wrap
+    /// may still come before one that can.
+    Request requestFor(std::size_t step, const MethodInfo& info, bool last = true) const;
     /// The same run for one strip of the output, from row `y` on. @param learned by the first strip: see
     /// learnedBy(); null for the first one itself.
     RunPlan strip(int y, const Assets* learned = nullptr) const;

@@ -232,7 +232,8 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
         if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
             failUsage("{} uses nothing that {} makes, so it cannot follow it.", Message(info.title),
                       Message(plan.lastMethod().info().title));
-        Request request = plan.requestFor(plan.steps.size(), info);
+        Request request =
+            plan.requestFor(plan.steps.size(), info, plan.steps.size() + 1 == steps.size());
         if (!plan.steps.empty())
             expectWhatIsMade(plan, info, request);
         planned.settings = planned.method->resolved(step.parameters, exemplar);
@@ -349,7 +350,7 @@ void checkMemory(const RunPlan& plan) {
     checkMemory(plan.estimate, plan.request, availableMemory(), availableMemoryText());
 }
 
-Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
+Request RunPlan::requestFor(std::size_t step, const MethodInfo& info, bool last) const {
     Request own = request;
     if (step > 0) {
         own.inputs.clear(kInitialPort); // what the first starts from is not there for the next
@@ -369,6 +370,8 @@ Request RunPlan::requestFor(std::size_t step, const MethodInfo& info) const {
     }
     if (step > 0)
         own.freeChannels = steps[step - 1].channels;
+    if (!last && !info.canWrap())
+        own.wrap = {};
     return own;
 }
 

@@ -131,6 +131,17 @@ TEST(Pipeline, RefusesAMethodThatCannotStartFromAnImage) {
                 usageRefusal("Random phase", "uses nothing", "Image quilting"));
 }
 
+TEST(Pipeline, WrapsWhereItsLastMethodCan) {
+    PipelineRun sample;
+    sample.input.wrap = {true, false};
+    sample.input.steps = {{"dictionary", {{"patch", 6}}}, {"sparse", {{"patch", 6}}}};
+    const RunPlan plan = planRun(sample.input);
+    EXPECT_FALSE(plan.requestFor(0, plan.steps[0].method->info(), false).wrap.x);
+    EXPECT_TRUE(plan.requestFor(1, plan.steps[1].method->info()).wrap.x);
+    sample.input.steps.pop_back();
+    EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("cannot make an output that wraps"));
+}
+
 TEST(Pipeline, RefusesAWrongSettingOfALaterStep) {
     PipelineRun sample;
     sample.input.steps[1].parameters["patch"] = 1;
