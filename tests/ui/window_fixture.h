@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "tests/ui/test_programs.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -56,12 +57,3 @@ template <class Widget> Widget* child(const QObject& parent, const char* name) {
 void trigger(const QObject& parent, const char* name);
 
 } // namespace texloom::ui
-
-/// The main() of a file with one test class.
-#define TEXLOOM_UI_TESTS(Class)                                                                              \
-    int main(int argc, char** argv) {                                                                        \
-        return texloom::ui::runTests(argc, argv, [](int count, char** values) {                              \
-            Class tests;                                                                                     \
-            return QTest::qExec(&tests, count, values);                                                      \
-        });                                                                                                  \
-    }
