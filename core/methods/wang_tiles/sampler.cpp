@@ -2,6 +2,7 @@
 
 #include "core/base/at.h"
 #include "core/match/whole_patches.h"
+#include "core/math/zoom.h"
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
@@ -21,6 +22,10 @@ constexpr int kRedraws = 32;
 /// Samples of which the median liveliness is usual, and how many times more or less lively others may be.
 constexpr int kUsual = 64;
 constexpr double kMoreLively = 1.5;
+/// The share of all samples whose marks are weak enough.
+constexpr double kWeaklyMarked = 0.25;
+/// Marks are as large as a blur of this deviation leaves them, as a share of a tile's side.
+constexpr double kMark = 1.0 / 24;
 
 /// The error of two unlike pixels: twice the variance over all channels and exemplars.
 double unlikeError(const Request& request, JobContext& context) {
@@ -33,6 +38,23 @@ double unlikeError(const Request& request, JobContext& context) {
 int apart(const PatchPosition& a, const PatchPosition& b) {
     return a.exemplar == b.exemplar ? std::max(std::abs(a.x - b.x), std::abs(a.y - b.y))
                                     : std::numeric_limits<int>::max();
+}
+
+double squaredDistance(const Image& image, int x, int y, const std::vector<double>& colour) {
+    double sum = 0;
+    for (int c = 0; c < image.channels(); ++c) {
+        const double difference = static_cast<double>(image(x, y, c)) - colour[at(c)];
+        sum += difference * difference;
+    }
+    return sum;
+}
+
+/// The value that this share of all is below.
+double quantile(std::vector<double> values, double share) {
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
 }
 
 } // namespace
@@ -84,34 +106,47 @@ Sampler::Sampler(const Request& request, const Settings& settings, JobContext& c
         return;
     for (const Size& size : request.exemplarSizes())
         m_apart = std::min(m_apart, (size.shorterSide() - sampleSide(settings) + 1) / (2 * settings.colours));
-    std::vector<double> all;
+    for (const Exemplar& exemplar : request.exemplars)
+        m_blurred.push_back(
+            blurred(exemplar.image->view(), kMark * settings.tile, {}, [&] { context.check(); }));
+    std::vector<double> lively, marked;
     for (int i = 0; i < kUsual; ++i) {
         context.check();
-        all.push_back(liveliness(m_places.drawn(context.random(), -1, kUsual + i, 0)));
+        const PatchPosition sample = m_places.drawn(context.random(), -1, kUsual + i, 0);
+        lively.push_back(liveliness(sample));
+        marked.push_back(strongestMark(sample));
     }
-    std::nth_element(all.begin(), all.begin() + kUsual / 2, all.end());
-    m_usual = all[kUsual / 2];
+    m_usual = quantile(lively, 0.5);
+    m_mostMarked = quantile(marked, kWeaklyMarked);
 }
 
-/// The mean square of the distance from the exemplar's mean, where tiles show the sample around their corner
-/// and along their edges.
+/// Visits pixels where tiles show the sample: around their corner and along their edges.
+template <class Visit> void Sampler::forShown(const PatchPosition& sample, Visit visit) const {
+    const int reach = reachOf(m_settings), depth = depthOf(m_settings), step = std::max(1, depth / 8);
+    for (int dy = -reach; dy < reach; dy += step)
+        for (int dx = -reach; dx < reach; dx += step)
+            if (std::min(std::abs(dx), std::abs(dy)) < depth)
+                visit(sample.x + reach + dx, sample.y + reach + dy);
+}
+
+/// The mean square of the distance from the exemplar's mean.
 double Sampler::liveliness(const PatchPosition& sample) const {
     const Image& image = *m_request.exemplars[static_cast<std::size_t>(sample.exemplar)].image;
-    const int reach = reachOf(m_settings), depth = depthOf(m_settings), step = std::max(1, depth / 8);
     double sum = 0;
     int count = 0;
-    for (int dy = -reach; dy < reach; dy += step)
-        for (int dx = -reach; dx < reach; dx += step) {
-            if (std::min(std::abs(dx), std::abs(dy)) >= depth)
-                continue;
-            for (int c = 0; c < image.channels(); ++c) {
-                const double value =
-                    static_cast<double>(image(sample.x + reach + dx, sample.y + reach + dy, c));
-                sum += (value - m_means[at(c)]) * (value - m_means[at(c)]);
-            }
-            ++count;
-        }
+    forShown(sample, [&](int x, int y) {
+        sum += squaredDistance(image, x, y, m_means);
+        ++count;
+    });
     return sum / count;
+}
+
+/// The largest square of the blurred exemplar's distance from its mean.
+double Sampler::strongestMark(const PatchPosition& sample) const {
+    const Image& image = m_blurred[static_cast<std::size_t>(sample.exemplar)];
+    double most = 0;
+    forShown(sample, [&](int x, int y) { most = std::max(most, squaredDistance(image, x, y, m_means)); });
+    return most;
 }
 
 Samples Sampler::draw(double weight, const std::function<double(const Samples&)>& worstError) {
@@ -155,7 +190,8 @@ bool Sampler::suits(const PatchPosition& place, const Samples& others) const {
     if (!clear)
         return false;
     const double own = liveliness(place);
-    return own <= kMoreLively * m_usual && m_usual <= kMoreLively * own;
+    return own <= kMoreLively * m_usual && m_usual <= kMoreLively * own &&
+           strongestMark(place) <= m_mostMarked;
 }
 
 // The tiling's numbers are drawn at places that are not negative.

@@ -28,9 +28,10 @@ private:
     double m_whole = 0;
 };
 
-/// Draws the samples of a set: those that join best. Samples of corners keep apart from each other, and what
-/// of them stays at the borders of tiles is as lively as the exemplars usually are: else its marks, or their
-/// absence, would be seen in rows.
+/// Draws the samples of a set: those that join best. Samples of corners keep apart from each other. What of
+/// them stays at the borders of tiles is as lively as the exemplars usually are, and without marks, such as a
+/// lone stone, as far as they have such places: it comes back at every corner of a colour, so that a mark, or
+/// a lack of life, would be seen in rows.
 class Sampler {
 public:
     Sampler(const Request& request, const Settings& settings, JobContext& context);
@@ -47,17 +48,21 @@ private:
     Samples drawn(int n) const;
     Samples withAnother(Samples samples, int n) const;
     PatchPosition another(const Samples& others, int n, int i) const;
+    template <class Visit> void forShown(const PatchPosition& sample, Visit visit) const;
     double liveliness(const PatchPosition& sample) const;
+    double strongestMark(const PatchPosition& sample) const;
     bool suits(const PatchPosition& place, const Samples& others) const;
 
     const Request& m_request;
     const Settings& m_settings;
     JobContext& m_context;
     SamplePlaces m_places;
-    std::vector<double> m_means; ///< of the first exemplar's channels
-    double m_unlike;             ///< error of two unlike pixels
-    double m_usual = 0;          ///< liveliness of samples
-    int m_apart;                 ///< what samples of corners keep from each other
+    std::vector<double> m_means;  ///< of the first exemplar's channels
+    double m_unlike;              ///< error of two unlike pixels
+    std::vector<Image> m_blurred; ///< the exemplars, without what is too small to be a mark
+    double m_usual = 0;           ///< liveliness of samples
+    double m_mostMarked = 0;      ///< the strongest mark that a sample may have
+    int m_apart;                  ///< what samples of corners keep from each other
     double m_error = 0;
     int m_tries = 0;
 };

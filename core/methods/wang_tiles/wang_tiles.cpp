@@ -185,10 +185,13 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
                  (corners ? Interiors::bytesFor(request, settings, threads) : 0) +
                  static_cast<std::uint64_t>(threads * side * side * 8) + (4U << 20) +
                  static_cast<std::uint64_t>(part.width + part.height) * 16;
-    for (const Exemplar& exemplar : request.exemplars)
+    for (const Exemplar& exemplar : request.exemplars) {
+        if (corners) // blurred, with what that takes meanwhile
+            need.bytes += 2 * Image::bytesFor(exemplar.image->size(), request.channels());
         if (exemplar.mask())
             need.bytes +=
                 static_cast<std::uint64_t>(exemplar.image->size().area()) * 2 * sizeof(PatchPosition);
+    }
     if (settings.set == Set::Compact)
         need.bytes += static_cast<std::uint64_t>(2 * sizeof(Colours) * (request.size.width / side + 2) *
                                                  (request.size.height / side + 2));
