@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the layout of all sources with clang-format, and core, ui and app with clang-tidy.
-# --format-only leaves out clang-tidy, --part I/N asks it about the I-th of N parts alone; --fix lays the sources
-# out instead of checking anything.
+# --format-only leaves out clang-tidy; --part I/N asks clang-tidy alone, about the I-th of N parts; --fix lays the
+# sources out instead of checking anything.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
@@ -56,7 +56,7 @@ case ${1:-} in
   --fix) sources | xargs -0 -r "$clangFormat" -i --style=file ;;
   --format-only) checkFormat || status=1 ;;
   "") checkFormat || status=1; checkTidy || status=1 ;;
-  --part) checkFormat || status=1; checkTidy "${2:?the part, such as 1/3}" || status=1 ;;
+  --part) checkTidy "${2:?the part, such as 1/3}" || status=1 ;;
   *) echo "Usage: packaging/check_style.sh [--format-only | --part I/N | --fix]" >&2; status=2 ;;
 esac
 exit $status

@@ -9,7 +9,9 @@ cd "$root"
 parts=(job math network match analysis io volume generator render tools session cli fuzz methods_{1..6})
 turned=(job math network match analysis io volume)
 presets=(asan tsan)
-turns=$((${#turned[@]} * ${#presets[@]}))
+# Turns go to a share of clang-tidy and to a part with a sanitizer, one after the other.
+shares=4
+turns=$((2 * ${#turned[@]} * ${#presets[@]}))
 
 usage() {
   echo "Usage: packaging/test.sh [--core | --method ID] [--quick] [--sanitizers | --turn]"
@@ -17,8 +19,8 @@ usage() {
   echo "  --method ID   only what tests this method, such as quilting; no style checks"
   echo "  --quick       leave out clang-tidy and the slow tests"
   echo "  --sanitizers  also build and test all but the window with each sanitizer"
-  echo "  --turn        also build and test one part of it with one sanitizer: another one each day,"
-  echo "                or number TEXLOOM_TURN of the $turns"
+  echo "  --turn        of what takes longest only one part: a share of clang-tidy, or a part of the core with one"
+  echo "                sanitizer; another one each day, or number TEXLOOM_TURN of the $turns"
 }
 
 part=all
@@ -104,14 +106,19 @@ sanitizedPart() {
       "${wrapper[@]}" ctest --test-dir "$folder" --no-tests=error --output-on-failure -LE '^timed$' </dev/null
 }
 
-# sanitizedTurn NUMBER: the part with the sanitizer whose turn it is.
-sanitizedTurn() {
-  local part=${turned[$1 % ${#turned[@]}]} preset=${presets[$1 / ${#turned[@]} % ${#presets[@]}]}
+# takeTurn NUMBER: the share of clang-tidy, or the part with the sanitizer, whose turn it is.
+takeTurn() {
+  local own=$(($1 / 2))
+  echo "Turn $(($1 % turns)) of $turns"
+  if (($1 % 2 == 0)); then
+    packaging/check_style.sh --part "$((own % shares + 1))/$shares"
+    return
+  fi
+  local part=${turned[$own % ${#turned[@]}]} preset=${presets[$own / ${#turned[@]} % ${#presets[@]}]}
   local -a wrapper=()
   if [[ $preset == tsan ]]; then
     wrapper=("${fixedAddresses[@]}")
   fi
-  echo "Turn $(($1 % turns)) of $turns: $part with $preset"
   sanitizedPart "$preset" "$part" "${wrapper[@]}"
 }
 
@@ -140,7 +147,7 @@ attempt "packages" installPackages
 ((${#failed[@]})) || attempt "build" buildTargets $preset "$targets"
 ((${#failed[@]})) || attempt "tests" runTests $preset "${chosen[@]}"
 if [[ $part != method ]]; then
-  if $quick; then
+  if $quick || $turn; then
     attempt "style" packaging/check_style.sh --format-only
   else
     attempt "style" packaging/check_style.sh
@@ -151,7 +158,7 @@ if $sanitizers; then
   attempt "thread sanitizer" sanitized tsan "${fixedAddresses[@]}"
 fi
 if $turn; then
-  attempt "sanitizer in turn" sanitizedTurn "${TEXLOOM_TURN:-$(($(date +%s) / 86400))}"
+  attempt "turn" takeTurn "${TEXLOOM_TURN:-$(($(date +%s) / 86400))}"
 fi
 if [[ $part == all ]]; then
   attempt "desktop entry" desktop-file-validate packaging/texloom.desktop
