@@ -3,6 +3,7 @@
 #include "core/base/at.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/channel_text.h"
 #include "core/methods/patch_request.h"
 
 #include <fmt/core.h>
@@ -92,9 +93,9 @@ void checkDictionaries(const TextureDictionaries& dictionaries, int patch, int c
         failUsage("The dictionary has patches of {} px, and the patch size is {} px; they need the same.",
                   dictionaries.patch, patch);
     if (dictionaries.channels() != channels)
-        failUsage("The dictionary was learnt from {} channels, and the exemplar with its companions has {}; "
+        failUsage("The dictionary was learnt from {}, and the exemplar with its companions has {}; "
                   "they need the same number.",
-                  dictionaries.channels(), channels);
+                  channelText(dictionaries.channels()), channels);
 }
 
 std::vector<float> dictionaryOrigin(const Exemplar& exemplar, bool centred, const JobContext& context) {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/channel_text.h"
 #include "core/io/model_file.h"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ void checkModel(const MethodInfo& info, const Port& port, const Asset& asset) {
 /// Kinds and numbers of what was given to one port.
 void checkPort(const MethodInfo& info, const Port& port, const std::vector<Asset>& given) {
     const int count = static_cast<int>(given.size());
+    if (count == 0 && port.least > 0)
+        failUsage("{} needs its input {}, which was not given.", Message(info.title), port.id);
     if (count < port.least)
         failUsage("{} needs {} for its input {}, but {} were given.", Message(info.title), port.least,
                   port.id, count);
@@ -113,8 +116,8 @@ void checkInputs(const MethodInfo& info, const Request& request) {
 
 void checkInitial(const Request& request) {
     if (const Image* initial = request.initial(); initial && initial->channels() != request.channels())
-        failUsage("The image to start from has {} channels, the output {}; they need the same number.",
-                  initial->channels(), request.channels());
+        failUsage("The image to start from has {}, the output {}; they need the same number.",
+                  channelText(initial->channels()), request.channels());
 }
 
 void checkOutput(const MethodInfo& info, const Request& request) {

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/channel_text.h"
 #include "core/job/memory.h"
 
 namespace texloom {
@@ -9,8 +10,8 @@ namespace texloom {
 void Tool::checkJoin(const JoinPictures& pictures, const Values& settings) const {
     const ImageView &first = pictures.first, &second = pictures.second;
     if (first.channels != second.channels)
-        failUsage("The first image has {} channels, the second {}; they must have the same.", first.channels,
-                  second.channels);
+        failUsage("The first image has {}, the second {}; they must have the same.",
+                  channelText(first.channels), second.channels);
     if (joinsSameSize() && first.size() != second.size())
         failUsage("The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.",
                   first.width, first.height, second.width, second.height);

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/channel_text.h"
 #include "core/volume/file_slices.h"
 
 #include <unistd.h>
@@ -183,9 +184,10 @@ LoadedVolume readSlices(const fs::path& path, JobContext& context, const VolumeR
         context.progress(static_cast<double>(z) / size.depth);
         LoadedImage slice = readImage(file, {.largestPixels = first.size.area()});
         if (!sameKind(slice.info, first))
-            fail("{} is {} × {} px with {} channels; the volume's first slice {} is {} × {} px with {}.",
-                 file.string(), slice.info.size.width, slice.info.size.height, slice.info.channels,
-                 firstPath.string(), first.size.width, first.size.height, first.channels);
+            fail("{} is {} × {} px with {}; the volume's first slice {} is {} × {} px with {}.",
+                 file.string(), slice.info.size.width, slice.info.size.height,
+                 channelText(slice.info.channels), firstPath.string(), first.size.width, first.size.height,
+                 first.channels);
         putSlice(std::move(slice.image), options.space.empty() ? slice.info.space : options.space, z++,
                  volume);
     }

@@ -1345,10 +1345,6 @@
         <translation>Der Ausschnitt von {} × {} px bei {}, {} liegt nicht ganz im Bild von {} × {} px.</translation>
     </message>
     <message>
-        <source>The first image has {} channels, the second {}; they must have the same.</source>
-        <translation>Das erste Bild hat {} Kanäle, das zweite {}; es müssen gleich viele sein.</translation>
-    </message>
-    <message>
         <source>The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.</source>
         <translation>Das erste Bild ist {} × {} px groß, das zweite {} × {} px; schneiden Sie eines auf die Größe des anderen zu.</translation>
     </message>
@@ -1949,10 +1945,6 @@
         <translation>{} ist {} lang; Modelle werden bis {} gelesen.</translation>
     </message>
     <message>
-        <source>{} is {} × {} px with {} channels; the volume&apos;s first slice {} is {} × {} px with {}.</source>
-        <translation>{} hat {} × {} px mit {} Kanälen; der erste Schnitt {} des Volumens hat {} × {} px mit {}.</translation>
-    </message>
-    <message>
         <source>{} needs the extension {}, which Texloom does not read; save it without compression.</source>
         <translation>{} braucht die Erweiterung {}, die Texloom nicht liest; speichern Sie es ohne Kompression.</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>The image to learn from.</source>
         <translation>Das Bild, von dem gelernt wird.</translation>
-    </message>
-    <message>
-        <source>The image to start from has {} channels, the output {}; they need the same number.</source>
-        <translation>Das Startbild hat {} Kanäle, die Ausgabe {}; beide brauchen gleich viele.</translation>
     </message>
     <message>
         <source>The input {} of {} takes {}.</source>
@@ -2713,10 +2701,6 @@
         <translation>Das Bild, dem das Ergebnis von weitem gleichen soll, in der Größe der Ausgabe.</translation>
     </message>
     <message>
-        <source>The target has {} channels, but the picture that corresponds to it for {} has {}; they are compared channel by channel, so give pictures of one kind.</source>
-        <translation>Das Ziel hat {} Kanäle, aber das Bild, das ihm bei {} entspricht, hat {}; sie werden Kanal für Kanal verglichen, bitte Bilder einer Art geben.</translation>
-    </message>
-    <message>
         <source>{} has no picture that corresponds to the target, but another exemplar has; give one for each or for none.</source>
         <translation>{} hat kein Bild, das dem Ziel entspricht, aber eine andere Vorlage hat eines; bitte jeder eines geben oder keiner.</translation>
     </message>
@@ -3053,10 +3037,6 @@
         <translation>eigene Primärfarben</translation>
     </message>
     <message>
-        <source>repeats after {} voxels, {} channels</source>
-        <translation>wiederholt sich nach {} Voxeln, {} Kanäle</translation>
-    </message>
-    <message>
         <source>the codes {}-{}-{}-{} of cICP</source>
         <translation>die Kennzahlen {}-{}-{}-{} von cICP</translation>
     </message>
@@ -3083,10 +3063,6 @@
     <message>
         <source>width,height, each {} to {} px</source>
         <translation>Breite,Höhe, je {} bis {} px</translation>
-    </message>
-    <message>
-        <source>without end, {} channels</source>
-        <translation>ohne Ende, {} Kanäle</translation>
     </message>
     <message>
         <source>x,y,width,height in whole px</source>
@@ -3197,16 +3173,8 @@
         <translation>{} Dreiecke</translation>
     </message>
     <message>
-        <source>{} voxels, {} channels</source>
-        <translation>{} Voxel, {} Kanäle</translation>
-    </message>
-    <message>
         <source>{} was not there before; export again to see what would be replaced.</source>
         <translation>{} ist inzwischen dazugekommen; exportieren Sie neu, um zu sehen, was ersetzt würde.</translation>
-    </message>
-    <message>
-        <source>{} × {} px, {} channels</source>
-        <translation>{} × {} px, {} Kanäle</translation>
     </message>
     <message>
         <source>{}, {}</source>
@@ -3525,10 +3493,6 @@
         <translation>Bild A</translation>
     </message>
     <message>
-        <source>Picture A of {} has {} channels and picture B has {}; they need the same number.</source>
-        <translation>Bild A von {} hat {} Kanäle und Bild B hat {}; es müssen gleich viele sein.</translation>
-    </message>
-    <message>
         <source>Picture B</source>
         <translation>Bild B</translation>
     </message>
@@ -3603,10 +3567,6 @@
     <message>
         <source>Target weight</source>
         <translation>Gewicht des Ziels</translation>
-    </message>
-    <message>
-        <source>The target has {} channels, the exemplar {}; they need the same number.</source>
-        <translation>Das Ziel hat {} Kanäle, die Vorlage {}; es müssen gleich viele sein.</translation>
     </message>
     <message>
         <source>There is a mask of what is known, but no image to start from; give that too.</source>
@@ -4251,10 +4211,6 @@
     <message>
         <source>The dictionary says that it has {} scales of {} channels in patches of {} px.</source>
         <translation>Das Wörterbuch gibt {} Skalen mit {} Kanälen in Patches von {} px an.</translation>
-    </message>
-    <message>
-        <source>The dictionary was learnt from {} channels, and the exemplar with its companions has {}; they need the same number.</source>
-        <translation>Das Wörterbuch wurde aus {} Kanälen gelernt, und die Vorlage mit ihren Begleitkarten hat {}; beide müssen gleich viele haben.</translation>
     </message>
     <message>
         <source>The dictionary&apos;s counts of uses at scale {} make no sense.</source>
@@ -5209,10 +5165,6 @@
         <translation>Der erste Abgriff ist {} und liegt hinter dem letzten, {}.</translation>
     </message>
     <message>
-        <source>The generator makes {} channels, and the exemplars have {}.</source>
-        <translation>Der Generator macht {} Kanäle, und die Vorlagen haben {}.</translation>
-    </message>
-    <message>
         <source>The generator&apos;s array {} holds {}; variances are not below 0.</source>
         <translation>Das Feld {} des Generators enthält {}; Varianzen sind nicht kleiner als 0.</translation>
     </message>
@@ -5387,10 +5339,6 @@
     <message>
         <source>{} cannot be read.</source>
         <translation>{} kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>{} has {} channels; there is no channel {}.</source>
-        <translation>{} hat {} Kanäle; einen Kanal {} gibt es nicht.</translation>
     </message>
     <message>
         <source>{} holds more than {} bytes; unpack it first.</source>
@@ -5707,10 +5655,6 @@
     <message>
         <source>The exemplar has {} channels with its maps; a generator makes at most {}.</source>
         <translation>Die Vorlage hat mit ihren Karten {} Kanäle; ein Generator macht höchstens {}.</translation>
-    </message>
-    <message>
-        <source>The generator makes {} channels, and the exemplar has {}.</source>
-        <translation>Der Generator macht {} Kanäle, und die Vorlage hat {}.</translation>
     </message>
     <message>
         <source>The mesh has no face that could be coloured; choose another one.</source>
@@ -6171,6 +6115,74 @@
     <message>
         <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
         <translation>Wo ein Loch gefüllt wird, höchstens so viele Skalen, jede halb so groß wie die vorige: Eine feinere sieht das Ergebnis der gröberen, wo sie selbst noch nichts gemacht hat, sodass zusammenpasst, was von gegenüberliegenden Seiten wächst. 1 wächst wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>1 channel</source>
+        <translation>1 Kanal</translation>
+    </message>
+    <message>
+        <source>Picture A of {} has {} and picture B {}; they need the same number.</source>
+        <translation>Bild A von {} hat {}, Bild B {}; beide brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>The dictionary was learnt from {}, and the exemplar with its companions has {}; they need the same number.</source>
+        <translation>Das Wörterbuch wurde für {} gelernt, und die Vorlage mit ihren Begleitkarten hat {}; beide müssen gleich viele haben.</translation>
+    </message>
+    <message>
+        <source>The first image has {}, the second {}; they must have the same.</source>
+        <translation>Das erste Bild hat {}, das zweite {}; es müssen gleich viele sein.</translation>
+    </message>
+    <message>
+        <source>The generator makes {}, and the exemplar has {}.</source>
+        <translation>Der Generator macht {}, und die Vorlage hat {}.</translation>
+    </message>
+    <message>
+        <source>The generator makes {}, and the exemplars have {}.</source>
+        <translation>Der Generator macht {}, und die Vorlagen haben {}.</translation>
+    </message>
+    <message>
+        <source>The image to start from has {}, the output {}; they need the same number.</source>
+        <translation>Das Startbild hat {}, die Ausgabe {}; beide brauchen gleich viele.</translation>
+    </message>
+    <message>
+        <source>The target has {}, but the picture that corresponds to it for {} has {}; they are compared channel by channel, so give pictures of one kind.</source>
+        <translation>Das Ziel hat {}, aber das Bild, das ihm bei {} entspricht, hat {}; sie werden Kanal für Kanal verglichen, bitte Bilder einer Art geben.</translation>
+    </message>
+    <message>
+        <source>The target has {}, the exemplar {}; they need the same number.</source>
+        <translation>Das Ziel hat {}, die Vorlage {}; es müssen gleich viele sein.</translation>
+    </message>
+    <message>
+        <source>repeats after {} voxels, {}</source>
+        <translation>wiederholt sich nach {} Voxeln, {}</translation>
+    </message>
+    <message>
+        <source>without end, {}</source>
+        <translation>ohne Ende, {}</translation>
+    </message>
+    <message>
+        <source>{} channels</source>
+        <translation>{} Kanäle</translation>
+    </message>
+    <message>
+        <source>{} has {}; there is no channel {}.</source>
+        <translation>{} hat {}; einen Kanal {} gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px with {}; the volume&apos;s first slice {} is {} × {} px with {}.</source>
+        <translation>{} ist {} × {} px groß und hat {}; der erste Schnitt {} des Volumens ist {} × {} px groß und hat {}.</translation>
+    </message>
+    <message>
+        <source>{} needs its input {}, which was not given.</source>
+        <translation>{} braucht die Eingabe {}, die nicht gegeben wurde.</translation>
+    </message>
+    <message>
+        <source>{} voxels, {}</source>
+        <translation>{} Voxel, {}</translation>
+    </message>
+    <message>
+        <source>{} × {} px, {}</source>
+        <translation>{} × {} px, {}</translation>
     </message>
 </context>
 <context>

@@ -1345,10 +1345,6 @@
         <translation>Le rognage de {} × {} px en {}, {} ne tient pas dans l’image de {} × {} px.</translation>
     </message>
     <message>
-        <source>The first image has {} channels, the second {}; they must have the same.</source>
-        <translation>La première image a {} canaux, la seconde {} ; il en faut autant.</translation>
-    </message>
-    <message>
         <source>The first image is {} × {} px, the second {} × {} px; crop one to the size of the other.</source>
         <translation>La première image fait {} × {} px, la seconde {} × {} px ; rognez l’une à la taille de l’autre.</translation>
     </message>
@@ -1949,10 +1945,6 @@
         <translation>{} fait {} ; les modèles sont lus jusqu’à {}.</translation>
     </message>
     <message>
-        <source>{} is {} × {} px with {} channels; the volume&apos;s first slice {} is {} × {} px with {}.</source>
-        <translation>{} fait {} × {} px à {} canaux ; la première coupe {} du volume fait {} × {} px à {}.</translation>
-    </message>
-    <message>
         <source>{} needs the extension {}, which Texloom does not read; save it without compression.</source>
         <translation>{} demande l’extension {}, que Texloom ne lit pas ; enregistrez-le sans compression.</translation>
     </message>
@@ -2247,10 +2239,6 @@
     <message>
         <source>The image to learn from.</source>
         <translation>L’image dont on apprend.</translation>
-    </message>
-    <message>
-        <source>The image to start from has {} channels, the output {}; they need the same number.</source>
-        <translation>L’image de départ a {} canaux, la sortie {} ; il en faut autant aux deux.</translation>
     </message>
     <message>
         <source>The input {} of {} takes {}.</source>
@@ -2642,7 +2630,7 @@
     </message>
     <message>
         <source>A picture of the exemplar to compare with the target, such as its height or its labels; without one, the blurred luminance of both is compared.</source>
-        <translation>Une image de l’exemplaire à comparer à la cible, comme sa hauteur ou ses étiquettes ; sans elle, les luminances floutées des deux sont comparées.</translation>
+        <translation>Une image de l’échantillon à comparer à la cible, comme sa hauteur ou ses étiquettes ; sans elle, les luminances floutées des deux sont comparées.</translation>
     </message>
     <message>
         <source>Blur</source>
@@ -2654,7 +2642,7 @@
     </message>
     <message>
         <source>Gives the target&apos;s luminance the mean and the contrast of the exemplar&apos;s, so that dark targets, too, find patches of all tones.</source>
-        <translation>Donne à la luminance de la cible la moyenne et le contraste de celle de l’exemplaire, pour que les cibles sombres trouvent aussi des morceaux de tous les tons.</translation>
+        <translation>Donne à la luminance de la cible la moyenne et le contraste de celle de l’échantillon, pour que les cibles sombres trouvent aussi des morceaux de tous les tons.</translation>
     </message>
     <message>
         <source>How much luminance is blurred before it is compared: larger heeds only broad light and dark.</source>
@@ -2686,7 +2674,7 @@
     </message>
     <message>
         <source>Shows a target picture in the exemplar&apos;s material: patches are quilted that follow the target&apos;s light and dark, with smaller patches in each pass.</source>
-        <translation>Montre une image cible dans la matière de l’exemplaire : des morceaux sont cousus qui suivent les clairs et les sombres de la cible, plus petits à chaque passe.</translation>
+        <translation>Montre une image cible dans la matière de l’échantillon : des morceaux sont cousus qui suivent les clairs et les sombres de la cible, plus petits à chaque passe.</translation>
     </message>
     <message>
         <source>Side of the patches in the first pass; each further pass takes two thirds of it. Larger shows more of the material, smaller more of the target.</source>
@@ -2713,12 +2701,8 @@
         <translation>L’image à laquelle le résultat doit ressembler de loin, de la taille de la sortie.</translation>
     </message>
     <message>
-        <source>The target has {} channels, but the picture that corresponds to it for {} has {}; they are compared channel by channel, so give pictures of one kind.</source>
-        <translation>La cible a {} canaux, mais l’image qui lui correspond pour {} en a {} ; elles sont comparées canal par canal, donnez des images de même nature.</translation>
-    </message>
-    <message>
         <source>{} has no picture that corresponds to the target, but another exemplar has; give one for each or for none.</source>
-        <translation>{} n’a pas d’image qui corresponde à la cible, mais un autre exemplaire en a une ; donnez-en une à chacun ou à aucun.</translation>
+        <translation>{} n’a pas d’image qui corresponde à la cible, mais un autre échantillon en a une ; donnez-en une à chacun ou à aucun.</translation>
     </message>
     <message>
         <source>An edit is empty; write it as tool=value, with one of {}.</source>
@@ -3053,10 +3037,6 @@
         <translation>primaires propres</translation>
     </message>
     <message>
-        <source>repeats after {} voxels, {} channels</source>
-        <translation>se répète après {} voxels, {} canaux</translation>
-    </message>
-    <message>
         <source>the codes {}-{}-{}-{} of cICP</source>
         <translation>les codes {}-{}-{}-{} de cICP</translation>
     </message>
@@ -3083,10 +3063,6 @@
     <message>
         <source>width,height, each {} to {} px</source>
         <translation>largeur,hauteur, de {} à {} px chacune</translation>
-    </message>
-    <message>
-        <source>without end, {} channels</source>
-        <translation>sans fin, {} canaux</translation>
     </message>
     <message>
         <source>x,y,width,height in whole px</source>
@@ -3197,16 +3173,8 @@
         <translation>{} triangles</translation>
     </message>
     <message>
-        <source>{} voxels, {} channels</source>
-        <translation>{} voxels, {} canaux</translation>
-    </message>
-    <message>
         <source>{} was not there before; export again to see what would be replaced.</source>
         <translation>{} est apparu entre-temps ; exportez de nouveau pour voir ce qui serait remplacé.</translation>
-    </message>
-    <message>
-        <source>{} × {} px, {} channels</source>
-        <translation>{} × {} px, {} canaux</translation>
     </message>
     <message>
         <source>{}, {}</source>
@@ -3525,10 +3493,6 @@
         <translation>Image A</translation>
     </message>
     <message>
-        <source>Picture A of {} has {} channels and picture B has {}; they need the same number.</source>
-        <translation>L’image A de {} a {} canaux et l’image B en a {} ; il en faut le même nombre.</translation>
-    </message>
-    <message>
         <source>Picture B</source>
         <translation>Image B</translation>
     </message>
@@ -3603,10 +3567,6 @@
     <message>
         <source>Target weight</source>
         <translation>Poids de la cible</translation>
-    </message>
-    <message>
-        <source>The target has {} channels, the exemplar {}; they need the same number.</source>
-        <translation>La cible a {} canaux, l’échantillon {} ; il en faut le même nombre.</translation>
     </message>
     <message>
         <source>There is a mask of what is known, but no image to start from; give that too.</source>
@@ -3698,7 +3658,7 @@
     </message>
     <message>
         <source>A learnt dictionary of this exemplar, so that none is learned again.</source>
-        <translation>Un dictionnaire appris de cet exemplaire, afin de n’en pas apprendre un nouveau.</translation>
+        <translation>Un dictionnaire appris de cet échantillon, afin de n’en pas apprendre un nouveau.</translation>
     </message>
     <message>
         <source>A patch of {} px has {} values, so that it cannot have {} atoms; choose at most {}.</source>
@@ -3714,7 +3674,7 @@
     </message>
     <message>
         <source>All constraints of Tartavel, Gousseau and Peyré with their numbers, at the exemplar&apos;s size with its own low frequencies.</source>
-        <translation>Toutes les contraintes de Tartavel, Gousseau et Peyré avec leurs valeurs, à la taille de l’exemplaire et avec ses propres basses fréquences.</translation>
+        <translation>Toutes les contraintes de Tartavel, Gousseau et Peyré avec leurs valeurs, à la taille de l’échantillon et avec ses propres basses fréquences.</translation>
     </message>
     <message>
         <source>All tiles alike</source>
@@ -3722,11 +3682,11 @@
     </message>
     <message>
         <source>All tiles alike are copies of one; varied ones differ as the exemplar&apos;s tiles differ from their mean, and are a little softer.</source>
-        <translation>Des pavés pareils sont des copies d’un seul ; variés, ils diffèrent comme ceux de l’exemplaire diffèrent de leur moyenne, et sont un peu plus doux.</translation>
+        <translation>Des pavés pareils sont des copies d’un seul ; variés, ils diffèrent comme ceux de l’échantillon diffèrent de leur moyenne, et sont un peu plus doux.</translation>
     </message>
     <message>
         <source>Along which axes colours are distributed as in the exemplar: principal axes keep how channels go together.</source>
-        <translation>Les axes le long desquels les couleurs sont réparties comme dans l’exemplaire : les axes principaux gardent le lien entre les canaux.</translation>
+        <translation>Les axes le long desquels les couleurs sont réparties comme dans l’échantillon : les axes principaux gardent le lien entre les canaux.</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -3754,7 +3714,7 @@
     </message>
     <message>
         <source>Atoms describe how patches differ from the exemplar&apos;s mean colour, rather than from black, as published: of use for maps with values far from 0, and blurrier for pictures.</source>
-        <translation>Les atomes décrivent l’écart des patches à la couleur moyenne de l’exemplaire plutôt qu’au noir, comme publié : utile pour des cartes aux valeurs loin de 0, plus flou pour des images.</translation>
+        <translation>Les atomes décrivent l’écart des patches à la couleur moyenne de l’échantillon plutôt qu’au noir, comme publié : utile pour des cartes aux valeurs loin de 0, plus flou pour des images.</translation>
     </message>
     <message>
         <source>Atoms in use</source>
@@ -3858,11 +3818,11 @@
     </message>
     <message>
         <source>Draws the colours towards the exemplar&apos;s distribution.</source>
-        <translation>Tire les couleurs vers la répartition de l’exemplaire.</translation>
+        <translation>Tire les couleurs vers la répartition de l’échantillon.</translation>
     </message>
     <message>
         <source>Draws the image towards the exemplar&apos;s Fourier spectrum: brings fine grain back, which few atoms cannot code.</source>
-        <translation>Tire l’image vers le spectre de Fourier de l’exemplaire : rend le grain fin, que peu d’atomes ne peuvent coder.</translation>
+        <translation>Tire l’image vers le spectre de Fourier de l’échantillon : rend le grain fin, que peu d’atomes ne peuvent coder.</translation>
     </message>
     <message>
         <source>Draws what is larger than a patch towards a target, so that no large blotches arise.</source>
@@ -3902,7 +3862,7 @@
     </message>
     <message>
         <source>For outputs larger than the exemplar: low frequencies of random phases, lightly held, and one scale more.</source>
-        <translation>Pour des sorties plus grandes que l’exemplaire : basses fréquences à phases aléatoires, peu contraintes, et une échelle de plus.</translation>
+        <translation>Pour des sorties plus grandes que l’échantillon : basses fréquences à phases aléatoires, peu contraintes, et une échelle de plus.</translation>
     </message>
     <message>
         <source>Frequencies of atoms</source>
@@ -3910,7 +3870,7 @@
     </message>
     <message>
         <source>From one patch that is learnt from to the next: wider steps in a small exemplar leave so few patches that the atoms merely repeat them. At most 20 patches for each atom are used.</source>
-        <translation>D’un patch d’apprentissage au suivant : de grands pas dans un petit exemplaire laissent si peu de patches que les atomes ne font que les répéter. Au plus 20 patches par atome sont utilisés.</translation>
+        <translation>D’un patch d’apprentissage au suivant : de grands pas dans un petit échantillon laissent si peu de patches que les atomes ne font que les répéter. Au plus 20 patches par atome sont utilisés.</translation>
     </message>
     <message>
         <source>From one patch to the next, at most the patch size: closer is surer and takes longer; half the patch is published.</source>
@@ -3918,7 +3878,7 @@
     </message>
     <message>
         <source>From the exemplar’s tiles</source>
-        <translation>Parmi les pavés de l’exemplaire</translation>
+        <translation>Parmi les pavés de l’échantillon</translation>
     </message>
     <message>
         <source>From the mean</source>
@@ -3934,7 +3894,7 @@
     </message>
     <message>
         <source>How a patch is joined to its neighbours: a cut, or none, keeps every pixel as it is in the exemplar; the others blend where patches overlap.</source>
-        <translation>Comment une pièce est jointe à ses voisines : une coupe, ou aucune, laisse chaque pixel tel qu’il est dans l’exemplaire ; les autres mélangent là où les pièces se recouvrent.</translation>
+        <translation>Comment une pièce est jointe à ses voisines : une coupe, ou aucune, laisse chaque pixel tel qu’il est dans l’échantillon ; les autres mélangent là où les pièces se recouvrent.</translation>
     </message>
     <message>
         <source>How far from a joint levels are drawn together, in sides of a piece: larger hides joints over more of a piece, and lets shades drift; 0 levels without limit.</source>
@@ -3946,15 +3906,15 @@
     </message>
     <message>
         <source>How many atoms make up a patch: more follow the exemplar more closely, fewer keep edges clean.</source>
-        <translation>Nombre d’atomes qui composent un patch : davantage suivent l’exemplaire de plus près, moins gardent des bords nets.</translation>
+        <translation>Nombre d’atomes qui composent un patch : davantage suivent l’échantillon de plus près, moins gardent des bords nets.</translation>
     </message>
     <message>
         <source>How much a patch that is used too often is avoided: larger shows all of the exemplar, 0 takes whatever fits best, as a hole does that is filled.</source>
-        <translation>À quel point une pièce trop souvent utilisée est évitée : plus grand montre tout l’exemplaire, 0 prend ce qui convient le mieux, comme un trou que l’on remplit.</translation>
+        <translation>À quel point une pièce trop souvent utilisée est évitée : plus grand montre tout l’échantillon, 0 prend ce qui convient le mieux, comme un trou que l’on remplit.</translation>
     </message>
     <message>
         <source>How much of each component a tile gets: normally distributed, which makes what the exemplar does not show, or as much as some tile of the exemplar has.</source>
-        <translation>Combien de chaque composante un pavé reçoit : selon la loi normale, ce qui donne aussi ce que l’exemplaire ne montre pas, ou autant qu’un pavé de l’exemplaire.</translation>
+        <translation>Combien de chaque composante un pavé reçoit : selon la loi normale, ce qui donne aussi ce que l’échantillon ne montre pas, ou autant qu’un pavé de l’échantillon.</translation>
     </message>
     <message>
         <source>How much the distribution of colours counts against the patches.</source>
@@ -3982,7 +3942,7 @@
     </message>
     <message>
         <source>Image analogies with painted pictures: A says where the exemplar&apos;s stones and gaps are, B where they are to be; the two count more from run to run.</source>
-        <translation>Analogies d’images avec des images peintes : A dit où sont les pierres et les joints de l’exemplaire, B où ils doivent être ; les deux comptent davantage d’un calcul à l’autre.</translation>
+        <translation>Analogies d’images avec des images peintes : A dit où sont les pierres et les joints de l’échantillon, B où ils doivent être ; les deux comptent davantage d’un calcul à l’autre.</translation>
     </message>
     <message>
         <source>In how many principal components tiles vary, at most: more show finer differences, 0 repeats the mean tile.</source>
@@ -4026,7 +3986,7 @@
     </message>
     <message>
         <source>Learns atoms of which a few make up any patch of the exemplar, and shows them, those used most first. Sparse synthesis takes the dictionary up, so that it is learnt only once.</source>
-        <translation>Apprend des atomes dont quelques-uns composent tout patch de l’exemplaire, et les montre, les plus utilisés d’abord. La synthèse parcimonieuse reprend le dictionnaire, qui n’est ainsi appris qu’une fois.</translation>
+        <translation>Apprend des atomes dont quelques-uns composent tout patch de l’échantillon, et les montre, les plus utilisés d’abord. La synthèse parcimonieuse reprend le dictionnaire, qui n’est ainsi appris qu’une fois.</translation>
     </message>
     <message>
         <source>Least determinant of the Jacobian</source>
@@ -4050,7 +4010,7 @@
     </message>
     <message>
         <source>Makes an image whose patches are each a sum of few learnt atoms, used as often as in the exemplar. New pixels rather than copies; sharp on small structures such as scales, weaves and cracks, and lost on large objects and on grain.</source>
-        <translation>Produit une image dont chaque patch est la somme de quelques atomes appris, utilisés aussi souvent que dans l’exemplaire. De nouveaux pixels plutôt que des copies ; net sur les petites structures comme les écailles, les tissages et les fissures, perdu sur les grands objets et le grain.</translation>
+        <translation>Produit une image dont chaque patch est la somme de quelques atomes appris, utilisés aussi souvent que dans l’échantillon. De nouveaux pixels plutôt que des copies ; net sur les petites structures comme les écailles, les tissages et les fissures, perdu sur les grands objets et le grain.</translation>
     </message>
     <message>
         <source>Map of the sheet</source>
@@ -4074,7 +4034,7 @@
     </message>
     <message>
         <source>No atom is used more often than in the exemplar: brings all features back, and keeps smooth patches from spreading.</source>
-        <translation>Aucun atome n’est utilisé plus souvent que dans l’exemplaire : rend tous les motifs et empêche les patches lisses de s’étendre.</translation>
+        <translation>Aucun atome n’est utilisé plus souvent que dans l’échantillon : rend tous les motifs et empêche les patches lisses de s’étendre.</translation>
     </message>
     <message>
         <source>Normally</source>
@@ -4106,7 +4066,7 @@
     </message>
     <message>
         <source>Pieces of the exemplar grow until nothing fits; jumps from 0 to 0.2 make them smaller. See the tab Copied pieces.</source>
-        <translation>Des morceaux de l’exemplaire grandissent jusqu’à ce que rien ne convienne plus ; des sauts de 0 à 0,2 les rendent plus petits. Voir l’onglet Morceaux copiés.</translation>
+        <translation>Des morceaux de l’échantillon grandissent jusqu’à ce que rien ne convienne plus ; des sauts de 0 à 0,2 les rendent plus petits. Voir l’onglet Morceaux copiés.</translation>
     </message>
     <message>
         <source>Poisson levels the joints and keeps the detail; a cut copies every pixel as it is; feathering blurs where pieces overlap; none shows the pieces.</source>
@@ -4166,7 +4126,7 @@
     </message>
     <message>
         <source>Side of the squares that are copied; 0 chooses by the exemplar and its lattice. Larger keeps larger stretches, smaller varies more. Whole tiles take it where rows do not repeat.</source>
-        <translation>Côté des carrés copiés ; 0 choisit selon l’exemplaire et son réseau. Plus grand garde de plus grandes étendues, plus petit varie davantage. Les pavés entiers la prennent là où les rangs ne se répètent pas.</translation>
+        <translation>Côté des carrés copiés ; 0 choisit selon l’échantillon et son réseau. Plus grand garde de plus grandes étendues, plus petit varie davantage. Les pavés entiers la prennent là où les rangs ne se répètent pas.</translation>
     </message>
     <message>
         <source>Single tiles</source>
@@ -4253,20 +4213,16 @@
         <translation>Le dictionnaire annonce {} échelles de {} canaux en patches de {} px.</translation>
     </message>
     <message>
-        <source>The dictionary was learnt from {} channels, and the exemplar with its companions has {}; they need the same number.</source>
-        <translation>Le dictionnaire a été appris de {} canaux, et l’exemplaire avec ses cartes associées en a {} ; il en faut autant.</translation>
-    </message>
-    <message>
         <source>The dictionary&apos;s counts of uses at scale {} make no sense.</source>
         <translation>Les nombres d’utilisations du dictionnaire à l’échelle {} n’ont pas de sens.</translation>
     </message>
     <message>
         <source>The exemplar itself, as published, gives its own layout of light and dark, and is only possible at its size; random phases give a new one at any size. Whatever fits takes the exemplar where sizes are the same and nothing wraps.</source>
-        <translation>L’exemplaire lui-même, comme publié, donne sa propre disposition de clair et de sombre et n’est possible qu’à sa taille ; des phases aléatoires en donnent une nouvelle à toute taille. Ce qui convient prend l’exemplaire là où les tailles sont égales et où rien ne se raccorde.</translation>
+        <translation>L’échantillon lui-même, comme publié, donne sa propre disposition de clair et de sombre et n’est possible qu’à sa taille ; des phases aléatoires en donnent une nouvelle à toute taille. Ce qui convient prend l’échantillon là où les tailles sont égales et où rien ne se raccorde.</translation>
     </message>
     <message>
         <source>The exemplar&apos;s own low frequencies fit an output of its size, {} × {} px, and this one is {} × {} px; choose random phases.</source>
-        <translation>Les basses fréquences de l’exemplaire conviennent à une sortie de sa taille, {} × {} px, et celle-ci fait {} × {} px ; choisissez des phases aléatoires.</translation>
+        <translation>Les basses fréquences de l’échantillon conviennent à une sortie de sa taille, {} × {} px, et celle-ci fait {} × {} px ; choisissez des phases aléatoires.</translation>
     </message>
     <message>
         <source>The first three stretch and squeeze along one axis; turbulence swirls along both.</source>
@@ -4314,7 +4270,7 @@
     </message>
     <message>
         <source>The same exemplar with windows of 5, 9, 15 and 25 px: too small a window grows garbage, too large a one copies verbatim.</source>
-        <translation>Le même exemplaire avec des fenêtres de 5, 9, 15 et 25 px : trop petite, elle produit n’importe quoi ; trop grande, elle copie mot à mot.</translation>
+        <translation>Le même échantillon avec des fenêtres de 5, 9, 15 et 25 px : trop petite, elle produit n’importe quoi ; trop grande, elle copie mot à mot.</translation>
     </message>
     <message>
         <source>The spacing of {} px leaves gaps between patches of {} px; choose at most {} px.</source>
@@ -4382,7 +4338,7 @@
     </message>
     <message>
         <source>Wei–Levoy, Ashikhmin and image analogies on one exemplar: the first blurs small things, the second shows joins, the third weighs one against the other.</source>
-        <translation>Wei–Levoy, Ashikhmin et analogies d’images sur un exemplaire : la première estompe les petites choses, la deuxième montre des raccords, la troisième fait la part des deux.</translation>
+        <translation>Wei–Levoy, Ashikhmin et analogies d’images sur un échantillon : la première estompe les petites choses, la deuxième montre des raccords, la troisième fait la part des deux.</translation>
     </message>
     <message>
         <source>Whatever fits</source>
@@ -4394,7 +4350,7 @@
     </message>
     <message>
         <source>Where a hole is filled, how far from its own place in an exemplar of the output&apos;s size a pixel&apos;s source may lie: smaller takes what is near; 0 looks everywhere.</source>
-        <translation>Là où un trou est rempli, à quelle distance de sa propre place, dans un exemplaire de la taille de la sortie, la source d’un pixel peut se trouver : plus petit prend ce qui est proche ; 0 cherche partout.</translation>
+        <translation>Là où un trou est rempli, à quelle distance de sa propre place, dans un échantillon de la taille de la sortie, la source d’un pixel peut se trouver : plus petit prend ce qui est proche ; 0 cherche partout.</translation>
     </message>
     <message>
         <source>Where each pixel comes from, between pixels too, as compositors read it: .exr, of 32-bit floats. `apply` lays out another map by it.</source>
@@ -4410,7 +4366,7 @@
     </message>
     <message>
         <source>With the exemplar&apos;s spectrum, which brings back the fine grain of grass, sand or cloth that few atoms cannot code.</source>
-        <translation>Avec le spectre de l’exemplaire, qui rend le grain fin de l’herbe, du sable ou du tissu, que peu d’atomes ne peuvent coder.</translation>
+        <translation>Avec le spectre de l’échantillon, qui rend le grain fin de l’herbe, du sable ou du tissu, que peu d’atomes ne peuvent coder.</translation>
     </message>
     <message>
         <source>picture</source>
@@ -4430,7 +4386,7 @@
     </message>
     <message>
         <source>{} holds only one whole tile, so that nothing varies; a larger exemplar or a smaller tile shows how tiles differ.</source>
-        <translation>{} ne contient qu’un pavé entier, donc rien ne varie ; un exemplaire plus grand ou un pavé plus petit montre en quoi les pavés diffèrent.</translation>
+        <translation>{} ne contient qu’un pavé entier, donc rien ne varie ; un échantillon plus grand ou un pavé plus petit montre en quoi les pavés diffèrent.</translation>
     </message>
     <message>
         <source>{} is one piece of this size, so that the output only repeats it; choose pieces of at most {} px.</source>
@@ -4542,7 +4498,7 @@
     </message>
     <message>
         <source>How the most similar patch is found: exactly, or nearly and faster with large exemplars. With uniformity, always exactly.</source>
-        <translation>Comment le morceau le plus semblable est trouvé : exactement, ou à peu près et plus vite avec de grands exemplaires. Avec l’uniformité, toujours exactement.</translation>
+        <translation>Comment le morceau le plus semblable est trouvé : exactement, ou à peu près et plus vite avec de grands échantillons. Avec l’uniformité, toujours exactement.</translation>
     </message>
     <message>
         <source>Joining gradients</source>
@@ -4774,7 +4730,7 @@
     </message>
     <message>
         <source>All three axes are free, so that nothing is wanted of the solid; give one of them an exemplar and a weight.</source>
-        <translation>Les trois axes sont libres, de sorte que rien n’est demandé au solide ; donnez à l’un d’eux un exemple et un poids.</translation>
+        <translation>Les trois axes sont libres, de sorte que rien n’est demandé au solide ; donnez à l’un d’eux un échantillon et un poids.</translation>
     </message>
     <message>
         <source>All {} × {} px of the image to start from are known, so that there is nothing to make; mask less.</source>
@@ -4786,7 +4742,7 @@
     </message>
     <message>
         <source>An exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
-        <translation>Un exemplaire de {}×{} px est trop petit pour le réseau, qui demande {} px par côté.</translation>
+        <translation>Un échantillon de {}×{} px est trop petit pour le réseau, qui demande {} px par côté.</translation>
     </message>
     <message>
         <source>Anamorphosis: bending what repeats</source>
@@ -4802,7 +4758,7 @@
     </message>
     <message>
         <source>At each scale: more come closer to the exemplar and take longer.</source>
-        <translation>À chaque échelle : davantage s&apos;approche mieux de l&apos;exemplaire et dure plus longtemps.</translation>
+        <translation>À chaque échelle : davantage s&apos;approche mieux de l&apos;échantillon et dure plus longtemps.</translation>
     </message>
     <message>
         <source>Change</source>
@@ -4810,7 +4766,7 @@
     </message>
     <message>
         <source>Changes noise, or an initial image, until the feature maps of a network vary together as the exemplar&apos;s do. New pixels rather than copies; long straight structures may bend or break.</source>
-        <translation>Modifie un bruit, ou une image de départ, jusqu&apos;à ce que les cartes de caractéristiques d&apos;un réseau varient ensemble comme celles de l&apos;exemplaire. De nouveaux pixels plutôt que des copies ; les longues structures droites peuvent plier ou se rompre.</translation>
+        <translation>Modifie un bruit, ou une image de départ, jusqu&apos;à ce que les cartes de caractéristiques d&apos;un réseau varient ensemble comme celles de l&apos;échantillon. De nouveaux pixels plutôt que des copies ; les longues structures droites peuvent plier ou se rompre.</translation>
     </message>
     <message>
         <source>Compare colours</source>
@@ -4842,19 +4798,19 @@
     </message>
     <message>
         <source>Exemplar&apos;s side</source>
-        <translation>Côté de l’exemple</translation>
+        <translation>Côté de l’échantillon</translation>
     </message>
     <message>
         <source>Exemplars with a longer side are scaled down to this: smaller makes features smaller, so that a solid holds more of them.</source>
-        <translation>Les exemples d’un côté plus long y sont ramenés : plus petit rend les motifs plus petits, de sorte qu’un solide en contient davantage.</translation>
+        <translation>Les échantillons d’un côté plus long y sont ramenés : plus petit rend les motifs plus petits, de sorte qu’un solide en contient davantage.</translation>
     </message>
     <message>
         <source>Figure 5.42 of Raad&apos;s thesis on free exemplars: metal and rock with random low frequencies. Where high and low frequencies go together, as here, it shows.</source>
-        <translation>La figure 5.42 de la thèse de Raad sur des exemplaires libres : métal et roche aux basses fréquences aléatoires. Là où hautes et basses fréquences vont ensemble, comme ici, cela se voit.</translation>
+        <translation>La figure 5.42 de la thèse de Raad sur des échantillons libres : métal et roche aux basses fréquences aléatoires. Là où hautes et basses fréquences vont ensemble, comme ici, cela se voit.</translation>
     </message>
     <message>
         <source>Figures 5.31 to 5.35 of Raad&apos;s thesis on free exemplars: wood and rock bent along one axis and along both. From farther away they remain much alike.</source>
-        <translation>Les figures 5.31 à 5.35 de la thèse de Raad sur des exemplaires libres : bois et roche courbés selon un axe et selon les deux. De plus loin, ils restent très semblables.</translation>
+        <translation>Les figures 5.31 à 5.35 de la thèse de Raad sur des échantillons libres : bois et roche courbés selon un axe et selon les deux. De plus loin, ils restent très semblables.</translation>
     </message>
     <message>
         <source>First</source>
@@ -4874,11 +4830,11 @@
     </message>
     <message>
         <source>Gives all exemplars the colours of the first, without which slices of two kinds cannot agree where they cross.</source>
-        <translation>Donne à tous les exemples les couleurs du premier, sans quoi des coupes de deux sortes ne peuvent s’accorder là où elles se croisent.</translation>
+        <translation>Donne à tous les échantillons les couleurs du premier, sans quoi des coupes de deux sortes ne peuvent s’accorder là où elles se croisent.</translation>
     </message>
     <message>
         <source>Gives the result the exemplar&apos;s distribution of colours at the end.</source>
-        <translation>Donne à la fin au résultat la répartition des couleurs de l&apos;exemplaire.</translation>
+        <translation>Donne à la fin au résultat la répartition des couleurs de l&apos;échantillon.</translation>
     </message>
     <message>
         <source>Gram</source>
@@ -4894,7 +4850,7 @@
     </message>
     <message>
         <source>How far Adam moves in one step, in deviations of the exemplar&apos;s colours: larger is faster and less exact.</source>
-        <translation>De combien Adam avance en un pas, en écarts des couleurs de l&apos;exemplaire : plus grand est plus rapide et moins exact.</translation>
+        <translation>De combien Adam avance en un pas, en écarts des couleurs de l&apos;échantillon : plus grand est plus rapide et moins exact.</translation>
     </message>
     <message>
         <source>How far each step goes at the beginning; it falls to a twentieth. Too large, and the loss jumps; too small, and it falls slowly.</source>
@@ -4918,7 +4874,7 @@
     </message>
     <message>
         <source>How the exemplar is turned in these slices; where they meet, patterns must agree.</source>
-        <translation>Comment l’exemple est tourné dans ces coupes ; là où elles se croisent, les motifs doivent s’accorder.</translation>
+        <translation>Comment l’échantillon est tourné dans ces coupes ; là où elles se croisent, les motifs doivent s’accorder.</translation>
     </message>
     <message>
         <source>How the network halves its feature maps: by their mean, or by the largest of four values.</source>
@@ -4942,7 +4898,7 @@
     </message>
     <message>
         <source>Learned from the exemplar</source>
-        <translation>Appris de l&apos;exemplaire</translation>
+        <translation>Appris de l&apos;échantillon</translation>
     </message>
     <message>
         <source>Learning rate</source>
@@ -4966,7 +4922,7 @@
     </message>
     <message>
         <source>Makes a solid block that repeats in all directions and whose slices look like the exemplar, or like one exemplar for each direction. The picture is its slice at z = 0.</source>
-        <translation>Fait un bloc qui se répète dans toutes les directions et dont les coupes ressemblent à l’exemple, ou à un exemple par direction. L’image en est la coupe en z = 0.</translation>
+        <translation>Fait un bloc qui se répète dans toutes les directions et dont les coupes ressemblent à l’échantillon, ou à un échantillon par direction. L’image en est la coupe en z = 0.</translation>
     </message>
     <message>
         <source>Match histograms</source>
@@ -5090,7 +5046,7 @@
     </message>
     <message>
         <source>Rounds at each scale: more bring the slices closer to the exemplar.</source>
-        <translation>Tours à chaque échelle : davantage rapprochent les coupes de l’exemple.</translation>
+        <translation>Tours à chaque échelle : davantage rapprochent les coupes de l’échantillon.</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -5126,7 +5082,7 @@
     </message>
     <message>
         <source>Slices square to {} are to look like exemplar {}, and there are {}: give it, or choose another one or none.</source>
-        <translation>Les coupes perpendiculaires à {} doivent ressembler à l’exemple {}, et il y en a {} : donnez-le, ou choisissez-en un autre ou aucun.</translation>
+        <translation>Les coupes perpendiculaires à {} doivent ressembler à l’échantillon {}, et il y en a {} : donnez-le, ou choisissez-en un autre ou aucun.</translation>
     </message>
     <message>
         <source>Solid texture</source>
@@ -5182,19 +5138,19 @@
     </message>
     <message>
         <source>The descriptor sees {} channels, and the exemplar has {} with its maps: choose one that sees them all, such as exemplar, random or wavelet.</source>
-        <translation>Le descripteur voit {} canaux et l&apos;exemplaire en a {} avec ses cartes : choisissez-en un qui les voit tous, tel que exemplar, random ou wavelet.</translation>
+        <translation>Le descripteur voit {} canaux et l&apos;échantillon en a {} avec ses cartes : choisissez-en un qui les voit tous, tel que exemplar, random ou wavelet.</translation>
     </message>
     <message>
         <source>The descriptor {} sees {} channels, and the exemplar has {}.</source>
-        <translation>Le descripteur {} voit {} canaux, et l&apos;exemplaire en a {}.</translation>
+        <translation>Le descripteur {} voit {} canaux, et l&apos;échantillon en a {}.</translation>
     </message>
     <message>
         <source>The exemplar has {} × {} px here; its sides must have at least {} px.</source>
-        <translation>L’exemple a ici {} × {} px ; ses côtés doivent avoir au moins {} px.</translation>
+        <translation>L’échantillon a ici {} × {} px ; ses côtés doivent avoir au moins {} px.</translation>
     </message>
     <message>
         <source>The exemplar of {}×{} px is too small for the network, which needs {} px a side.</source>
-        <translation>L&apos;exemplaire de {}×{} px est trop petit pour le réseau, qui demande {} px par côté.</translation>
+        <translation>L&apos;échantillon de {}×{} px est trop petit pour le réseau, qui demande {} px par côté.</translation>
     </message>
     <message>
         <source>The first layer of the network that is compared; a larger number leaves fine detail free.</source>
@@ -5209,10 +5165,6 @@
         <translation>La première prise est {}, après la dernière, {}.</translation>
     </message>
     <message>
-        <source>The generator makes {} channels, and the exemplars have {}.</source>
-        <translation>Le générateur fait {} canaux, et les exemples en ont {}.</translation>
-    </message>
-    <message>
         <source>The generator&apos;s array {} holds {}; variances are not below 0.</source>
         <translation>Le tableau {} du générateur contient {} ; les variances ne sont pas inférieures à 0.</translation>
     </message>
@@ -5222,7 +5174,7 @@
     </message>
     <message>
         <source>The hole of {:.0f} px is larger than the {:.0f} px of the picture that are left to fill it from; mark a smaller one, or add another exemplar.</source>
-        <translation>Le trou de {:.0f} px est plus grand que les {:.0f} px de l’image qui restent pour le remplir ; marquez-en un plus petit ou ajoutez un autre exemplaire.</translation>
+        <translation>Le trou de {:.0f} px est plus grand que les {:.0f} px de l’image qui restent pour le remplir ; marquez-en un plus petit ou ajoutez un autre échantillon.</translation>
     </message>
     <message>
         <source>The last layer that is compared, or all that there are; a smaller number leaves large structures free and is faster.</source>
@@ -5242,7 +5194,7 @@
     </message>
     <message>
         <source>The network whose feature maps are compared: the file that is given, else Texloom&apos;s own; maps beside colours need one that sees them: learned from the exemplar, random or wavelets.</source>
-        <translation>Le réseau dont les cartes de caractéristiques sont comparées : le fichier donné, sinon celui de Texloom ; des cartes à côté des couleurs en demandent un qui les voit : appris de l&apos;exemplaire, aléatoire ou ondelettes.</translation>
+        <translation>Le réseau dont les cartes de caractéristiques sont comparées : le fichier donné, sinon celui de Texloom ; des cartes à côté des couleurs en demandent un qui les voit : appris de l&apos;échantillon, aléatoire ou ondelettes.</translation>
     </message>
     <message>
         <source>The solid in space, without end; the picture is its slice at z = 0.</source>
@@ -5330,7 +5282,7 @@
     </message>
     <message>
         <source>What is compared of the feature maps: their moments once each has the exemplar&apos;s mean and deviation, their Gram matrices as published, or these relative to the exemplar&apos;s.</source>
-        <translation>Ce qui est comparé des cartes de caractéristiques : leurs moments une fois chacune rapportée à la moyenne et à l&apos;écart de l&apos;exemplaire, leurs matrices de Gram comme publié, ou celles-ci relativement à celles de l&apos;exemplaire.</translation>
+        <translation>Ce qui est comparé des cartes de caractéristiques : leurs moments une fois chacune rapportée à la moyenne et à l&apos;écart de l&apos;échantillon, leurs matrices de Gram comme publié, ou celles-ci relativement à celles de l&apos;échantillon.</translation>
     </message>
     <message>
         <source>What slices look like: one image for all directions, or one each for those square to z, y and x.</source>
@@ -5338,7 +5290,7 @@
     </message>
     <message>
         <source>What slices square to this axis look like. Own is the first exemplar for z, the second for y and the third for x, or the first where there are fewer; of a free axis nothing is wanted, as along the grain of wood.</source>
-        <translation>L’aspect des coupes perpendiculaires à cet axe. Le sien est le premier exemple pour z, le deuxième pour y et le troisième pour x, ou le premier s’il y en a moins ; d’un axe libre rien n’est demandé, comme le long du fil du bois.</translation>
+        <translation>L’aspect des coupes perpendiculaires à cet axe. Le sien est le premier échantillon pour z, le deuxième pour y et le troisième pour x, ou le premier s’il y en a moins ; d’un axe libre rien n’est demandé, comme le long du fil du bois.</translation>
     </message>
     <message>
         <source>What was learned, under half a megabyte: `texloom-cli sample` makes boxes, slices and coloured meshes of it.</source>
@@ -5387,10 +5339,6 @@
     <message>
         <source>{} cannot be read.</source>
         <translation>{} ne peut pas être lu.</translation>
-    </message>
-    <message>
-        <source>{} has {} channels; there is no channel {}.</source>
-        <translation>{} a {} canaux ; il n’y a pas de canal {}.</translation>
     </message>
     <message>
         <source>{} holds more than {} bytes; unpack it first.</source>
@@ -5458,7 +5406,7 @@
     </message>
     <message>
         <source>Distributes the patches of all slices as the exemplar&apos;s are, which is sharpest; or matches histograms of pyramids, quick, for grain without shapes; or copies neighbourhoods (Kopf), soft where directions disagree; or makes one voxel after another (Wei).</source>
-        <translation>Distribue les morceaux de toutes les coupes comme ceux de l’exemple, ce qui est le plus net ; ou égalise des histogrammes de pyramides, rapide, pour du grain sans formes ; ou copie des voisinages (Kopf), doux là où les directions ne s’accordent pas ; ou fait un voxel après l’autre (Wei).</translation>
+        <translation>Distribue les morceaux de toutes les coupes comme ceux de l’échantillon, ce qui est le plus net ; ou égalise des histogrammes de pyramides, rapide, pour du grain sans formes ; ou copie des voisinages (Kopf), doux là où les directions ne s’accordent pas ; ou fait un voxel après l’autre (Wei).</translation>
     </message>
     <message>
         <source>Gatys, Ecker and Bethge: plain Gram matrices on one scale and one level from noise, 2,000 iterations at most; give it their VGG-19 as its descriptor.</source>
@@ -5562,7 +5510,7 @@
     </message>
     <message>
         <source>An exemplar with a longer one is scaled down to this, and features with it: larger keeps more detail and takes much longer to learn.</source>
-        <translation>Un exemple qui en a un plus long est réduit à cette taille, et ses motifs avec lui : plus grand garde plus de détails et s’apprend bien plus lentement.</translation>
+        <translation>Un échantillon qui en a un plus long est réduit à cette taille, et ses motifs avec lui : plus grand garde plus de détails et s’apprend bien plus lentement.</translation>
     </message>
     <message>
         <source>Batch</source>
@@ -5606,7 +5554,7 @@
     </message>
     <message>
         <source>Figures 4.6 to 4.9 of Gutierrez&apos; thesis in small: the exemplar learned at three sizes, the descriptor&apos;s pooling by mean and by maximum, and gradients as they are or evened out over its taps.</source>
-        <translation>Figures 4.6 à 4.9 de la thèse de Gutierrez en petit : l’exemple appris en trois tailles, le mise en commun du descripteur par moyenne et par maximum, et les gradients tels quels ou équilibrés entre ses prises.</translation>
+        <translation>Figures 4.6 à 4.9 de la thèse de Gutierrez en petit : l’échantillon appris en trois tailles, le mise en commun du descripteur par moyenne et par maximum, et les gradients tels quels ou équilibrés entre ses prises.</translation>
     </message>
     <message>
         <source>Gives the gradient at each tap of the descriptor the same norm, so that all have their say, whatever their loss.</source>
@@ -5706,11 +5654,7 @@
     </message>
     <message>
         <source>The exemplar has {} channels with its maps; a generator makes at most {}.</source>
-        <translation>L’exemple a {} canaux avec ses cartes ; un générateur en fait au plus {}.</translation>
-    </message>
-    <message>
-        <source>The generator makes {} channels, and the exemplar has {}.</source>
-        <translation>Le générateur fait {} canaux, et l’exemple en a {}.</translation>
+        <translation>L’échantillon a {} canaux avec ses cartes ; un générateur en fait au plus {}.</translation>
     </message>
     <message>
         <source>The mesh has no face that could be coloured; choose another one.</source>
@@ -5718,7 +5662,7 @@
     </message>
     <message>
         <source>There is neither an exemplar to learn from nor a trained generator to make a texture with.</source>
-        <translation>Il n’y a ni exemple dont apprendre, ni générateur entraîné pour faire une texture.</translation>
+        <translation>Il n’y a ni échantillon dont apprendre, ni générateur entraîné pour faire une texture.</translation>
     </message>
     <message>
         <source>There is no generator to train further: give one, or train a new one.</source>
@@ -5730,7 +5674,7 @@
     </message>
     <message>
         <source>Trains a small network until what it makes of noise looks like the exemplar; trained, it makes textures of any size at once. For patterns without strict order.</source>
-        <translation>Entraîne un petit réseau jusqu’à ce que ce qu’il fait du bruit ressemble à l’exemple ; entraîné, il fait aussitôt des textures de toute taille. Pour des motifs sans ordre strict.</translation>
+        <translation>Entraîne un petit réseau jusqu’à ce que ce qu’il fait du bruit ressemble à l’échantillon ; entraîné, il fait aussitôt des textures de toute taille. Pour des motifs sans ordre strict.</translation>
     </message>
     <message>
         <source>Ulyanov et al. as Gutierrez trains them: plain Gram matrices of 256 px, circular padding, batches of four and 5,000 iterations, with the rate falling by 0.8; give it their VGG-19 as its descriptor. Takes hours.</source>
@@ -5738,7 +5682,7 @@
     </message>
     <message>
         <source>What of samples and exemplar is compared: the feature maps of a descriptor, the distribution of small patches, which makes edges sharper, or both.</source>
-        <translation>Ce qui est comparé des échantillons et de l’exemple : les cartes de caractéristiques d’un descripteur, la distribution de petits morceaux, qui rend les contours plus nets, ou les deux.</translation>
+        <translation>Ce qui est comparé des échantillons et de l’échantillon : les cartes de caractéristiques d’un descripteur, la distribution de petits morceaux, qui rend les contours plus nets, ou les deux.</translation>
     </message>
     <message>
         <source>What samples find beyond their edges in training: more of an endless texture, or their other end, as published. Either generator makes any part of any size, and wraps.</source>
@@ -5774,11 +5718,11 @@
     </message>
     <message>
         <source>Figures 5.36 to 5.41 of Raad&apos;s thesis on free exemplars: strips of rock, metal and wood in a new order, then squares of rock and metal, squares of two exemplars together, and a chaos mosaic of ballast, each three times.</source>
-        <translation>Figures 5.36 à 5.41 de la thèse de Raad sur des exemples libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, carrés de deux exemples ensemble, et une mosaïque chaotique de ballast, trois fois chacun.</translation>
+        <translation>Figures 5.36 à 5.41 de la thèse de Raad sur des échantillons libres : bandes de roche, de métal et de bois dans un nouvel ordre, puis carrés de roche et de métal, carrés de deux échantillons ensemble, et une mosaïque chaotique de ballast, trois fois chacun.</translation>
     </message>
     <message>
         <source>Figures 5.43 and 5.44 of Raad&apos;s thesis on free exemplars: of two images, each pixel gets the stronger gradient. The first gives its colours, the second its marks; with free borders, as printed, shades may drift.</source>
-        <translation>Figures 5.43 et 5.44 de la thèse de Raad sur des exemples libres : de deux images, chaque pixel reçoit le gradient le plus fort. La première donne ses couleurs, la seconde ses marques ; avec des bords libres, comme imprimé, les teintes peuvent dériver.</translation>
+        <translation>Figures 5.43 et 5.44 de la thèse de Raad sur des échantillons libres : de deux images, chaque pixel reçoit le gradient le plus fort. La première donne ses couleurs, la seconde ses marques ; avec des bords libres, comme imprimé, les teintes peuvent dériver.</translation>
     </message>
     <message>
         <source>Fourier mask: how much the waves count</source>
@@ -5790,7 +5734,7 @@
     </message>
     <message>
         <source>Kwatra and others 2003: the exemplar pasted at random, where all of it fits, or where a square of it does; then the worst seams mended more and more often.</source>
-        <translation>Kwatra et autres 2003 : l’exemple collé au hasard, là où il convient en entier, ou là où l’un de ses carrés convient ; puis les pires coutures réparées de plus en plus souvent.</translation>
+        <translation>Kwatra et autres 2003 : l’échantillon collé au hasard, là où il convient en entier, ou là où l’un de ses carrés convient ; puis les pires coutures réparées de plus en plus souvent.</translation>
     </message>
     <message>
         <source>Liu, Tsin and Lin 2005 stitch whole tiles along the lattice, beside blocks at random; Liu 2004 draws every tile&apos;s colours anew from the principal components of all of them.</source>
@@ -5802,7 +5746,7 @@
     </message>
     <message>
         <source>Nicoll and others 2005: patches that follow the exemplar&apos;s waves not at all, as much as their overlaps, and more. Rows and columns keep their order over the whole output.</source>
-        <translation>Nicoll et autres 2005 : des morceaux qui ne suivent pas du tout les ondes de l’exemple, autant que leurs recouvrements, puis davantage. Rangées et colonnes gardent leur ordre sur toute la sortie.</translation>
+        <translation>Nicoll et autres 2005 : des morceaux qui ne suivent pas du tout les ondes de l’échantillon, autant que leurs recouvrements, puis davantage. Rangées et colonnes gardent leur ordre sur toute la sortie.</translation>
     </message>
     <message>
         <source>The middle of one image in another: with its own structure, with the stronger structure of both, and pasted as it is, which shows what the equation does.</source>
@@ -5818,7 +5762,7 @@
     </message>
     <message>
         <source>{} edits one image and joins no two; leave it to the edits of an exemplar.</source>
-        <translation>{} modifie une image et n’en joint pas deux ; laissez-le aux retouches d’un exemple.</translation>
+        <translation>{} modifie une image et n’en joint pas deux ; laissez-le aux retouches d’un échantillon.</translation>
     </message>
     <message>
         <source>The checkpoint was written by Texloom {}; this is {}, which may go on otherwise. Start the run again, or use that version.</source>
@@ -6150,7 +6094,7 @@
     </message>
     <message>
         <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
-        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’exemplaire. Automatique : toutes, mais là où un trou est rempli, les probables, et aux échelles plus fines celles proches des sources de la plus grossière.</translation>
+        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’échantillon. Automatique : toutes, mais là où un trou est rempli, les probables, et aux échelles plus fines celles proches des sources de la plus grossière.</translation>
     </message>
     <message>
         <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
@@ -6172,6 +6116,74 @@
         <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
         <translation>Là où un trou est rempli, au plus autant d’échelles, chacune deux fois plus petite que la précédente : une échelle plus fine voit le résultat de la plus grossière là où elle n’a encore rien fait, de sorte que ce qui croît de côtés opposés se rejoint. 1 croît comme publié.</translation>
     </message>
+    <message>
+        <source>1 channel</source>
+        <translation>1 canal</translation>
+    </message>
+    <message>
+        <source>Picture A of {} has {} and picture B {}; they need the same number.</source>
+        <translation>L’image A de {} a {}, l’image B {} ; il en faut autant aux deux.</translation>
+    </message>
+    <message>
+        <source>The dictionary was learnt from {}, and the exemplar with its companions has {}; they need the same number.</source>
+        <translation>Le dictionnaire a été appris pour {}, et l’échantillon avec ses cartes associées en a {} ; il en faut autant.</translation>
+    </message>
+    <message>
+        <source>The first image has {}, the second {}; they must have the same.</source>
+        <translation>La première image a {}, la seconde {} ; il en faut autant.</translation>
+    </message>
+    <message>
+        <source>The generator makes {}, and the exemplar has {}.</source>
+        <translation>Le générateur fait {}, et l’échantillon en a {}.</translation>
+    </message>
+    <message>
+        <source>The generator makes {}, and the exemplars have {}.</source>
+        <translation>Le générateur fait {}, et les échantillons en ont {}.</translation>
+    </message>
+    <message>
+        <source>The image to start from has {}, the output {}; they need the same number.</source>
+        <translation>L’image de départ a {}, la sortie {} ; il en faut autant aux deux.</translation>
+    </message>
+    <message>
+        <source>The target has {}, but the picture that corresponds to it for {} has {}; they are compared channel by channel, so give pictures of one kind.</source>
+        <translation>La cible a {}, mais l’image qui lui correspond pour {} en a {} ; elles sont comparées canal par canal, donnez des images de même nature.</translation>
+    </message>
+    <message>
+        <source>The target has {}, the exemplar {}; they need the same number.</source>
+        <translation>La cible a {}, l’échantillon {} ; il en faut le même nombre.</translation>
+    </message>
+    <message>
+        <source>repeats after {} voxels, {}</source>
+        <translation>se répète après {} voxels, {}</translation>
+    </message>
+    <message>
+        <source>without end, {}</source>
+        <translation>sans fin, {}</translation>
+    </message>
+    <message>
+        <source>{} channels</source>
+        <translation>{} canaux</translation>
+    </message>
+    <message>
+        <source>{} has {}; there is no channel {}.</source>
+        <translation>{} a {} ; il n’y a pas de canal {}.</translation>
+    </message>
+    <message>
+        <source>{} is {} × {} px with {}; the volume&apos;s first slice {} is {} × {} px with {}.</source>
+        <translation>{} fait {} × {} px et a {} ; la première coupe {} du volume fait {} × {} px et en a {}.</translation>
+    </message>
+    <message>
+        <source>{} needs its input {}, which was not given.</source>
+        <translation>{} a besoin de l’entrée {}, qui n’a pas été donnée.</translation>
+    </message>
+    <message>
+        <source>{} voxels, {}</source>
+        <translation>{} voxels, {}</translation>
+    </message>
+    <message>
+        <source>{} × {} px, {}</source>
+        <translation>{} × {} px, {}</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6184,7 +6196,7 @@
     <name>main</name>
     <message>
         <source>A workbench for exemplar-based texture synthesis.</source>
-        <translation>Un atelier de synthèse de textures par l’exemple.</translation>
+        <translation>Un atelier de synthèse de textures par l’échantillon.</translation>
     </message>
     <message>
         <source>Exemplars, a recipe or a session to open.</source>
@@ -6549,11 +6561,11 @@
     </message>
     <message>
         <source>&lt;b&gt;A′&lt;/b&gt; The exemplar, which stands to A as the result will stand to B. A click opens another one.</source>
-        <translation>&lt;b&gt;A′&lt;/b&gt; L’exemplaire, qui est à A ce que le résultat sera à B. Un clic en ouvre un autre.</translation>
+        <translation>&lt;b&gt;A′&lt;/b&gt; L’échantillon, qui est à A ce que le résultat sera à B. Un clic en ouvre un autre.</translation>
     </message>
     <message>
         <source>A′: open another exemplar</source>
-        <translation>A′ : ouvrir un autre exemplaire</translation>
+        <translation>A′ : ouvrir un autre échantillon</translation>
     </message>
     <message>
         <source>&lt;b&gt;B′&lt;/b&gt; The result, made from A, A′ and B. A click shows it.</source>
@@ -6565,7 +6577,7 @@
     </message>
     <message>
         <source>Open the result that is shown as an exemplar</source>
-        <translation>Ouvrir le résultat affiché comme exemplaire</translation>
+        <translation>Ouvrir le résultat affiché comme échantillon</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -8489,7 +8501,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;A workbench for exemplar-based texture synthesis.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;Un atelier de synthèse de textures par l’exemple.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Texloom %1&lt;/h3&gt;&lt;p&gt;Un atelier de synthèse de textures par l’échantillon.&lt;/p&gt;&lt;p&gt;Logiciel libre sous licence publique générale GNU, version 3 ou ultérieure.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Reading the picture…</source>
@@ -8953,7 +8965,7 @@ Déposez une image ici.</translation>
     <name>texloom::ui::MethodHint</name>
     <message>
         <source>Methods that suit the exemplar</source>
-        <translation>Méthodes qui conviennent à l&apos;exemple</translation>
+        <translation>Méthodes qui conviennent à l&apos;échantillon</translation>
     </message>
     <message>
         <source>Try first: %1. %2</source>
@@ -9379,7 +9391,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>There is no exemplar yet whose colours could be painted; open one first.</source>
-        <translation>Il n’y a pas encore d’exemplaire dont les couleurs pourraient être peintes ; ouvrez-en un d’abord.</translation>
+        <translation>Il n’y a pas encore d’échantillon dont les couleurs pourraient être peintes ; ouvrez-en un d’abord.</translation>
     </message>
     <message>
         <source>The first colours are those of %1.</source>
@@ -9395,7 +9407,7 @@ Déposez une image ici.</translation>
     </message>
     <message>
         <source>There is no picture to extend yet; open an exemplar, or choose the image first.</source>
-        <translation>Il n’y a pas encore d’image à étendre ; ouvrez un exemplaire, ou choisissez d’abord l’image.</translation>
+        <translation>Il n’y a pas encore d’image à étendre ; ouvrez un échantillon, ou choisissez d’abord l’image.</translation>
     </message>
     <message>
         <source>The picture has %1 px now; press Run to make what lies beyond its edges.</source>

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/channel_text.h"
 #include "core/image/labels.h"
 #include "core/methods/analogy/settings.h"
 #include "core/methods/method.h"
@@ -93,8 +94,8 @@ void check(const Request& request, const Settings& settings) {
         if (!output)
             failUsage("{} has a picture A, but there is no picture B; give both, or none.", exemplar.name);
         if (own->channels() != output->channels())
-            failUsage("Picture A of {} has {} channels and picture B has {}; they need the same number.",
-                      exemplar.name, own->channels(), output->channels());
+            failUsage("Picture A of {} has {} and picture B {}; they need the same number.", exemplar.name,
+                      channelText(own->channels()), output->channels());
     }
     if (output)
         checkColours(request, *output);

@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/image/channel_text.h"
 #include "core/methods/ashikhmin/synthesizer.h"
 #include "core/methods/method.h"
 #include "core/methods/pixel_fields.h"
@@ -19,8 +20,8 @@ void check(const Request& request, const Settings& settings) {
     checkSquares(request, oddSide(settings.neighbourhood));
     const Image* const target = request.inputs.image(kTargetPort);
     if (target && target->channels() != request.channels())
-        failUsage("The target has {} channels, the exemplar {}; they need the same number.",
-                  target->channels(), request.channels());
+        failUsage("The target has {}, the exemplar {}; they need the same number.",
+                  channelText(target->channels()), request.channels());
 }
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/generator/generator_source.h"
+#include "core/image/channel_text.h"
 #include "core/job/voxel_random.h"
 #include "core/methods/generator_training.h"
 #include "core/methods/method.h"
@@ -122,8 +123,8 @@ void check(const Request& request, const Settings& settings) {
     if (const auto model = request.inputs.first<Model>(kSolidGenerator)) {
         const GeneratorWeights weights = GeneratorWeights::from(*model);
         if (weights.shape.channels != request.channels())
-            failUsage("The generator makes {} channels, and the exemplars have {}.", weights.shape.channels,
-                      request.channels());
+            failUsage("The generator makes {}, and the exemplars have {}.",
+                      channelText(weights.shape.channels), request.channels());
     }
 }
 

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/generator/generator_source.h"
+#include "core/image/channel_text.h"
 #include "core/methods/method.h"
 #include "core/methods/texture_network/training.h"
 
@@ -50,7 +51,8 @@ void check(const Request& request, const Settings& settings) {
     if (const auto model = givenModel(request)) {
         const int made = GeneratorWeights::from(*model).shape.channels;
         if (!request.exemplars.empty() && made != request.channels())
-            failUsage("The generator makes {} channels, and the exemplar has {}.", made, request.channels());
+            failUsage("The generator makes {}, and the exemplar has {}.", channelText(made),
+                      request.channels());
     } else if (settings.further) {
         failUsage("There is no generator to train further: give one, or train a new one.");
     }

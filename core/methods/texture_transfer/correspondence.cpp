@@ -1,6 +1,7 @@
 #include "core/methods/texture_transfer/correspondence.h"
 
 #include "core/base/error.h"
+#include "core/image/channel_text.h"
 #include "core/math/zoom.h"
 
 #include <array>
@@ -106,10 +107,9 @@ void checkCorrespondence(const Request& request) {
     const int wanted = request.inputs.image(kTarget)->channels();
     for (const Exemplar& exemplar : request.exemplars)
         if (const int channels = exemplar.inputs.image(kCorrespondence)->channels(); channels != wanted)
-            failUsage(
-                "The target has {} channels, but the picture that corresponds to it for {} has {}; they "
-                "are compared channel by channel, so give pictures of one kind.",
-                wanted, exemplar.name, channels);
+            failUsage("The target has {}, but the picture that corresponds to it for {} has {}; they "
+                      "are compared channel by channel, so give pictures of one kind.",
+                      channelText(wanted), exemplar.name, channels);
 }
 
 } // namespace texloom::texture_transfer

@@ -23,7 +23,7 @@ constexpr int kRedraws = 32;
 constexpr int kUsual = 64;
 constexpr double kMoreLively = 1.5;
 /// The share of all samples whose marks are weak enough.
-constexpr double kWeaklyMarked = 0.25;
+constexpr double kWeaklyMarked = 0.15;
 /// Marks are as large as a blur of this deviation leaves them, as a share of a tile's side.
 constexpr double kMark = 1.0 / 24;
 

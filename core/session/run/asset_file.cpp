@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/color_pipeline.h"
+#include "core/image/channel_text.h"
 #include "core/io/image_file.h"
 #include "core/io/map_file.h"
 #include "core/io/model_json.h"
@@ -67,7 +68,7 @@ std::string smallByteText(std::uint64_t bytes) {
 
 struct SizeText {
     Message operator()(const Image& image) const {
-        return message("{} × {} px, {} channels", image.width(), image.height(), image.channels());
+        return message("{} × {} px, {}", image.width(), image.height(), channelText(image.channels()));
     }
     Message operator()(const PositionMap& map) const {
         return message("{} × {} px", map.width(), map.height());
@@ -77,11 +78,11 @@ struct SizeText {
     }
     Message operator()(const VolumeSource& source) const {
         if (const std::optional<Box> bounds = source.bounds())
-            return message("{} voxels, {} channels", texloom::sizeText(bounds->size), source.channels());
+            return message("{} voxels, {}", texloom::sizeText(bounds->size), channelText(source.channels()));
         const VolumeSize period = source.period();
-        return period.empty() ? message("without end, {} channels", source.channels())
-                              : message("repeats after {} voxels, {} channels", texloom::sizeText(period),
-                                        source.channels());
+        return period.empty() ? message("without end, {}", channelText(source.channels()))
+                              : message("repeats after {} voxels, {}", texloom::sizeText(period),
+                                        channelText(source.channels()));
     }
     Message operator()(const Mesh& mesh) const {
         return message("{} triangles", grouped(mesh.triangles.size()));

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/color_pipeline.h"
+#include "core/image/channel_text.h"
 #include "core/image/hidden_colour.h"
 #include "core/io/channel_names.h"
 
@@ -80,8 +81,8 @@ ExemplarFile loadData(const fs::path& path, const std::string& layer, const MapC
     if (channel.whole())
         return whole(std::move(loaded));
     if (channel.index >= loaded.second.channels())
-        failUsage("{} has {} channels; there is no channel {}.", path.filename().string(),
-                  loaded.second.channels(), channel.index + 1);
+        failUsage("{} has {}; there is no channel {}.", path.filename().string(),
+                  channelText(loaded.second.channels()), channel.index + 1);
     loaded.first.channel = channel;
     loaded.second = channelAlone(loaded.second, channel);
     return whole(std::move(loaded));

@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/image/channel_text.h"
 #include "core/job/memory.h"
 #include "core/session/run/companion_stack.h"
 #include "core/session/run/edited_exemplar.h"
@@ -196,8 +197,8 @@ Asset nothingYet(AssetKind kind) {
 /// A method that goes on from the image of the one before it makes one of as many channels.
 void checkTakenUp(int made, int wanted) {
     if (made != wanted)
-        failUsage("The image to start from has {} channels, the output {}; they need the same number.", made,
-                  wanted);
+        failUsage("The image to start from has {}, the output {}; they need the same number.",
+                  channelText(made), wanted);
 }
 
 /// Puts in a request what the method before will have made: null, since it is not there yet. What it makes
@@ -232,8 +233,7 @@ void planSteps(RunPlan& plan, const std::vector<RecipeStep>& steps) {
         if (!plan.steps.empty() && linksBetween(plan.lastMethod().info(), info).empty())
             failUsage("{} uses nothing that {} makes, so it cannot follow it.", Message(info.title),
                       Message(plan.lastMethod().info().title));
-        Request request =
-            plan.requestFor(plan.steps.size(), info, plan.steps.size() + 1 == steps.size());
+        Request request = plan.requestFor(plan.steps.size(), info, plan.steps.size() + 1 == steps.size());
         if (!plan.steps.empty())
             expectWhatIsMade(plan, info, request);
         planned.settings = planned.method->resolved(step.parameters, exemplar);

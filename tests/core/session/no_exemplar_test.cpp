@@ -154,7 +154,7 @@ TEST(Pipeline, OfMethodsWithAndWithoutExemplarsShowsThemToTheFormerAlone) {
     DrawRun grey(1);
     grey.input.exemplars = sample.input.exemplars;
     grey.input.steps = sample.input.steps;
-    EXPECT_THAT([&] { planRun(grey.input); }, usageRefusal("1 channels", "output 3"));
+    EXPECT_THAT([&] { planRun(grey.input); }, usageRefusal("1 channel,", "output 3"));
 }
 
 TEST(Pipeline, ThatEndsWithoutExemplarsMakesNoCompanionMaps) {

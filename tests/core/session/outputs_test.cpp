@@ -157,7 +157,7 @@ TEST(Inputs, VolumesWhoseSizeOverflowsAreRefused) {
 TEST(PlanRun, RefusesAModelThatIsMissingOrGivenTwice) {
     DoorRun sample("draw-moments");
     EXPECT_THAT([&] { planRun(sample.input); },
-                usageRefusal("Draw colour moments needs 1", "moments", "0 were given"));
+                usageRefusal("Draw colour moments needs its input moments", "not given"));
     const InputFile model = load(kMoments, writeMoments(sample));
     sample.input.inputs["moments"] = {model, model};
     EXPECT_THAT([&] { planRun(sample.input); }, usageRefusal("takes 1", "moments", "2 were given"));

@@ -167,7 +167,7 @@ TEST(VolumeFile, SlicesOfOtherSizesAreRefusedByName) {
     writeImage(folder / "v-0003.png", Image({6, 4}, 3), {});
     EXPECT_THAT([&] { read(folder / "v-0000.png"); }, refusal("v-0003.png is 6 × 4", "v-0000.png is 6 × 5"));
     writeImage(folder / "v-0003.png", Image({6, 5}, 1), {});
-    EXPECT_THAT([&] { read(folder / "v-0000.png"); }, refusal("v-0003.png", "1 channels", "with 3"));
+    EXPECT_THAT([&] { read(folder / "v-0000.png"); }, refusal("v-0003.png", "1 channel;", "with 3"));
     writeImage(folder / "v-0003.png", Image({60, 50}, 3), {});
     EXPECT_THAT([&] { read(folder / "v-0000.png"); }, refusal("v-0003.png", "60 × 50"));
 }

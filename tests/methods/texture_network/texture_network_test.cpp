@@ -319,7 +319,7 @@ TEST(TextureNetwork, refusesInASentence) {
     request = requestOf(blobs({40, 40}, 3), {32, 32});
     EXPECT_THAT(refusal(request, quick({{"further", true}})), HasSubstr("no generator to train further"));
     request.inputs.set(kPort, trained({{"loss", std::string("patches")}}, 1));
-    EXPECT_THAT(refusal(request, quick()), HasSubstr("makes 1 channels, and the exemplar has 3"));
+    EXPECT_THAT(refusal(request, quick()), HasSubstr("makes 1 channel, and the exemplar has 3"));
     auto other = std::make_shared<Model>(*trained());
     other->kind = "solid-generator";
     request.inputs.set(kPort, std::shared_ptr<const Model>(other));
