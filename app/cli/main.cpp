@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/io/decoder_process.h"
+#include "core/job/address_space.h"
 #include "core/job/leave_program.h"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,11 @@
 namespace {
 
 using namespace texloom;
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which are not set up then either
+using Early = void(int, char**, char**);
+[[gnu::section(".preinit_array"), gnu::used]] Early* const beforeLibraries = endWhereAddressesAreFew;
+#endif
 
 enum Exit { Done = 0, Failed = 1, Usage = 2, CancelledByUser = 130 };
 

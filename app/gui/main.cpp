@@ -1,5 +1,6 @@
 #include "core/base/version.h"
 #include "core/io/decoder_process.h"
+#include "core/job/address_space.h"
 #include "core/job/leave_program.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
@@ -12,6 +13,11 @@
 #include <memory>
 
 namespace {
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which are not set up then either
+using Early = void(int, char**, char**);
+[[gnu::section(".preinit_array"), gnu::used]] Early* const beforeLibraries = texloom::endWhereAddressesAreFew;
+#endif
 
 int run(int argc, char** argv) {
     const QApplication application(argc, argv);

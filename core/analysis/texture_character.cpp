@@ -122,9 +122,8 @@ TextureCharacter characterOf(const ImageView& exemplar, const std::function<void
     ImageView seen = exemplar;
     const int count = halvings(exemplar.size());
     for (int i = 0; i < count; ++i) {
-        smaller = halved(seen);
+        smaller = halved(seen, check);
         seen = smaller.view();
-        check();
     }
     const double scale = std::ldexp(1.0, count);
     const LatticeAnalysis analysis = analyzeLattice(seen, check);

@@ -79,5 +79,6 @@ ZeroedBuffer<T>::ZeroedBuffer(const ZeroedBuffer& other)
 }
 
 template class ZeroedBuffer<float>;
+template class ZeroedBuffer<unsigned char>;
 
 } // namespace texloom

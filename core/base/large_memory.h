@@ -63,5 +63,6 @@ private:
 };
 
 extern template class ZeroedBuffer<float>;
+extern template class ZeroedBuffer<unsigned char>;
 
 } // namespace texloom

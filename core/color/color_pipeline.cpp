@@ -16,6 +16,9 @@ namespace texloom::color {
 
 namespace {
 
+using Check = std::function<void()>;
+
+constexpr int kPixelsAtOnce = 1 << 16; ///< converted between two calls of a check: a few ms
 const char* const kWorkingSpace = "srgb";
 const char* const kDisplay = "sRGB";
 const char* const kView = "Plain";
@@ -28,7 +31,7 @@ const ocio::ConstConfigRcPtr& config() {
     return loaded;
 }
 
-void process(Image& image, const ocio::ConstProcessorRcPtr& processor) {
+void process(Image& image, const ocio::ConstProcessorRcPtr& processor, const Check& check) {
     if (processor->isNoOp())
         return;
     // Lossless: the fast approximations of pow() would not bring an 8-bit or half value back to itself.
@@ -37,18 +40,23 @@ void process(Image& image, const ocio::ConstProcessorRcPtr& processor) {
     const bool grey = image.channels() < 3;
     const PlaneSpan green = grey ? red : image.plane(1);
     const PlaneSpan blue = grey ? red : image.plane(2);
-    ocio::PlanarImageDesc pixels(red.data, green.data, blue.data, nullptr, red.width, red.height,
-                                 ocio::BIT_DEPTH_F32, sizeof(float),
-                                 red.stride * static_cast<std::ptrdiff_t>(sizeof(float)));
-    cpu->apply(pixels);
+    const int rowsAtOnce = std::max(1, kPixelsAtOnce / std::max(1, red.width));
+    for (int y = 0; y < red.height; y += rowsAtOnce) {
+        if (check)
+            check();
+        ocio::PlanarImageDesc pixels(red.row(y), green.row(y), blue.row(y), nullptr, red.width,
+                                     std::min(rowsAtOnce, red.height - y), ocio::BIT_DEPTH_F32, sizeof(float),
+                                     red.stride * static_cast<std::ptrdiff_t>(sizeof(float)));
+        cpu->apply(pixels);
+    }
 }
 
-void convert(Image& image, std::string_view from, std::string_view to) {
+void convert(Image& image, std::string_view from, std::string_view to, const Check& check) {
     findSpace(from);
     findSpace(to);
     if (from == to || from == "raw" || to == "raw")
         return;
-    process(image, config()->getProcessor(std::string(from).c_str(), std::string(to).c_str()));
+    process(image, config()->getProcessor(std::string(from).c_str(), std::string(to).c_str()), check);
 }
 
 ocio::TransformRcPtr srgbToLinear() {
@@ -114,24 +122,24 @@ const ColorSpace& findSpace(std::string_view id) {
     failUsage("There is no colour space {}; choose one of {}.", id, listOf(known));
 }
 
-void toWorking(Image& image, std::string_view space) {
-    convert(image, space, kWorkingSpace);
+void toWorking(Image& image, std::string_view space, const Check& check) {
+    convert(image, space, kWorkingSpace, check);
 }
 
-void fromWorking(Image& image, std::string_view space) {
-    convert(image, kWorkingSpace, space);
+void fromWorking(Image& image, std::string_view space, const Check& check) {
+    convert(image, kWorkingSpace, space, check);
 }
 
-void toWorking(Image& image, const FileColor& from) {
-    process(image, config()->getProcessor(lightOf(from)));
-    convert(image, "linear", kWorkingSpace);
+void toWorking(Image& image, const FileColor& from, const Check& check) {
+    process(image, config()->getProcessor(lightOf(from)), check);
+    convert(image, "linear", kWorkingSpace, check);
 }
 
-void fromWorking(Image& image, const FileColor& to) {
-    convert(image, kWorkingSpace, "linear");
+void fromWorking(Image& image, const FileColor& to, const Check& check) {
+    convert(image, kWorkingSpace, "linear", check);
     const auto light = lightOf(to);
     light->setDirection(ocio::TRANSFORM_DIR_INVERSE);
-    process(image, config()->getProcessor(light));
+    process(image, config()->getProcessor(light), check);
 }
 
 void toDisplay(Image& image) {
@@ -139,7 +147,7 @@ void toDisplay(Image& image) {
     transform->setSrc(kWorkingSpace);
     transform->setDisplay(kDisplay);
     transform->setView(kView);
-    process(image, config()->getProcessor(transform));
+    process(image, config()->getProcessor(transform), {});
 }
 
 } // namespace texloom::color

@@ -3,6 +3,7 @@
 #include "core/color/file_color.h"
 #include "core/image/image.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,11 @@ inline constexpr const char* kFileSpace = "file";
 const ColorSpace& findSpace(std::string_view id);
 
 /// Converts in place from a file's space. Exact (nothing is computed) where both spaces are the same.
-/// @throws UsageError if `space` is not known.
-void toWorking(Image& image, std::string_view space);
+/// @param check called every few rows; what it throws leaves the image half converted. @throws UsageError if
+/// `space` is not known.
+void toWorking(Image& image, std::string_view space, const std::function<void()>& check = {});
 /// Converts in place to a file's space.
-void fromWorking(Image& image, std::string_view space);
+void fromWorking(Image& image, std::string_view space, const std::function<void()>& check = {});
 /// Converts in place to what an sRGB screen shows.
 void toDisplay(Image& image);
 

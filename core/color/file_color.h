@@ -4,6 +4,7 @@
 #include "core/image/image.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,10 @@ FileColor::Matrix toRec709FromD50(const FileColor::Matrix& colorants);
 namespace color {
 
 /// Converts in place from a file's own colours to the working space.
-void toWorking(Image& image, const FileColor& from);
+/// @param check called every few rows; what it throws leaves the image half converted.
+void toWorking(Image& image, const FileColor& from, const std::function<void()>& check = {});
 /// Converts in place from the working space to a file's own colours.
-void fromWorking(Image& image, const FileColor& to);
+void fromWorking(Image& image, const FileColor& to, const std::function<void()>& check = {});
 
 } // namespace color
 } // namespace texloom

@@ -43,12 +43,13 @@ Between between(int at, int length, int from) {
 
 } // namespace
 
-Image halved(const ImageView& image) {
+Image halved(const ImageView& image, const std::function<void()>& check) {
     const std::array<float, kTaps> taps = gaussianTaps();
     Image narrow({halfOf(image.width), image.height}, image.channels);
     Image half({narrow.width(), halfOf(image.height)}, image.channels);
     for (int c = 0; c < image.channels; ++c) {
         for (int y = 0; y < image.height; ++y) {
+            check();
             const float* from = image.plane(c).row(y);
             float* to = narrow.plane(c).row(y);
             for (int x = 0; x < narrow.width(); ++x)
@@ -56,26 +57,30 @@ Image halved(const ImageView& image) {
                     to[x] += taps[static_cast<std::size_t>(i)] *
                              from[std::clamp(2 * x + i - 2, 0, image.width - 1)];
         }
-        for (int y = 0; y < half.height(); ++y)
+        for (int y = 0; y < half.height(); ++y) {
+            check();
             for (int i = 0; i < kTaps; ++i) {
                 const float* from = narrow.plane(c).row(std::clamp(2 * y + i - 2, 0, image.height - 1));
                 float* to = half.plane(c).row(y);
                 for (int x = 0; x < half.width(); ++x)
                     to[x] += taps[static_cast<std::size_t>(i)] * from[x];
             }
+        }
     }
     return half;
 }
 
-Image halvedMask(const PlaneView& mask) {
+Image halvedMask(const PlaneView& mask, const std::function<void()>& check) {
     Image half({halfOf(mask.width), halfOf(mask.height)}, 1);
-    for (int y = 0; y < half.height(); ++y)
+    for (int y = 0; y < half.height(); ++y) {
+        check();
         for (int x = 0; x < half.width(); ++x) {
             const int x1 = std::min(2 * x + 1, mask.width - 1), y1 = std::min(2 * y + 1, mask.height - 1);
             const bool whole =
                 mask(2 * x, 2 * y) != 0 && mask(x1, 2 * y) != 0 && mask(2 * x, y1) != 0 && mask(x1, y1) != 0;
             half(x, y, 0) = whole ? 1.0F : 0.0F;
         }
+    }
     return half;
 }
 

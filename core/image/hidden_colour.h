@@ -2,6 +2,7 @@
 
 #include "core/image/image.h"
 
+#include <functional>
 #include <vector>
 
 namespace texloom {
@@ -10,7 +11,9 @@ namespace texloom {
 /// colours that a file stores there must not affect statistics, averages and comparisons. Where nothing is
 /// visible, nothing changes.
 /// (Pull and push of Gortler, Grzeszczuk, Szeliski and Cohen, "The Lumigraph", 1996, with weights 0 and 1.)
-/// @param alpha the alpha channel. @param colours the channels to fill.
-void fillHidden(Image& image, int alpha, const std::vector<int>& colours);
+/// @param alpha the alpha channel. @param colours the channels to fill. @param check called for every row;
+/// may throw, and leaves the image half filled.
+void fillHidden(
+    Image& image, int alpha, const std::vector<int>& colours, const std::function<void()>& check = [] {});
 
 } // namespace texloom

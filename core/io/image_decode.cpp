@@ -6,6 +6,7 @@
 #include "core/io/file_part.h"
 #include "core/io/header_check.h"
 #include "core/io/image_describe.h"
+#include "core/io/jpeg_scans.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -184,10 +185,15 @@ bool fill(OIIO::ImageInput& input, const SampleTarget& target) {
 }
 
 /// Reads a JPEG that breaks off as though its end marker stood there: of rows that are missing, too, the
-/// decoder says so then, and of nothing else. @return its remark
+/// decoder says so then, and of nothing else; that whole scans are missing it does not. @return its remark
 std::string filledWithEnd(const DecodeRequest& request, const SampleTarget& target) {
     std::ifstream file(request.path, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!hasAllScans(bytes))
+        fail(
+            "{} breaks off before the last of its scans, so that its picture lacks detail or colours; take a "
+            "whole copy of it.",
+            request.path.string());
     bytes += "\xff\xd9";
     OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
     const auto input = OIIO::ImageInput::create("jpeg");

@@ -90,23 +90,27 @@ Image upright(const DecodedHeader& header, const float* sample) {
 
 /// Colours as they are in front of nothing. Where alpha is 0, what is there adds light, and stays.
 void divideByAlpha(Image& image, const AlphaGroup& group, int steps) {
-    for (int y = 0; y < image.height(); ++y)
+    for (int y = 0; y < image.height(); ++y) {
+        DecoderProcess::check();
         for (int x = 0; x < image.width(); ++x)
             if (const float alpha = image(x, y, group.alpha); alpha > 0)
                 for (const int c : group.colours) {
                     const float colour = image(x, y, c) / alpha;
                     image(x, y, c) = steps > 0 ? std::min(colour, 1.0F) : colour;
                 }
+    }
 }
 
 void checkFinite(const fs::path& path, const Image& image) {
     std::uint64_t broken = 0;
     Size first;
-    for (int y = 0; y < image.height(); ++y)
+    for (int y = 0; y < image.height(); ++y) {
+        DecoderProcess::check();
         for (int x = 0; x < image.width(); ++x)
             for (int c = 0; c < image.channels(); ++c)
                 if (!std::isfinite(image(x, y, c)) && broken++ == 0)
                     first = {x, y};
+    }
     if (broken > 0)
         fail("{} holds {} values that are not finite numbers, the first at pixel ({}, {}); save it without "
              "them.",

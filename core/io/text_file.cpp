@@ -1,5 +1,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/io/decoder_process.h"
 #include "core/io/file_reader.h"
 #include "core/io/image_file.h"
 #include "core/io/temporary_file.h"
@@ -16,8 +17,10 @@ std::string fileHash(const fs::path& path) {
     FileReader file(path);
     OIIO::SHA1 hash;
     std::array<char, 1 << 16> block{};
-    while (const std::size_t count = file.next(block.data(), block.size()))
+    while (const std::size_t count = file.next(block.data(), block.size())) {
+        DecoderProcess::check();
         hash.append(block.data(), count);
+    }
     return hash.digest();
 }
 

@@ -12,4 +12,9 @@ std::uint64_t addressesLeft();
 /// abort where they cannot start a thread that they were told to.
 int startableThreads(int threads, std::uint64_t addresses);
 
+/// Ends the program in a sentence where the system's limit leaves too few addresses for the libraries to set
+/// themselves up: some start threads before main(), and abort or hang where they get none. A pointer to it
+/// stands in .preinit_array of a program, so that it runs once all libraries are loaded, before any of them.
+void endWhereAddressesAreFew(int argc, char** argv, char** environment);
+
 } // namespace texloom

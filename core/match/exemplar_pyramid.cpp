@@ -23,11 +23,10 @@ ExemplarPyramid::ExemplarPyramid(std::span<const PatchSource> exemplars, int lev
     while (static_cast<int>(m_levels.size()) < levels) {
         std::vector<PatchSource> next;
         for (const PatchSource& source : m_levels.back()) {
-            check();
             PatchSource& half = next.emplace_back();
-            half.image = m_images.emplace_back(halved(source.image));
+            half.image = m_images.emplace_back(halved(source.image, check));
             if (source.mask.data)
-                half.mask = m_images.emplace_back(halvedMask(source.mask)).view().plane(0);
+                half.mask = m_images.emplace_back(halvedMask(source.mask, check)).view().plane(0);
         }
         const bool small = std::any_of(next.begin(), next.end(), [&](const PatchSource& source) {
             return source.image.size().shorterSide() < patch;

@@ -121,10 +121,10 @@ void CausalSynthesis::makeGuides() {
         for (Image& guide : guides) {
             m_context.check();
             scaled.push_back(interleaved(guide));
-            guide = halved(guide);
+            guide = halved(guide, [this] { m_context.check(); });
         }
         m_outputGuides.push_back(interleaved(output));
-        output = halved(output);
+        output = halved(output, [this] { m_context.check(); });
     }
 }
 
@@ -175,7 +175,7 @@ void CausalSynthesis::loadInitial(int level) {
     Image initial(*m_request.initial());
     for (int i = 0; i < level; ++i) {
         m_context.check();
-        initial = halved(initial);
+        initial = halved(initial, [this] { m_context.check(); });
     }
     m_canvas.pixels.load(initial, 0, 0, initial.size());
 }

@@ -35,7 +35,7 @@ std::vector<FillScale> fillScales(const Request& request, int side, int most,
         const FillScale& fine = scales.back();
         if (fine.size().shorterSide() < 2 * side || 2 * deepest(fine.known, check) <= side)
             break;
-        FillScale coarse{halved(fine.picture), halvedMask(fine.known.view().plane(0))};
+        FillScale coarse{halved(fine.picture, check), halvedMask(fine.known.view().plane(0), check)};
         if (!anyKnown(coarse.known))
             break;
         scales.push_back(std::move(coarse));

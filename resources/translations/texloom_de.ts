@@ -6081,6 +6081,10 @@
         <translation>{} bricht vor der Endmarke ab, aber alle Zeilen sind da.</translation>
     </message>
     <message>
+        <source>{} breaks off before the last of its scans, so that its picture lacks detail or colours; take a whole copy of it.</source>
+        <translation>{} bricht vor dem letzten seiner Durchgänge ab, sodass dem Bild Einzelheiten oder Farben fehlen; nehmen Sie eine vollständige Kopie.</translation>
+    </message>
+    <message>
         <source>{} goes into {}, which takes no picture, so it has no layer {}.</source>
         <translation>{0} kommt in „{1}“, das kein Bild nimmt; eine Ebene {2} gibt es dort nicht.</translation>
     </message>

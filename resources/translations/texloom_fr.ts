@@ -6081,6 +6081,10 @@
         <translation>{} s’interrompt avant son marqueur de fin, mais toutes ses lignes sont là.</translation>
     </message>
     <message>
+        <source>{} breaks off before the last of its scans, so that its picture lacks detail or colours; take a whole copy of it.</source>
+        <translation>{} s’interrompt avant la dernière de ses passes, si bien qu’il manque à l’image des détails ou des couleurs ; prenez-en une copie complète.</translation>
+    </message>
+    <message>
         <source>{} goes into {}, which takes no picture, so it has no layer {}.</source>
         <translation>{0} va dans « {1} », qui ne prend pas d’image ; il n’y a donc pas de calque {2}.</translation>
     </message>

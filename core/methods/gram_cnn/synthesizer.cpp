@@ -101,7 +101,7 @@ void Synthesizer::prepare() {
         Image image;
         for (int scale = 1; scale < m_scales; ++scale) {
             m_context.check();
-            image = halved(scale == 1 ? exemplar.image->view() : image.view());
+            image = halved(scale == 1 ? exemplar.image->view() : image.view(), [this] { m_context.check(); });
             m_exemplars[at(scale)].push_back(tensorOf(image));
         }
     }
@@ -119,7 +119,7 @@ Tensor Synthesizer::start(int scale) {
                     image(x, y, c) =
                         (*initial)(mirrored(x, initial->width()), mirrored(y, initial->height()), c);
         for (int n = 0; n < scale; ++n)
-            image = halved(image);
+            image = halved(image, [this] { m_context.check(); });
         return m_colours.componentsOf(tensorOf(image), m_context);
     }
     Tensor components(m_colours.components(), size.height, size.width);

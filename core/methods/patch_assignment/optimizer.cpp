@@ -142,7 +142,7 @@ void Optimizer::start(int level) {
     if (m_request.initial()) {
         Image initial(*m_request.initial());
         for (int i = 0; i < level; ++i)
-            initial = halved(initial);
+            initial = halved(initial, [this] { m_context.check(); });
         return m_canvas->load(initial, m_context);
     }
     const ImageView exemplar = m_pyramid.level(level).front().image;

@@ -113,7 +113,7 @@ private:
         if (m_request.initial()) {
             Image image = components(*m_request.initial());
             for (int n = 0; n < scale; ++n)
-                image = halved(image);
+                image = halved(image, [this] { m_context.check(); });
             return image;
         }
         Image image(sizeAt(m_request.size, scale, m_settings.patch), m_colours.components());

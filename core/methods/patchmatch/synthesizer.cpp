@@ -99,7 +99,7 @@ void Synthesizer::startRandom(GridMatcher& matcher, PatchField& field) {
         return;
     Image initial(*m_request.initial());
     for (int level = 1; level < m_pyramid.levels(); ++level)
-        initial = halved(initial);
+        initial = halved(initial, [this] { m_context.check(); });
     startFrom(initial, matcher, field);
 }
 

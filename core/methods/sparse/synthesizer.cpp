@@ -72,7 +72,7 @@ struct Synthesizer::Level {
         if (settings.spectrumWeight() > 0) {
             Image learned = owner.m_filled;
             for (int i = 0; i < scale; ++i)
-                learned = halved(learned);
+                learned = halved(learned, [&owner] { owner.m_context.check(); });
             spectrum.emplace(learned, owner.m_image.size(), owner.m_context);
         }
     }
@@ -176,7 +176,7 @@ Image Synthesizer::firstDraft(int scale) const {
     Image image = randomPhaseOf(m_filled, canvasFor(m_request, m_settings), m_request.wrap,
                                 m_context.random(), m_context);
     for (int i = 0; i < scale; ++i)
-        image = halved(image);
+        image = halved(image, [this] { m_context.check(); });
     return image;
 }
 
@@ -212,7 +212,7 @@ Image Synthesizer::target(int scale) const {
     Image image = own ? Image(m_filled)
                       : randomPhaseOf(m_filled, canvas, m_request.wrap, m_context.random(), m_context);
     for (int i = 0; i < scale; ++i)
-        image = halved(image);
+        image = halved(image, [this] { m_context.check(); });
     return image;
 }
 
@@ -256,7 +256,7 @@ void Synthesizer::begin(int scale) {
                 whole(x, y, c) = own(mirrored(x, own.width()), mirrored(y, own.height()), c);
     });
     for (int i = 0; i < scale; ++i)
-        whole = halved(whole);
+        whole = halved(whole, [this] { m_context.check(); });
     m_image = std::move(whole);
 }
 

@@ -136,7 +136,7 @@ void Optimizer::startRandom(int level) {
     if (m_request.initial()) {
         Image initial(*m_request.initial());
         for (int i = 0; i < level; ++i)
-            initial = halved(initial);
+            initial = halved(initial, [this] { m_context.check(); });
         return m_canvas->load(initial, m_context);
     }
     // Squares of the exemplar at random places: the right colours from the start.

@@ -1,6 +1,7 @@
 #include "core/session/export/companion_files.h"
 
 #include "core/base/folder_of.h"
+#include "core/base/text.h"
 #include "core/image/normal_map.h"
 
 #include <algorithm>
@@ -102,15 +103,16 @@ std::vector<PackedSlot> slotsOf(const Result& result, const PresetFile& file) {
     return slots;
 }
 
-/// The channels of a companion's own file, filled with all the companions that came from it.
+/// The channels of a companion's own file, or layer of it, filled with all the companions that came from it.
 std::vector<PackedSlot> slotsLike(const std::vector<ExemplarFile>& companions, const ExemplarFile& packed) {
-    const std::vector<PackedChannel> named = mapNameFrom(packed.name(), true).packing;
+    const std::vector<PackedChannel> named = companionName(packed.path, packed.layer).packing;
     std::vector<PackedSlot> slots(static_cast<std::size_t>(std::max(packed.info.channels, 1)));
     for (std::size_t c = 0; c < slots.size() && c < named.size(); ++c)
         slots[c] = {{}, named[c].otherwise, named[c].inverted};
     for (std::size_t i = 0; i < companions.size(); ++i) {
         const auto channel = static_cast<std::size_t>(std::max(companions[i].channel.index, 0));
-        if (companions[i].path == packed.path && channel < slots.size())
+        const bool together = companions[i].path == packed.path && companions[i].layer == packed.layer;
+        if (together && channel < slots.size())
             slots[channel] = {i, 0, companions[i].channel.inverted};
     }
     return slots;
@@ -130,6 +132,16 @@ std::string companionSuffix(const std::string& exemplar, const std::string& comp
     const bool common = own != companion.begin() && own != companion.end();
     const std::string rest = common ? std::string(own, companion.end()) : companion;
     return rest.front() == '_' ? rest : "_" + rest;
+}
+
+/// A layer's name as a part of a file's.
+std::string layerSuffix(const std::string& layer) {
+    constexpr std::string_view kNotInNames = "/\\:*?\"<>| ";
+    std::string suffix = layer;
+    for (char& letter : suffix)
+        if (static_cast<unsigned char>(letter) < ' ' || kNotInNames.find(letter) != std::string_view::npos)
+            letter = '_';
+    return "_" + suffix;
 }
 
 /// Hands out file names, no two alike.
@@ -175,7 +187,7 @@ public:
         for (std::size_t i = 0; i < m_companions.size(); ++i) {
             if (m_used.contains(i))
                 continue;
-            const std::string word = companionSuffix(m_result.plan.name(), m_companions[i].name()).substr(1);
+            const std::string word = wordFor(m_companions[i]);
             if (m_companions[i].channel.whole())
                 addWhole(i, word, {});
             else
@@ -187,6 +199,16 @@ public:
 private:
     static bool anyOf(const std::vector<PackedSlot>& slots) {
         return std::any_of(slots.begin(), slots.end(), [](const PackedSlot& slot) { return slot.companion; });
+    }
+
+    /// Layers of one file are told apart by their own names, and its pages, which have none, by their
+    /// numbers.
+    std::string wordFor(const ExemplarFile& companion) const {
+        std::uint64_t page = 0;
+        const bool named = !companion.layer.empty() && !parseUnsigned(companion.layer, page);
+        const std::string ofFile =
+            named ? std::string() : companionSuffix(m_result.plan.name(), companion.name());
+        return (ofFile + (companion.layer.empty() ? "" : layerSuffix(companion.layer))).substr(1);
     }
 
     void addWhole(std::size_t i, const std::string& word, std::optional<Depth> preset) {

@@ -65,14 +65,15 @@ WriteOptions writeOptions(const Result& result, const ExportOptions& options) {
 }
 
 /// To a file's space; "raw" is the numbers as the exemplar's own file has them.
-void fromWorking(Image& image, const Result& result, const std::string& space) {
+void fromWorking(Image& image, const Result& result, const std::string& space,
+                 const std::function<void()>& check) {
     const std::string own = result.plan.recipe.space();
     if (space != "raw")
-        color::fromWorking(image, space);
+        color::fromWorking(image, space, check);
     else if (own != color::kFileSpace)
-        color::fromWorking(image, own);
+        color::fromWorking(image, own, check);
     else if (result.plan.exemplarInfo.color)
-        color::fromWorking(image, *result.plan.exemplarInfo.color);
+        color::fromWorking(image, *result.plan.exemplarInfo.color, check);
 }
 
 void writeResult(const Result& result, const ExportOptions& options) {
@@ -83,7 +84,7 @@ void writeResult(const Result& result, const ExportOptions& options) {
         return;
     }
     Image converted = result.synthesis.image;
-    fromWorking(converted, result, write.space);
+    fromWorking(converted, result, write.space, options.check);
     writeImage(options.image, converted, write);
 }
 
@@ -222,7 +223,7 @@ void exportPicture(const fs::path& path, const ImageView& picture, const Exempla
     if (write.space != "linear")
         return writeImage(path, picture, write);
     Image converted(picture);
-    color::fromWorking(converted, write.space);
+    color::fromWorking(converted, write.space, check);
     writeImage(path, converted, write);
 }
 
@@ -269,7 +270,7 @@ Result exportStrips(const RunPlan& plan, const ExportOptions& options,
                 whole.figures = strip.synthesis.figures;
                 whole.synthesis.notes = strip.synthesis.notes;
             }
-            fromWorking(strip.synthesis.image, whole, spaceFor(whole, options));
+            fromWorking(strip.synthesis.image, whole, spaceFor(whole, options), options.check);
         }
         const Image& image = strip.synthesis.image;
         for (int x = 0; x < image.width(); ++x)

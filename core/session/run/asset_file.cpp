@@ -144,7 +144,7 @@ struct Writer {
     void operator()(const Image& image) const {
         const WriteOptions write = imageOptions(path, options.depth, options);
         Image converted(image);
-        color::fromWorking(converted, write.space);
+        color::fromWorking(converted, write.space, options.check);
         writeImage(path, converted, write);
     }
     void operator()(const PositionMap& map) const {

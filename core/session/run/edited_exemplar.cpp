@@ -42,10 +42,10 @@ void recolor(RunExemplar& exemplar, const Tool& tool, const Values& settings, co
     Image image = *exemplar.image.image;
     const bool data = exemplar.image.space == "raw";
     if (!data)
-        color::fromWorking(image, "linear");
+        color::fromWorking(image, "linear", check);
     tool.recolor(image, settings, exemplar.mask ? exemplar.mask->image.get() : nullptr, check);
     if (!data)
-        color::toWorking(image, "linear");
+        color::toWorking(image, "linear", check);
     exemplar.image.image = shared(std::move(image));
 }
 

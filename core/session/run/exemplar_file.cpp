@@ -6,7 +6,9 @@
 #include "core/image/channel_text.h"
 #include "core/image/hidden_colour.h"
 #include "core/io/channel_names.h"
+#include "core/io/decoder_process.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace texloom {
@@ -40,7 +42,7 @@ std::pair<ExemplarFile, Image> load(const fs::path& path, const std::string& spa
         noteLoss(file.info);
     if (file.space != "raw")
         for (const AlphaGroup& group : alphaGroups(loaded.info.channelNames))
-            fillHidden(loaded.image, group.alpha, group.colours);
+            fillHidden(loaded.image, group.alpha, group.colours, DecoderProcess::check);
     return {std::move(file), std::move(loaded.image)};
 }
 
@@ -49,19 +51,15 @@ ExemplarFile whole(std::pair<ExemplarFile, Image> loaded) {
     return std::move(loaded.first);
 }
 
-/// What a layer's name says that it holds, or else the file's.
-MapName companionName(const fs::path& path, const std::string& layer) {
-    const MapName ofLayer = mapNameFrom(layer, true);
-    return ofLayer.isCompanion() ? ofLayer : mapNameFrom(path.stem().string(), true);
-}
-
 /// One channel of an image as a map of its own.
 Image channelAlone(const Image& image, const MapChannel& channel) {
-    Image alone(image.view().channelRange(channel.index, 1));
-    if (channel.inverted)
-        for (int y = 0; y < alone.height(); ++y)
-            for (int x = 0; x < alone.width(); ++x)
-                alone(x, y, 0) = 1 - alone(x, y, 0);
+    Image alone(image.size(), 1);
+    for (int y = 0; y < alone.height(); ++y) {
+        DecoderProcess::check();
+        const float* from = image.plane(channel.index).row(y);
+        std::transform(from, from + alone.width(), alone.plane(0).row(y),
+                       [&](float value) { return channel.inverted ? 1 - value : value; });
+    }
     return alone;
 }
 
@@ -70,9 +68,9 @@ Image channelAlone(const Image& image, const MapChannel& channel) {
 ExemplarFile loadExemplar(const fs::path& path, const std::string& space, const std::string& layer) {
     std::pair<ExemplarFile, Image> loaded = load(path, space, layer);
     if (loaded.first.space == color::kFileSpace)
-        color::toWorking(loaded.second, *loaded.first.info.color);
+        color::toWorking(loaded.second, *loaded.first.info.color, DecoderProcess::check);
     else
-        color::toWorking(loaded.second, loaded.first.space);
+        color::toWorking(loaded.second, loaded.first.space, DecoderProcess::check);
     return whole(std::move(loaded));
 }
 
@@ -86,6 +84,11 @@ ExemplarFile loadData(const fs::path& path, const std::string& layer, const MapC
     loaded.first.channel = channel;
     loaded.second = channelAlone(loaded.second, channel);
     return whole(std::move(loaded));
+}
+
+MapName companionName(const fs::path& path, const std::string& layer) {
+    const MapName ofLayer = mapNameFrom(layer, true);
+    return ofLayer.isCompanion() ? ofLayer : mapNameFrom(path.stem().string(), true);
 }
 
 std::vector<ExemplarFile> loadCompanions(const fs::path& path, const std::string& layer) {
@@ -114,7 +117,7 @@ ExemplarFile loadUnconverted(const fs::path& path, const std::string& layer) {
         return loadData(path, layer);
     std::pair<ExemplarFile, Image> loaded = load(path, {}, layer);
     if (loaded.first.space == color::kFileSpace) { // whose tags are not written
-        color::toWorking(loaded.second, *loaded.first.info.color);
+        color::toWorking(loaded.second, *loaded.first.info.color, DecoderProcess::check);
         loaded.first.space = "srgb"; // the working space
     }
     return whole(std::move(loaded));
@@ -122,11 +125,8 @@ ExemplarFile loadUnconverted(const fs::path& path, const std::string& layer) {
 
 ExemplarFile loadMask(const fs::path& path, const std::string& layer) {
     ExemplarFile file = loadData(path, layer);
-    if (file.image->channels() > 1) {
-        ImageView first = *file.image;
-        first.channels = 1;
-        file.image = std::make_shared<const Image>(first);
-    }
+    if (file.image->channels() > 1)
+        file.image = std::make_shared<const Image>(channelAlone(*file.image, {0, false}));
     return file;
 }
 

@@ -41,6 +41,9 @@ ExemplarFile loadData(const std::filesystem::path& path, const std::string& laye
 /// with what it holds. A layer's name counts before the file's. At least one.
 std::vector<ExemplarFile> loadCompanions(const std::filesystem::path& path, const std::string& layer = {});
 
+/// What a companion map's layer, or else its file, says by its name that it holds.
+MapName companionName(const std::filesystem::path& path, const std::string& layer);
+
 /// Reads an image to be laid out by a map: a colour image as loadExemplar() takes it, but in its file's
 /// space where that has a name; one whose name says that it is data as loadData() does.
 ExemplarFile loadUnconverted(const std::filesystem::path& path, const std::string& layer = {});

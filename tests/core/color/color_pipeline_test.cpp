@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace texloom::test {
 
@@ -152,6 +153,27 @@ TEST(ColorPipeline, ConvertsEveryRowOfAnOddWidth) {
     const ValueRange range = valueRange(image);
     EXPECT_EQ(range.smallest, range.largest);
     EXPECT_NEAR(range.smallest, encoded(0.25), 1e-5);
+}
+
+/// Large images are converted a few rows at a time, between which the work can be stopped.
+TEST(ColorPipeline, AsksAllTheWhileAndGivesTheSameAsRowByRow) {
+    const Image original = noise({700, 500}, 3);
+    Image image = original;
+    int asked = 0;
+    color::toWorking(image, "acescg", [&asked] { ++asked; });
+    EXPECT_GE(asked, 5);
+    for (const int y : {0, 92, 93, 94, 311, 499}) {
+        Image row(original.view().crop(0, y, {700, 1}));
+        color::toWorking(row, "acescg");
+        EXPECT_TRUE(samePixels(row, image.view().crop(0, y, {700, 1}))) << y;
+    }
+    const auto stop = [] { throw std::length_error("stop"); };
+    FileColor power;
+    power.curve = FileColor::Curve::Power;
+    power.power = 1.8;
+    EXPECT_THROW(color::toWorking(image, power, stop), std::length_error);
+    EXPECT_THROW(color::fromWorking(image, power, stop), std::length_error);
+    EXPECT_THROW(color::fromWorking(image, "linear", stop), std::length_error);
 }
 
 TEST(ColorPipeline, DisplayShowsWorkingValuesAsTheyAre) {

@@ -41,6 +41,16 @@ TEST(HalfScale, maskKeepsOnlyWhatIsWholeUnderneath) {
             EXPECT_EQ(half(x, y, 0), x == 1 && y == 1 ? 0 : 1);
 }
 
+TEST(HalfScale, canBeStoppedAtEveryRow) {
+    const Image image = noise({40, 30}, 2);
+    int rows = 0;
+    const auto count = [&rows] { ++rows; };
+    halved(image, count);
+    EXPECT_EQ(rows, 2 * (30 + 15));
+    halvedMask(image.view().plane(0), count);
+    EXPECT_EQ(rows, 2 * (30 + 15) + 15);
+}
+
 TEST(HalfScale, enlargedRowsInterpolateAndCloseOnThemselves) {
     Image image({2, 1}, 1);
     image(0, 0, 0) = 0;

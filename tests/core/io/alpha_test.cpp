@@ -1,4 +1,5 @@
 #include "core/image/hidden_colour.h"
+#include "core/io/decoder_process.h"
 #include "core/io/image_file.h"
 #include "core/session/run/exemplar_file.h"
 #include "core/session/run/input_file.h"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -110,6 +112,30 @@ TEST(FillHidden, LeavesAloneWhatIsAllHiddenOrAllVisible) {
         fillHidden(image, 3, {0, 1, 2});
         expectColor(image, {1, 0, 1, alpha}, 0);
     }
+}
+
+/// From the decoder's samples on, each step over a large picture can be stopped at every row.
+TEST(LoadExemplar, CanBeStoppedAllTheWhile) {
+    constexpr int kRows = 400;
+    const TemporaryFolder folder;
+    Image image = noise({300, kRows}, 4);
+    for (int x = 0; x < 150; ++x)
+        image(x, 200, 3) = 0;
+    writeImage(folder / "leaf.exr", image, as(Depth::Float, "linear"));
+    const auto asked = [&](const auto& load) {
+        int count = 0;
+        const DecoderProcess::Watch watch([&count] { ++count; });
+        load();
+        return count;
+    };
+    // Taken up, looked through, divided by alpha.
+    EXPECT_GE(asked([&] { readImage(folder / "leaf.exr"); }), 3 * kRows);
+    // And what is hidden filled: looked for, taken out, halved, filled, put back.
+    EXPECT_GE(asked([&] { loadExemplar(folder / "leaf.exr"); }), 7 * kRows);
+    EXPECT_GE(asked([&] { loadMask(folder / "leaf.exr"); }), 3 * kRows);
+    EXPECT_GE(asked([&] { fileHash(folder / "leaf.exr"); }), 7); // blocks of 64 KiB
+    const DecoderProcess::Watch watch([] { throw std::length_error("stop"); });
+    EXPECT_THROW(loadExemplar(folder / "leaf.exr"), std::length_error);
 }
 
 TEST(LoadExemplar, KnowsNoColourUnderAlphaZero) {

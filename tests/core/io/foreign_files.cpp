@@ -155,6 +155,8 @@ void writeForeign(const std::filesystem::path& path, const ImageView& image, con
                                             : OIIO::TypeDesc::UINT8);
     if (!file.compression.empty())
         spec.attribute("compression", file.compression);
+    if (file.progressive)
+        spec.attribute("jpeg:progressive", 1);
     if (file.bits > 0)
         spec.attribute("oiio:BitsPerSample", file.bits);
     if (file.straightAlpha)

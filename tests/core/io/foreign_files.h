@@ -21,6 +21,7 @@ struct ForeignFile {
     std::vector<float> chromaticities = {};     ///< of an EXR; empty for none
     std::string type = {};        ///< of the samples, as "uint16" or "half"; empty for the format's usual one
     std::string compression = {}; ///< of an EXR; empty for the usual one
+    bool progressive = false;     ///< of a JPEG: in several scans
     int bits = 0;                 ///< of a TIFF's samples; 0 for all that the type has
     bool straightAlpha = false;   ///< of a TIFF or PNG: the samples hold it so, and the file says so
     std::vector<std::uint8_t> profileBytes = {}; ///< a whole ICC profile, or empty for none

@@ -1,4 +1,5 @@
 #include "core/io/image_file.h"
+#include "core/io/jpeg_scans.h"
 #include "tests/core/io/file_limit.h"
 #include "tests/core/io/foreign_files.h"
 #include "tests/core/io/write_as.h"
@@ -249,6 +250,49 @@ TEST(ReadImage, OpensAJpegThatLacksNothingButItsEnd) {
         put(folder / "a.jpg", std::string_view(bytes).substr(0, bytes.size() - left));
         EXPECT_THAT([&] { readImage(folder / "a.jpg"); }, refusal("a.jpg", "premature end")) << left;
     }
+}
+
+/// A decoder takes the scans that are there for the whole picture.
+TEST(ReadImage, RefusesAJpegThatBreaksOffBetweenScans) {
+    const TemporaryFolder folder;
+    writeForeign(folder / "a.jpg", noise({101, 77}, 3), {.progressive = true});
+    const Image whole = readImage(folder / "a.jpg").image;
+    const std::string bytes = get(folder / "a.jpg");
+    std::vector<std::size_t> tables; // of which each scan has its own before it
+    for (std::size_t at = bytes.find("\xff\xda"); at != std::string::npos;
+         at = bytes.find("\xff\xda", at + 2))
+        tables.push_back(bytes.rfind("\xff\xc4", at));
+    ASSERT_GE(tables.size(), 3U);
+    for (std::size_t i = 1; i < tables.size(); ++i) {
+        put(folder / "a.jpg", std::string_view(bytes).substr(0, tables[i]));
+        EXPECT_THAT([&] { readImage(folder / "a.jpg"); }, refusal("a.jpg", "breaks off", "scans")) << i;
+    }
+    put(folder / "a.jpg", std::string_view(bytes).substr(0, bytes.size() - 2));
+    EXPECT_TRUE(samePixels(readImage(folder / "a.jpg").image, whole));
+}
+
+/// Components may have a scan each in a file that is not progressive, too.
+TEST(HasAllScans, WantsEveryComponentAndCoefficient) {
+    const auto frame = [](char kind) {
+        return std::string("\xff\xd8\xff", 3) + kind +
+               std::string("\0\x0e\x08\0\x08\0\x08\x02\1\x11\0\2\x11\0", 14);
+    };
+    const auto scan = [](char component, char first, char last, char bits) {
+        return std::string("\xff\xda\0\x08\x01", 5) + component + std::string(1, '\0') + first + last + bits +
+               std::string("\x12\xff\0\xff\xd0\x34", 6);
+    };
+    const std::string plain = frame('\xc0') + scan(1, 0, 63, 0), progressive = frame('\xc2');
+    EXPECT_FALSE(hasAllScans(frame('\xc0')));
+    EXPECT_FALSE(hasAllScans(plain));
+    EXPECT_TRUE(hasAllScans(plain + scan(2, 0, 63, 0)));
+    EXPECT_FALSE(hasAllScans(plain + "\xff\xd9" + scan(2, 0, 63, 0)));
+    const std::string first = progressive + scan(1, 0, 63, 0) + scan(2, 0, 0, 0);
+    EXPECT_FALSE(hasAllScans(first));
+    EXPECT_FALSE(hasAllScans(first + scan(2, 1, 62, 0)));
+    EXPECT_FALSE(hasAllScans(first + scan(2, 1, 63, 1)));
+    EXPECT_TRUE(hasAllScans(first + scan(2, 1, 63, 1) + scan(2, 1, 63, 0x10)));
+    for (std::size_t length = 0; length < first.size(); ++length)
+        EXPECT_FALSE(hasAllScans(std::string_view(first).substr(0, length))) << length;
 }
 
 TEST(ReadImage, RefusesAPngWithFarTooFewRows) {

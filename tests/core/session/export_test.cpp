@@ -2,6 +2,7 @@
 #include "core/io/map_file.h"
 #include "core/session/export/export.h"
 #include "tests/core/io/file_limit.h"
+#include "tests/core/io/foreign_files.h"
 #include "tests/core/refusal.h"
 #include "tests/core/session/sample_run.h"
 #include "tests/support/file_content.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
+#include <utility>
 
 namespace texloom::test {
 
@@ -254,6 +256,36 @@ TEST(ExportPresets, PackAndNameTheMapsOfAMaterial) {
         EXPECT_EQ(normal(x, 9, 0), result.companion(0)(x, 9, 0));
     }
     EXPECT_FALSE(readImageInfo(out / "T_bark_ORM.png").recipe.empty());
+}
+
+TEST(ExportResult, NamesLayersOfOneFileByThemAndPacksEachForItself) {
+    SampleRun sample;
+    const fs::path source = sample.folder / "set.exr";
+    Image layers({48, 44}, 6);
+    for (int c = 0; c < 6; ++c)
+        for (int y = 0; y < 44; ++y)
+            std::fill_n(layers.plane(c).row(y), 48, 0.125F * static_cast<float>(c));
+    writeForeign(
+        source, layers,
+        {.channelNames = {"dry ORM.R", "dry ORM.G", "dry ORM.B", "wet_ORM.R", "wet_ORM.G", "wet_ORM.B"}});
+    for (const char* layer : {"dry ORM", "wet_ORM"})
+        for (ExemplarFile& map : loadCompanions(source, layer))
+            sample.input.exemplars[0].companions.push_back(std::move(map));
+    ASSERT_EQ(sample.input.exemplars[0].companions.size(), 6U);
+    const TemporaryFolder out;
+    ExportOptions options;
+    options.image = out / "made.png";
+    options.sidecar = false;
+    exportResult(sample.run(), options);
+    const std::set<fs::path> expected = {out / "made.png", out / "made_dry_ORM.exr",
+                                         out / "made_wet_ORM.exr"};
+    EXPECT_EQ(filesIn(out.path()), expected);
+    const Image dry = readImage(out / "made_dry_ORM.exr").image,
+                wet = readImage(out / "made_wet_ORM.exr").image;
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_EQ(dry(5, 5, c), 0.125F * static_cast<float>(c));
+        EXPECT_EQ(wet(5, 5, c), 0.125F * static_cast<float>(c + 3));
+    }
 }
 
 TEST(ExportPresets, UnityWantsSmoothnessAndMayHaveNoMap) {
