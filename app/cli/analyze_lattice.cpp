@@ -81,7 +81,7 @@ void printLattice(const LatticeOptions& options) {
     checkEnoughMemory(exemplar.name(), exemplar.image->size(),
                       latticeBytesFor(exemplar.image->size(), exemplar.image->channels()));
     const auto start = std::chrono::steady_clock::now();
-    const LatticeAnalysis analysis = analyzeLattice(*exemplar.image, checkInterrupt);
+    const LatticeAnalysis analysis = analyzeLattice(*exemplar.image, checkInterrupt, options.criteria);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!options.picture.empty()) {
         WriteOptions write;

@@ -299,6 +299,10 @@ std::vector<Figure> execute(RunPlan plan, const OutputOptions& out) {
     options.maps = out.maps;
     options.outputs = savesOf(plan, out);
     options.sidecar = !out.noSidecar;
+    if (!out.exportPreset.empty()) {
+        options.preset = exportPresetFrom(out.exportPreset);
+        options.pattern = options.preset.pattern;
+    }
     options.check = checkInterrupt;
     checkOutputs(plan, options, out);
 

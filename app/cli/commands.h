@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/lattice_candidate.h"
 #include "core/session/export/output_guard.h"
 #include "core/session/run/run.h"
 
@@ -18,6 +19,7 @@ struct OutputOptions {
     std::vector<std::string> saves; ///< "NAME=FILE" for further outputs of the methods, such as a model
     std::string depth;              ///< "8", "16", "half", "float", or empty for the exemplar's
     std::string space;              ///< of the output, or empty for what the format's users expect
+    std::string exportPreset;       ///< id or file; empty: maps are written as they came
     std::filesystem::path report;
     int threads = 0;
     bool overwrite = false;              ///< whether files that Texloom did not write may be replaced
@@ -68,6 +70,7 @@ struct LatticeOptions {
     std::string exemplarSpace;
     std::vector<std::string> layers; ///< as LayerChoice takes them
     std::filesystem::path picture;   ///< file for the autocorrelation, or empty
+    LatticeCriteria criteria;
     bool overwrite = false;
     bool json = false;
 };

@@ -45,6 +45,10 @@ void addOutputOptions(CLI::App& command, cli::OutputOptions& out, bool outputReq
     command.add_option("--depth", out.depth,
                        "Depth of the output: 8, 16, half or float; the exemplar's if not given");
     command.add_option("--out-space", out.space, "Colour space of the output: srgb, linear, acescg or raw");
+    command.add_option(
+        "--export-preset", out.exportPreset,
+        "How companion maps are named and packed, and where green points in normal maps: generic, "
+        "blender, unity, unreal, godot, gltf, or the .json file of one of your own");
     command
         .add_option("--threads", out.threads,
                     "Number of threads; one per core if not given. The result is the same")
@@ -216,6 +220,17 @@ void addAnalyze(CLI::App& app) {
     lattice->add_option(
         "--picture", options.picture,
         "File for the autocorrelation, zero displacement in the middle; .exr keeps values below 0");
+    lattice
+        ->add_option("--alpha", options.criteria.alpha,
+                     "How much small tiles that repeat often are preferred to large ones that fit better: 1 "
+                     "not at all")
+        ->check(CLI::Range(1.0, 2.0))
+        ->capture_default_str();
+    lattice
+        ->add_option("--significance", options.criteria.significance,
+                     "Share of a tile by which the image must overlap itself for a repetition to count")
+        ->check(CLI::Range(0.5, 1.0))
+        ->capture_default_str();
     cli::addMemory(*lattice);
     cli::addReproducible(*lattice, false);
     cli::addOverwrite(*lattice, options.overwrite);

@@ -63,8 +63,9 @@ std::vector<std::size_t> byLength(const std::vector<Peak>& peaks) {
 
 } // namespace
 
-CorrelationPeaks::CorrelationPeaks(const Correlation& gamma, const std::function<void()>& check)
-    : m_check(check), m_smooth(smoothed(gamma)) {}
+CorrelationPeaks::CorrelationPeaks(const Correlation& gamma, const std::function<void()>& check,
+                                   const LatticeCriteria& criteria)
+    : m_check(check), m_criteria(criteria), m_smooth(smoothed(gamma)) {}
 
 Peak CorrelationPeaks::summit(Vec2 near, int reach) const {
     const int cx = static_cast<int>(std::lround(near.x)), cy = static_cast<int>(std::lround(near.y));

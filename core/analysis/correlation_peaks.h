@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/correlation.h"
-#include "core/analysis/lattice.h"
+#include "core/analysis/lattice_candidate.h"
 
 #include <functional>
 #include <vector>
@@ -12,8 +12,9 @@ namespace texloom {
 class CorrelationPeaks {
 public:
     /// @param check called every few milliseconds, also by everything that uses the peaks; may throw; must
-    /// outlive them.
-    CorrelationPeaks(const Correlation& gamma, const std::function<void()>& check);
+    /// outlive them. @param criteria by which lattices are rated with these peaks.
+    CorrelationPeaks(const Correlation& gamma, const std::function<void()>& check,
+                     const LatticeCriteria& criteria);
 
     struct Peak {
         int x = 0, y = 0;
@@ -21,6 +22,7 @@ public:
     };
 
     void check() const { m_check(); }
+    const LatticeCriteria& criteria() const { return m_criteria; }
     /// Size of the exemplar.
     Size size() const { return m_smooth.size(); }
     const Correlation& smooth() const { return m_smooth; }
@@ -39,6 +41,7 @@ private:
     std::vector<Peak> all() const;
 
     const std::function<void()>& m_check;
+    LatticeCriteria m_criteria;
     Correlation m_smooth;
 };
 

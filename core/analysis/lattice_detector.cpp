@@ -250,9 +250,9 @@ void Search::reportRepeating(const std::optional<Rows>& rows, LatticeAnalysis& a
 
 } // namespace
 
-LatticeCandidate fittedLattice(const Correlation& correlation, const Lattice& rough,
+LatticeCandidate fittedLattice(const LatticeAnalysis& analysis, const Lattice& rough,
                                const std::function<void()>& check) {
-    const CorrelationPeaks peaks(correlation, check);
+    const CorrelationPeaks peaks(analysis.rating(), check, analysis.criteria);
     const Lattice shortest = rough.reduced();
     const bool rows = std::min(shortest.v1.length(), shortest.v2.length()) < kShortestVector;
     LatticeCandidate candidate = rated(peaks, rows ? fittedRows(peaks, shortest) : fitted(peaks, shortest));
@@ -262,17 +262,19 @@ LatticeCandidate fittedLattice(const Correlation& correlation, const Lattice& ro
     return candidate;
 }
 
-LatticeCandidate ratedLattice(const Correlation& correlation, const Lattice& lattice,
+LatticeCandidate ratedLattice(const LatticeAnalysis& analysis, const Lattice& lattice,
                               const std::function<void()>& check) {
-    return rated(CorrelationPeaks(correlation, check), lattice);
+    return rated(CorrelationPeaks(analysis.rating(), check, analysis.criteria), lattice);
 }
 
 namespace {
 
-LatticeAnalysis analysisOf(const ImageView& view, bool every, const std::function<void()>& check) {
+LatticeAnalysis analysisOf(const ImageView& view, bool every, const std::function<void()>& check,
+                           const LatticeCriteria& criteria) {
     LatticeAnalysis analysis;
+    analysis.criteria = criteria;
     analysis.correlation = autocorrelation(view, check);
-    const CorrelationPeaks peaks(analysis.correlation, check);
+    const CorrelationPeaks peaks(analysis.correlation, check, criteria);
     Search search(peaks, every);
     search.run();
     search.report(findRows(peaks), analysis);
@@ -299,14 +301,15 @@ bool isPlain(const ImageView& exemplar, const ImageView& flat) {
 
 } // namespace
 
-LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check) {
+LatticeAnalysis analyzeLattice(const ImageView& exemplar, const std::function<void()>& check,
+                               const LatticeCriteria& criteria) {
     if (exemplar.size().shorterSide() < 8)
         return {};
     const Image flat = withoutLight(exemplar, check);
-    LatticeAnalysis analysis = analysisOf(flat, false, check);
+    LatticeAnalysis analysis = analysisOf(flat, false, check, criteria);
     if (analysis.found() || isPlain(exemplar, flat))
         return analysis;
-    LatticeAnalysis edges = analysisOf(edgesOf(flat, check), true, check);
+    LatticeAnalysis edges = analysisOf(edgesOf(flat, check), true, check, criteria);
     if (!edges.found()) {
         addOther(analysis.candidates, edges.candidates);
         return analysis;

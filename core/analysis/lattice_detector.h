@@ -21,6 +21,7 @@ struct LatticeAnalysis {
     std::vector<LatticeCandidate> candidates;
     /// From 0 to 1: how far the first candidate stands out from what a texture without a lattice gives.
     double confidence = 0;
+    LatticeCriteria criteria; ///< by which they were chosen
 
     /// Whether the first candidate is reliable.
     bool found() const { return !candidates.empty() && confidence >= 0.5; }
@@ -42,18 +43,19 @@ struct LatticeAnalysis {
 /// and the best of the edges or colours in which nothing was found.
 /// @param check called every few milliseconds; may throw.
 LatticeAnalysis analyzeLattice(
-    const ImageView& exemplar, const std::function<void()>& check = [] {});
+    const ImageView& exemplar, const std::function<void()>& check = [] {},
+    const LatticeCriteria& criteria = {});
 
 /// A lattice drawn roughly by hand, fitted to the maxima of γ at all its multiples and rated as the
 /// candidates are. Its vectors stay near those drawn and are not reduced.
-/// @param correlation the analysis's rating(). @param check called every few milliseconds; may throw.
+/// @param check called every few milliseconds; may throw.
 LatticeCandidate fittedLattice(
-    const Correlation& correlation, const Lattice& rough, const std::function<void()>& check = [] {});
+    const LatticeAnalysis& analysis, const Lattice& rough, const std::function<void()>& check = [] {});
 
 /// A lattice as it is, rated as the candidates are: how well the exemplar agrees with one set by hand.
-/// @param correlation the analysis's rating(). @param check called every few milliseconds; may throw.
+/// @param check called every few milliseconds; may throw.
 LatticeCandidate ratedLattice(
-    const Correlation& correlation, const Lattice& lattice, const std::function<void()>& check = [] {});
+    const LatticeAnalysis& analysis, const Lattice& lattice, const std::function<void()>& check = [] {});
 
 /// Upper bound of the memory that analyzeLattice() takes, and a rough time on one thread.
 std::uint64_t latticeBytesFor(Size exemplar, int channels);

@@ -56,17 +56,16 @@ inline bool overlapHoldsTile(Size exemplar, const Lattice& lattice, Vec2 displac
            exemplar.height - std::round(std::abs(displacement.y)) >= extent.y + 1;
 }
 
-/// Whether an exemplar moved by this much overlaps itself by at least 85 % of the lattice's tile (section
-/// 3.3.1).
-inline bool significant(Size exemplar, const Lattice& lattice, Vec2 displacement) {
-    constexpr double kShare = 0.85;
+/// Whether an exemplar moved by this much overlaps itself by at least this share of the lattice's tile
+/// (section 3.3.1).
+inline bool significant(Size exemplar, const Lattice& lattice, Vec2 displacement, double share) {
     if (overlapHoldsTile(exemplar, lattice, displacement))
         return true;
     const Size overlap{exemplar.width - static_cast<int>(std::lround(std::abs(displacement.x))),
                        exemplar.height - static_cast<int>(std::lround(std::abs(displacement.y)))};
-    if (static_cast<double>(overlap.area()) < kShare * lattice.area())
+    if (static_cast<double>(overlap.area()) < share * lattice.area())
         return false;
-    return tileCoverage(lattice, overlap) >= kShare;
+    return tileCoverage(lattice, overlap) >= share;
 }
 
 } // namespace texloom

@@ -11,13 +11,12 @@ namespace texloom {
 
 namespace {
 
-constexpr double kAlpha = 1.12; // of eq. 3.22
-
 /// Significant multiples for means that need not include all of them: the nearest, and where there are many,
 /// only those that are significant without counting pixels.
-std::vector<Vec2> someMultiples(Size exemplar, const Lattice& lattice) {
+std::vector<Vec2> someMultiples(const CorrelationPeaks& peaks, const Lattice& lattice) {
     constexpr int kRings = 24;
     constexpr int kMany = 24;
+    const Size exemplar = peaks.size();
     const int rings = std::min(kRings, ringsOf(exemplar, lattice));
     std::vector<Vec2> sure, all;
     int first = 0, second = 0; // how many of the sure ones are multiples of each vector
@@ -31,14 +30,15 @@ std::vector<Vec2> someMultiples(Size exemplar, const Lattice& lattice) {
     });
     if (std::min(first, second) >= kMany)
         return sure;
-    std::erase_if(all, [&](Vec2 p) { return !significant(exemplar, lattice, p); });
+    std::erase_if(all,
+                  [&](Vec2 p) { return !significant(exemplar, lattice, p, peaks.criteria().significance); });
     return all;
 }
 
 } // namespace
 
-double goodnessOf(double correlation, double multiples) {
-    return correlation <= 0 ? 0 : std::pow(correlation, kAlpha) * std::pow(multiples, kAlpha - 1);
+double goodnessOf(double correlation, double multiples, double alpha) {
+    return correlation <= 0 ? 0 : std::pow(correlation, alpha) * std::pow(multiples, alpha - 1);
 }
 
 double roughGoodness(const CorrelationPeaks& peaks, const Lattice& lattice) {
@@ -54,7 +54,7 @@ double roughGoodness(const CorrelationPeaks& peaks, const Lattice& lattice) {
         }
     });
     const double all = std::max(1.0, 2.0 * static_cast<double>(size.area()) / lattice.area());
-    return count == 0 ? 0 : goodnessOf(sum / count, all);
+    return count == 0 ? 0 : goodnessOf(sum / count, all, peaks.criteria().alpha);
 }
 
 LatticeCandidate rated(const CorrelationPeaks& peaks, const Lattice& lattice) {
@@ -65,7 +65,7 @@ LatticeCandidate rated(const CorrelationPeaks& peaks, const Lattice& lattice) {
     const int rings = ringsOf(peaks.size(), lattice);
     const Thinned thinned(peaks.size(), lattice, rings);
     eachMultiple(peaks.size(), lattice, rings, [&](int a, int b, Vec2 p) {
-        if (!significant(peaks.size(), lattice, p))
+        if (!significant(peaks.size(), lattice, p, peaks.criteria().significance))
             return;
         ++candidate.multiples;
         if (thinned.keeps(a, b)) {
@@ -78,7 +78,7 @@ LatticeCandidate rated(const CorrelationPeaks& peaks, const Lattice& lattice) {
     if (summed > 0)
         candidate.correlation = sum / summed;
     if (first && second)
-        candidate.goodness = goodnessOf(candidate.correlation, candidate.multiples);
+        candidate.goodness = goodnessOf(candidate.correlation, candidate.multiples, peaks.criteria().alpha);
     return candidate;
 }
 
@@ -88,7 +88,7 @@ double confidenceIn(const CorrelationPeaks& peaks, const LatticeCandidate& candi
     double on = 0, off = 0, squares = 0;
     int count = 0, between = 0;
     const Lattice& lattice = candidate.lattice;
-    for (const Vec2 p : someMultiples(peaks.size(), lattice)) {
+    for (const Vec2 p : someMultiples(peaks, lattice)) {
         on += peaks.height(p);
         ++count;
         for (int i = 1; i < kSteps * kSteps; ++i) {
@@ -116,7 +116,7 @@ PlaceEffect placeEffect(const CorrelationPeaks& peaks, const Lattice& lattice, V
     constexpr std::size_t kPlaces = 16;
     const Vec2 period = (lattice.area() / distance) * along;
     std::array<double, kPlaces> means{}, squares{};
-    const std::vector<Vec2> multiples = someMultiples(peaks.size(), lattice);
+    const std::vector<Vec2> multiples = someMultiples(peaks, lattice);
     const auto count = static_cast<double>(multiples.size());
     for (const Vec2 p : multiples)
         for (std::size_t i = 0; i < kPlaces; ++i) {

@@ -5,8 +5,8 @@
 
 namespace texloom {
 
-/// Eq. 3.22 for a mean γ over `multiples` multiples.
-double goodnessOf(double correlation, double multiples);
+/// Eq. 3.22 for a mean γ over `multiples` multiples. @param alpha see LatticeCriteria
+double goodnessOf(double correlation, double multiples, double alpha);
 
 /// Eq. 3.22 from the nearest multiples alone: quick, to sort very many lattices.
 double roughGoodness(const CorrelationPeaks& peaks, const Lattice& lattice);

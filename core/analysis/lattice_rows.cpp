@@ -263,7 +263,7 @@ double confidenceInRows(const CorrelationPeaks& peaks, Vec2 normal, const Rise& 
 }
 
 /// The rise with the best goodness, and the number of distances tried.
-std::pair<Rise, int> bestRise(const Profile& profile, double extent) {
+std::pair<Rise, int> bestRise(const Profile& profile, double extent, double alpha) {
     Rise best;
     double goodness = 0;
     int tried = 0;
@@ -274,7 +274,7 @@ std::pair<Rise, int> bestRise(const Profile& profile, double extent) {
         if (rise.count == 0 || rise.mean <= 0)
             continue;
         ++tried;
-        const double own = goodnessOf(rise.mean, extent * extent / (rise.distance * rise.distance));
+        const double own = goodnessOf(rise.mean, extent * extent / (rise.distance * rise.distance), alpha);
         if (own > goodness) {
             goodness = own;
             best = rise;
@@ -362,7 +362,7 @@ std::optional<Rows> findOrderedRows(const CorrelationPeaks& peaks) {
     rows.candidate.lattice = Lattice{along, rows.distance * normal}.reduced();
     rows.candidate.correlation = own.mean;
     rows.candidate.multiples = 1;
-    rows.candidate.goodness = goodnessOf(own.mean, 1);
+    rows.candidate.goodness = goodnessOf(own.mean, 1, peaks.criteria().alpha);
     return rows;
 }
 
@@ -372,7 +372,7 @@ std::optional<Rows> findRows(const CorrelationPeaks& peaks) {
     const Vec2 normal = unit(angle), along{-normal.y, normal.x};
     const double extent = std::abs(normal.x) * peaks.size().width + std::abs(normal.y) * peaks.size().height;
     const Profile profile(peaks, normal, kFarthest);
-    const auto [rise, tried] = bestRise(profile, extent);
+    const auto [rise, tried] = bestRise(profile, extent, peaks.criteria().alpha);
     if (tried == 0)
         return {};
     Rows rows{{}, confidenceInRows(peaks, normal, rise, tried), along, rise.distance};
@@ -381,7 +381,8 @@ std::optional<Rows> findRows(const CorrelationPeaks& peaks) {
     rows.candidate = rated(peaks, {kApart * along, rise.distance * normal});
     rows.candidate.multiples =
         std::max(1, static_cast<int>(rows.candidate.multiples * kApart / rise.distance));
-    rows.candidate.goodness = goodnessOf(rows.candidate.correlation, rows.candidate.multiples);
+    rows.candidate.goodness =
+        goodnessOf(rows.candidate.correlation, rows.candidate.multiples, peaks.criteria().alpha);
     rows.candidate.lattice = Lattice{along, rise.distance * normal}.reduced();
     return rows;
 }

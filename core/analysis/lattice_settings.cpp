@@ -33,6 +33,7 @@ namespace {
 /// What was found in an exemplar.
 struct Finding {
     std::weak_ptr<const Image> exemplar;
+    LatticeCriteria criteria;
     Lattice lattice; ///< free() if none is reliable
     bool candidates = false;
     double confidence = 0;
@@ -42,10 +43,10 @@ struct Finding {
 /// and later runs, need not repeat the analysis.
 class Findings {
 public:
-    std::optional<Finding> of(const std::shared_ptr<const Image>& exemplar) {
+    std::optional<Finding> of(const std::shared_ptr<const Image>& exemplar, const LatticeCriteria& criteria) {
         const std::lock_guard lock(m_mutex);
         for (const Finding& finding : m_last)
-            if (finding.exemplar.lock() == exemplar)
+            if (finding.exemplar.lock() == exemplar && finding.criteria == criteria)
                 return finding;
         return {};
     }
@@ -61,12 +62,13 @@ private:
     std::deque<Finding> m_last;
 };
 
-Finding findingIn(const std::shared_ptr<const Image>& exemplar, const std::function<void()>& check) {
+Finding findingIn(const std::shared_ptr<const Image>& exemplar, const LatticeCriteria& criteria,
+                  const std::function<void()>& check) {
     static Findings findings;
-    if (const std::optional<Finding> known = findings.of(exemplar))
+    if (const std::optional<Finding> known = findings.of(exemplar, criteria))
         return *known;
-    const LatticeAnalysis analysis = analyzeLattice(*exemplar, check);
-    Finding finding{exemplar, analysis.found() ? analysis.candidates.front().lattice : Lattice{},
+    const LatticeAnalysis analysis = analyzeLattice(*exemplar, check, criteria);
+    Finding finding{exemplar, criteria, analysis.found() ? analysis.candidates.front().lattice : Lattice{},
                     !analysis.candidates.empty(), analysis.confidence};
     findings.add(finding);
     return finding;
@@ -81,7 +83,7 @@ Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
         return {};
     if (settings.lattice == LatticeSource::Given)
         return settings.given().reduced();
-    const Finding found = findingIn(exemplar, check);
+    const Finding found = findingIn(exemplar, settings.criteria(), check);
     if (!found.lattice.free())
         return found.lattice;
     if (found.candidates)

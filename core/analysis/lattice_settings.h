@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/lattice.h"
+#include "core/analysis/lattice_candidate.h"
 #include "core/base/message.h"
 #include "core/base/param.h"
 #include "core/base/text.h"
@@ -34,8 +34,10 @@ enum class LatticeSource { Automatic, Given, None };
 struct LatticeSettings {
     LatticeSource lattice = LatticeSource::Automatic;
     double v1x = 0, v1y = 0, v2x = 0, v2y = 0; ///< the given vectors, in pixels of the exemplar
+    double alpha = LatticeCriteria{}.alpha, significance = LatticeCriteria{}.significance; ///< of the search
 
     Lattice given() const { return {{v1x, v1y}, {v2x, v2y}}; }
+    LatticeCriteria criteria() const { return {alpha, significance}; }
 };
 
 /// The parameters' declarations for a settings struct that is a LatticeSettings.
@@ -72,6 +74,26 @@ template <class Settings> std::vector<Param> latticeFields() {
                             TR("Second vector, down"),
                             TR("How far down the texture repeats itself in the other direction.")));
     return fields;
+}
+
+/// The declarations of LatticeCriteria's numbers, which matter where a lattice is looked for.
+template <class Settings> std::vector<Param> latticeSearchFields() {
+    const auto found = std::string("automatic");
+    return {field(static_cast<double Settings::*>(&LatticeSettings::alpha), "alpha", TR("Smaller tiles"))
+                .range(1, 2)
+                .symbol("α")
+                .when("lattice", found)
+                .group(TR("Advanced"))
+                .help(TR("How much a small tile that repeats often is preferred to a large one that fits "
+                         "better when a lattice is looked for: 1 not at all, larger finds smaller tiles.")),
+            field(static_cast<double Settings::*>(&LatticeSettings::significance), "significance",
+                  TR("Overlap that counts"))
+                .range(0.5, 1)
+                .when("lattice", found)
+                .group(TR("Advanced"))
+                .help(TR("The share of a tile by which the exemplar must overlap itself for a repetition to "
+                         "count when a lattice is looked for: smaller counts those near its ends, which tell "
+                         "less, and finds larger tiles."))};
 }
 
 /// Checks the given vectors against an exemplar. @throws UsageError where they span no tile, or one that is

@@ -142,7 +142,7 @@ double latticeKept(const ImageView& result, const ImageView& exemplar, const Lat
     constexpr double kFaint = 0.15; // here chance counts as much as the lattice
     const auto correlationIn = [&](const ImageView& image) {
         const Correlation gamma = autocorrelation(image, check);
-        return rated(CorrelationPeaks(gamma, check), lattice).correlation;
+        return rated(CorrelationPeaks(gamma, check, {}), lattice).correlation;
     };
     const ImageView made = middlePart(result), given = middlePart(exemplar);
     const double wanted = correlationIn(given);

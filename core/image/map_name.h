@@ -12,6 +12,7 @@ struct PackedChannel {
     MapRole role;          ///< Other: nothing that a material uses
     float otherwise;       ///< where there is no such map
     bool inverted = false; ///< 1 − the map: smoothness from roughness
+    bool operator==(const PackedChannel&) const = default;
 };
 
 /// The map that one channel of a file holds: all of its channels are one map where `index` is below 0.

@@ -6188,6 +6188,66 @@
         <source>{} × {} px, {}</source>
         <translation>{} × {} px, {}</translation>
     </message>
+    <message>
+        <source>8 or 16</source>
+        <translation>8 oder 16</translation>
+    </message>
+    <message>
+        <source>A file of the export preset has no word for $map.</source>
+        <translation>Eine Datei der Export-Vorgabe hat kein Wort für $map.</translation>
+    </message>
+    <message>
+        <source>How much a small tile that repeats often is preferred to a large one that fits better when a lattice is looked for: 1 not at all, larger finds smaller tiles.</source>
+        <translation>Wie sehr bei der Suche nach einem Gitter eine kleine Kachel, die sich oft wiederholt, einer großen vorgezogen wird, die besser passt: 1 gar nicht, größer findet kleinere Kacheln.</translation>
+    </message>
+    <message>
+        <source>Overlap that counts</source>
+        <translation>Zählende Überlappung</translation>
+    </message>
+    <message>
+        <source>Smaller tiles</source>
+        <translation>Kleinere Kacheln</translation>
+    </message>
+    <message>
+        <source>The export preset is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>Die Export-Vorgabe hat Format {}, von einem neueren Texloom; dieses ({}) liest bis {}.</translation>
+    </message>
+    <message>
+        <source>The export preset needs a name.</source>
+        <translation>Die Export-Vorgabe braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The names of files need $map, so that the maps&apos; names differ.</source>
+        <translation>Die Dateinamen brauchen $map, damit die Karten verschieden heißen.</translation>
+    </message>
+    <message>
+        <source>The names of files need a letter or a word, such as $name.</source>
+        <translation>Die Dateinamen brauchen einen Buchstaben oder ein Wort wie $name.</translation>
+    </message>
+    <message>
+        <source>The share of a tile by which the exemplar must overlap itself for a repetition to count when a lattice is looked for: smaller counts those near its ends, which tell less, and finds larger tiles.</source>
+        <translation>Der Anteil einer Kachel, um den die Vorlage sich selbst überlappen muss, damit bei der Suche nach einem Gitter eine Wiederholung zählt: kleiner zählt auch die nahe den Rändern, die weniger sagen, und findet größere Kacheln.</translation>
+    </message>
+    <message>
+        <source>Two files of the export preset have the word {} for $map; give them different ones.</source>
+        <translation>Zwei Dateien der Export-Vorgabe haben das Wort {} für $map; geben Sie ihnen verschiedene.</translation>
+    </message>
+    <message>
+        <source>as-they-are, up or down</source>
+        <translation>as-they-are, up oder down</translation>
+    </message>
+    <message>
+        <source>export preset</source>
+        <translation>Export-Vorgabe</translation>
+    </message>
+    <message>
+        <source>{} holds a slash, which no file&apos;s name can.</source>
+        <translation>{} enthält einen Schrägstrich, was kein Dateiname darf.</translation>
+    </message>
+    <message>
+        <source>{} would be overwritten by the {}: it is {}; name another file.</source>
+        <translation>{0} würde überschrieben ({1}), und es ist {2}; nennen Sie eine andere Datei.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6745,14 +6805,6 @@
         <translation>Gitter zur Auswahl</translation>
     </message>
     <message>
-        <source>First vector</source>
-        <translation>Erster Vektor</translation>
-    </message>
-    <message>
-        <source>Second vector</source>
-        <translation>Zweiter Vektor</translation>
-    </message>
-    <message>
         <source>Goodness</source>
         <translation>Güte</translation>
     </message>
@@ -6767,6 +6819,18 @@
     <message>
         <source>Mean correlation %1 over %2 multiples of the vectors</source>
         <translation>Mittlere Korrelation %1 über %2 Vielfache der Vektoren</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>A small result with this lattice</source>
+        <translation>Ein kleines Ergebnis mit diesem Gitter</translation>
+    </message>
+    <message>
+        <source>Vectors</source>
+        <translation>Vektoren</translation>
     </message>
 </context>
 <context>
@@ -7308,6 +7372,14 @@
         <source>Take back an edit</source>
         <translation>Bearbeitung zurücknehmen</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>%1 (being made)</source>
+        <translation>%1 (in Arbeit)</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarPanel</name>
@@ -7674,6 +7746,18 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1, %2 values clipped</source>
         <translation>%1, %2 Werte abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Make and change presets of your own</source>
+        <translation>Eigene Vorgaben anlegen und ändern</translation>
+    </message>
+    <message>
+        <source>Edit export presets</source>
+        <translation>Export-Vorgaben bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -8190,6 +8274,17 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::LatticeSearchForm</name>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>What decides between lattices when one is looked for</source>
+        <translation>Was bei der Suche zwischen Gittern entscheidet</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::LatticeTool</name>
     <message>
         <source>Exemplar with its lattice</source>
@@ -8317,6 +8412,10 @@ Ziehen Sie ein Bild hierher.</translation>
     <message>
         <source>%1 holds several pictures. Which one is to be taken?</source>
         <translation>%1 enthält mehrere Bilder. Welches soll genommen werden?</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -9506,6 +9605,172 @@ Ziehen Sie ein Bild hierher.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::PresetEditor</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Add a file</source>
+        <translation>Datei &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove file</source>
+        <translation>Datei &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Export presets</source>
+        <translation>Export-Vorgaben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>A preset of your own that begins as the chosen one is</source>
+        <translation>Eine eigene Vorgabe, die wie die gewählte beginnt</translation>
+    </message>
+    <message>
+        <source>The name of the files. $name is the exemplar&apos;s, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
+        <translation>Der Name der Dateien. $name ist der der Vorlage, $map die Art der Karte; es gibt auch $method, $seed, $w, $h, $size und $place.</translation>
+    </message>
+    <message>
+        <source>The word that stands for $map in the name of the colours; may be empty</source>
+        <translation>Das Wort für $map im Namen der Farben; darf leer sein</translation>
+    </message>
+    <message>
+        <source>As they are</source>
+        <translation>Wie sie sind</translation>
+    </message>
+    <message>
+        <source>OpenGL, green up</source>
+        <translation>OpenGL, Grün nach oben</translation>
+    </message>
+    <message>
+        <source>DirectX, green down</source>
+        <translation>DirectX, Grün nach unten</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Names of files</source>
+        <translation>Datei&amp;namen</translation>
+    </message>
+    <message>
+        <source>C&amp;olours are called</source>
+        <translation>Farben hei&amp;ßen</translation>
+    </message>
+    <message>
+        <source>No&amp;rmals</source>
+        <translation>No&amp;rmalen</translation>
+    </message>
+    <message>
+        <source>%1, copy</source>
+        <translation>%1, Kopie</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>This one comes with Texloom. Copy it to change it.</source>
+        <translation>Diese kommt mit Texloom. Kopieren Sie sie, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>New; kept with “Keep”.</source>
+        <translation>Neu; wird mit „Behalten“ gesichert.</translation>
+    </message>
+    <message>
+        <source>On the command line: --export-preset %1</source>
+        <translation>Auf der Kommandozeile: --export-preset %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::PresetFilesTable</name>
+    <message>
+        <source>Smoothness</source>
+        <translation>Glätte</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Files beside the colours</source>
+        <translation>Dateien neben den Farben</translation>
+    </message>
+    <message>
+        <source>$map</source>
+        <translation>$map</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>The word that stands for $map in the file&apos;s name</source>
+        <translation>Das Wort für $map im Namen der Datei</translation>
+    </message>
+    <message>
+        <source>What the file holds</source>
+        <translation>Was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Several, by channel</source>
+        <translation>Mehrere, je Kanal</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Depth of the file</source>
+        <translation>Tiefe der Datei</translation>
+    </message>
+    <message>
+        <source>As the map’s</source>
+        <translation>Wie die Karte</translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation>karte</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::PresetMenu</name>
     <message>
         <source>Pre&amp;sets</source>
@@ -9579,24 +9844,28 @@ Ziehen Sie ein Bild hierher.</translation>
 <context>
     <name>texloom::ui::ReadingBar</name>
     <message>
-        <source>Reading</source>
-        <translation>Wird gelesen</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stops reading; everything stays as it was.</source>
-        <translation>Beendet das Lesen; alles bleibt, wie es war.</translation>
-    </message>
-    <message>
-        <source>Reading %1 and %2 more…</source>
-        <translation>%1 und %2 weitere werden gelesen …</translation>
-    </message>
-    <message>
         <source>Reading %1…</source>
         <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>Stops; everything stays as it was.</source>
+        <translation>Hört auf; alles bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>Editing %1…</source>
+        <translation>%1 wird bearbeitet …</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
     </message>
 </context>
 <context>

@@ -6188,6 +6188,66 @@
         <source>{} × {} px, {}</source>
         <translation>{} × {} px, {}</translation>
     </message>
+    <message>
+        <source>8 or 16</source>
+        <translation>8 ou 16</translation>
+    </message>
+    <message>
+        <source>A file of the export preset has no word for $map.</source>
+        <translation>Un fichier du préréglage d’export n’a pas de mot pour $map.</translation>
+    </message>
+    <message>
+        <source>How much a small tile that repeats often is preferred to a large one that fits better when a lattice is looked for: 1 not at all, larger finds smaller tiles.</source>
+        <translation>À quel point, lorsqu’un réseau est cherché, une petite tuile souvent répétée est préférée à une grande qui convient mieux : 1 pas du tout, plus grand trouve de plus petites tuiles.</translation>
+    </message>
+    <message>
+        <source>Overlap that counts</source>
+        <translation>Recouvrement retenu</translation>
+    </message>
+    <message>
+        <source>Smaller tiles</source>
+        <translation>Tuiles plus petites</translation>
+    </message>
+    <message>
+        <source>The export preset is of format {}, made by a newer Texloom; this one ({}) reads up to {}.</source>
+        <translation>Le préréglage d’export est au format {}, d’un Texloom plus récent ; celui-ci ({}) lit jusqu’à {}.</translation>
+    </message>
+    <message>
+        <source>The export preset needs a name.</source>
+        <translation>Il faut un nom au préréglage d’export.</translation>
+    </message>
+    <message>
+        <source>The names of files need $map, so that the maps&apos; names differ.</source>
+        <translation>Les noms des fichiers ont besoin de $map, pour que ceux des cartes diffèrent.</translation>
+    </message>
+    <message>
+        <source>The names of files need a letter or a word, such as $name.</source>
+        <translation>Les noms des fichiers ont besoin d’une lettre ou d’un mot, comme $name.</translation>
+    </message>
+    <message>
+        <source>The share of a tile by which the exemplar must overlap itself for a repetition to count when a lattice is looked for: smaller counts those near its ends, which tell less, and finds larger tiles.</source>
+        <translation>La part d’une tuile dont l’échantillon doit se recouvrir lui-même pour qu’une répétition compte lorsqu’un réseau est cherché : plus petite, elle retient celles proches des bords, qui disent moins, et trouve de plus grandes tuiles.</translation>
+    </message>
+    <message>
+        <source>Two files of the export preset have the word {} for $map; give them different ones.</source>
+        <translation>Deux fichiers du préréglage d’export ont le mot {} pour $map ; donnez-leur des mots différents.</translation>
+    </message>
+    <message>
+        <source>as-they-are, up or down</source>
+        <translation>as-they-are, up ou down</translation>
+    </message>
+    <message>
+        <source>export preset</source>
+        <translation>préréglage d’export</translation>
+    </message>
+    <message>
+        <source>{} holds a slash, which no file&apos;s name can.</source>
+        <translation>{} contient une barre oblique, ce qu’aucun nom de fichier ne peut.</translation>
+    </message>
+    <message>
+        <source>{} would be overwritten by the {}: it is {}; name another file.</source>
+        <translation>{0} serait écrasé ({1}), et c&apos;est {2} ; nommez un autre fichier.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6745,14 +6805,6 @@
         <translation>Réseaux au choix</translation>
     </message>
     <message>
-        <source>First vector</source>
-        <translation>Premier vecteur</translation>
-    </message>
-    <message>
-        <source>Second vector</source>
-        <translation>Second vecteur</translation>
-    </message>
-    <message>
         <source>Goodness</source>
         <translation>Qualité</translation>
     </message>
@@ -6767,6 +6819,18 @@
     <message>
         <source>Mean correlation %1 over %2 multiples of the vectors</source>
         <translation>Corrélation moyenne %1 sur %2 multiples des vecteurs</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>A small result with this lattice</source>
+        <translation>Un petit résultat avec ce réseau</translation>
+    </message>
+    <message>
+        <source>Vectors</source>
+        <translation>Vecteurs</translation>
     </message>
 </context>
 <context>
@@ -7308,6 +7372,14 @@
         <source>Take back an edit</source>
         <translation>Annuler une retouche</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>%1 (being made)</source>
+        <translation>%1 (en cours)</translation>
+    </message>
 </context>
 <context>
     <name>texloom::ui::ExemplarPanel</name>
@@ -7674,6 +7746,18 @@ Déposez une image ici.</translation>
     <message>
         <source>%1, %2 values clipped</source>
         <translation>%1, %2 valeurs écrêtées</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>Make and change presets of your own</source>
+        <translation>Créer et modifier ses propres préréglages</translation>
+    </message>
+    <message>
+        <source>Edit export presets</source>
+        <translation>Modifier les préréglages d’export</translation>
     </message>
 </context>
 <context>
@@ -8190,6 +8274,17 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::LatticeSearchForm</name>
+    <message>
+        <source>Advanced</source>
+        <translation>Avancé</translation>
+    </message>
+    <message>
+        <source>What decides between lattices when one is looked for</source>
+        <translation>Ce qui départage les réseaux lors de la recherche</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::LatticeTool</name>
     <message>
         <source>Exemplar with its lattice</source>
@@ -8317,6 +8412,10 @@ Déposez une image ici.</translation>
     <message>
         <source>%1 holds several pictures. Which one is to be taken?</source>
         <translation>%1 contient plusieurs images. Laquelle faut-il prendre ?</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -9506,6 +9605,172 @@ Déposez une image ici.</translation>
     </message>
 </context>
 <context>
+    <name>texloom::ui::PresetEditor</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copier</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Add a file</source>
+        <translation>&amp;Ajouter un fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Remove file</source>
+        <translation>&amp;Retirer le fichier</translation>
+    </message>
+    <message>
+        <source>Export presets</source>
+        <translation>Préréglages d’export</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Garder</translation>
+    </message>
+    <message>
+        <source>A preset of your own that begins as the chosen one is</source>
+        <translation>Un préréglage à soi, d’abord pareil à celui choisi</translation>
+    </message>
+    <message>
+        <source>The name of the files. $name is the exemplar&apos;s, $map the kind of map; there is $method, $seed, $w, $h, $size and $place, too.</source>
+        <translation>Le nom des fichiers. $name est celui de l’échantillon, $map le type de carte ; il y a aussi $method, $seed, $w, $h, $size et $place.</translation>
+    </message>
+    <message>
+        <source>The word that stands for $map in the name of the colours; may be empty</source>
+        <translation>Le mot qui remplace $map dans le nom des couleurs ; peut être vide</translation>
+    </message>
+    <message>
+        <source>As they are</source>
+        <translation>Telles quelles</translation>
+    </message>
+    <message>
+        <source>OpenGL, green up</source>
+        <translation>OpenGL, vert vers le haut</translation>
+    </message>
+    <message>
+        <source>DirectX, green down</source>
+        <translation>DirectX, vert vers le bas</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titre</translation>
+    </message>
+    <message>
+        <source>&amp;Names of files</source>
+        <translation>&amp;Noms des fichiers</translation>
+    </message>
+    <message>
+        <source>C&amp;olours are called</source>
+        <translation>N&amp;om des couleurs</translation>
+    </message>
+    <message>
+        <source>No&amp;rmals</source>
+        <translation>No&amp;rmales</translation>
+    </message>
+    <message>
+        <source>%1, copy</source>
+        <translation>%1, copie</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>This one comes with Texloom. Copy it to change it.</source>
+        <translation>Celui-ci vient avec Texloom. Copiez-le pour le modifier.</translation>
+    </message>
+    <message>
+        <source>New; kept with “Keep”.</source>
+        <translation>Nouveau ; enregistré par « Garder ».</translation>
+    </message>
+    <message>
+        <source>On the command line: --export-preset %1</source>
+        <translation>En ligne de commande : --export-preset %1</translation>
+    </message>
+</context>
+<context>
+    <name>texloom::ui::PresetFilesTable</name>
+    <message>
+        <source>Smoothness</source>
+        <translation>Lissé</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Noir</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanc</translation>
+    </message>
+    <message>
+        <source>Files beside the colours</source>
+        <translation>Fichiers à côté des couleurs</translation>
+    </message>
+    <message>
+        <source>$map</source>
+        <translation>$map</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Contient</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
+        <source>The word that stands for $map in the file&apos;s name</source>
+        <translation>Le mot qui remplace $map dans le nom du fichier</translation>
+    </message>
+    <message>
+        <source>What the file holds</source>
+        <translation>Ce que le fichier contient</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normales</translation>
+    </message>
+    <message>
+        <source>Several, by channel</source>
+        <translation>Plusieurs, par canal</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Depth of the file</source>
+        <translation>Profondeur du fichier</translation>
+    </message>
+    <message>
+        <source>As the map’s</source>
+        <translation>Comme la carte</translation>
+    </message>
+    <message>
+        <source>map</source>
+        <translation>carte</translation>
+    </message>
+</context>
+<context>
     <name>texloom::ui::PresetMenu</name>
     <message>
         <source>Pre&amp;sets</source>
@@ -9579,24 +9844,28 @@ Déposez une image ici.</translation>
 <context>
     <name>texloom::ui::ReadingBar</name>
     <message>
-        <source>Reading</source>
-        <translation>Lecture</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Stops reading; everything stays as it was.</source>
-        <translation>Arrête la lecture ; tout reste comme avant.</translation>
-    </message>
-    <message>
-        <source>Reading %1 and %2 more…</source>
-        <translation>Lecture de %1 et de %2 autres…</translation>
-    </message>
-    <message>
         <source>Reading %1…</source>
         <translation>Lecture de %1…</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Stops; everything stays as it was.</source>
+        <translation>Arrête ; tout reste comme avant.</translation>
+    </message>
+    <message>
+        <source>Editing %1…</source>
+        <translation>Retouche de %1…</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
     </message>
 </context>
 <context>

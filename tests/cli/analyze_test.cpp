@@ -48,6 +48,20 @@ TEST_F(AnalyzeLattice, PrintsVectorsRunnersUpAndTimeAsJson) {
     EXPECT_EQ(candidates[0].at("wrappingRectangle"), Json::parse("[43, 16]"));
 }
 
+TEST_F(AnalyzeLattice, TakesWhatDecidesBetweenLattices) {
+    writeImage(m_folder / "squares.png", nearlyAlikeSquares(), {});
+    const auto area = [&](const char* alpha) {
+        const Ended ended = run({"squares.png", "--json", "--alpha", alpha, "--significance", "0.9"});
+        EXPECT_EQ(ended.status, 0) << ended.err;
+        const Json best = Json::parse(ended.out).at("candidates")[0];
+        return Lattice{{best["v1"][0], best["v1"][1]}, {best["v2"][0], best["v2"][1]}}.area();
+    };
+    EXPECT_NEAR(area("1.12"), 512, 10);
+    EXPECT_NEAR(area("1.4"), 256, 10);
+    EXPECT_EQ(run({"squares.png", "--alpha", "0.5"}).status, 2);
+    EXPECT_EQ(run({"squares.png", "--significance", "1.5"}).status, 2);
+}
+
 TEST_F(AnalyzeLattice, PrintsTextAndWritesThePicture) {
     const Ended ended = run({"tiles.png", "--picture", "gamma.exr"});
     ASSERT_EQ(ended.status, 0) << ended.err;

@@ -220,4 +220,14 @@ CoursesCase coursesCase(int index) {
     return made;
 }
 
+Image nearlyAlikeSquares() {
+    Image board({160, 160}, 1);
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const bool joint = x % 16 < 2 || y % 16 < 2;
+            board(x, y, 0) = joint ? 0.0F : (x / 16 + y / 16) % 2 == 0 ? 0.9F : 0.68F;
+        }
+    return board;
+}
+
 } // namespace texloom::test

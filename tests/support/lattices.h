@@ -29,6 +29,9 @@ Image coursesTexture(Size size, int channels, Vec2 along, double distance, const
 /// and blots that repeat nowhere. @param along unit vector of the planks.
 Image planksTexture(Size size, int channels, Vec2 along, double widest, std::uint64_t seed);
 
+/// Squares of 16 px with joints, each second one a little darker: two of them are the tile, or nearly one.
+Image nearlyAlikeSquares();
+
 /// One random case of the kinds that a lattice comes in.
 struct LatticeCase {
     std::string kind; ///< square, rectangular, hexagonal, oblique or brick bond

@@ -56,7 +56,7 @@ class ExemplarsTest : public QObject {
         QTRY_VERIFY(m_window->findChild<LayerDialog*>() != nullptr);
         auto* dialog = m_window->findChild<LayerDialog*>();
         auto* list = child<QListWidget>(*dialog, "layers");
-        const QList<QListWidgetItem*> found = list->findItems(name, Qt::MatchExactly);
+        const QList<QListWidgetItem*> found = list->findItems(name, Qt::MatchStartsWith);
         QCOMPARE(found.size(), 1);
         list->setCurrentItem(found.front());
         dialog->accept();
@@ -138,7 +138,7 @@ private Q_SLOTS:
         auto* dialog = m_window->findChild<LayerDialog*>();
         auto* list = child<QListWidget>(*dialog, "layers");
         QCOMPARE(list->count(), 2);
-        QCOMPARE(list->item(1)->text(), QStringLiteral("diffuse"));
+        QCOMPARE(list->item(1)->text(), QStringLiteral("diffuse (R, G, B)"));
         list->setCurrentRow(1);
         QSignalSpy opened(m_window->store(), &ExemplarStore::opened);
         dialog->accept();

@@ -5,6 +5,9 @@
 #include "ui/common/message_bar.h"
 #include "ui/common/text.h"
 #include "ui/export/export_dialog.h"
+#include "ui/export/own_presets.h"
+#include "ui/export/preset_editor.h"
+#include "ui/export/preset_files_table.h"
 #include "ui/inspector/output_group.h"
 #include "ui/maps/result_view.h"
 
@@ -16,8 +19,10 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QToolButton>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -27,6 +32,7 @@ class ExportTest : public QObject {
 
 private Q_SLOTS:
     void initTestCase() {
+        QDir(OwnExportPresets::folder()).removeRecursively(); // of a run that was broken off
         m_window = std::make_unique<MainWindow>();
         m_window->show();
         QVERIFY(openAndFinish(*m_window, writeTexture(m_folder, QStringLiteral("felt.png"), {48, 48})));
@@ -71,6 +77,75 @@ private Q_SLOTS:
         auto* preset = child<QComboBox>(*dialog, "exportPreset");
         preset->setCurrentIndex(preset->findData(QStringLiteral("unreal")));
         QCOMPARE(table->item(0, 0)->text(), QStringLiteral("T_felt_BC.png"));
+        dialog->reject();
+    }
+
+    void presetsOfOnesOwnAreMadeChangedAndDeleted() {
+        const QTemporaryDir target;
+        ExportDialog* const dialog = openDialog(target.path());
+        auto* presets = child<QComboBox>(*dialog, "exportPreset");
+        presets->setCurrentIndex(presets->findData(QStringLiteral("unreal")));
+        const auto open = [&] {
+            // The one before it goes away later.
+            if (!QTest::qWaitFor([&] { return dialog->findChild<PresetEditor*>() == nullptr; }))
+                qFatal("the editor stays");
+            child<QToolButton>(*dialog, "exportEditPresets")->click();
+            auto* editor = child<PresetEditor>(*dialog, "presetEditor");
+            settle();
+            return editor;
+        };
+        PresetEditor* editor = open();
+        auto* list = child<QListWidget>(*editor, "presetList");
+        QCOMPARE(list->currentItem()->text(), QStringLiteral("Unreal Engine"));
+        QVERIFY(!child<QLineEdit>(*editor, "presetPattern")->isEnabled()); // Texloom's own
+        child<QPushButton>(*editor, "addPreset")->click();
+        const auto type = [&](const char* name, const QString& text) {
+            auto* field = child<QLineEdit>(*editor, name);
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, text);
+        };
+        type("presetTitle", QStringLiteral("Our engine"));
+        QCOMPARE(list->currentItem()->text(), QStringLiteral("Our engine"));
+        auto* keep = child<QPushButton>(*editor, "keepPresets");
+        type("presetPattern", QStringLiteral("tex_$name"));
+        QVERIFY2(!keep->isEnabled(), "maps would have one name");
+        QVERIFY(child<QLabel>(*editor, "presetNote")->text().contains(QStringLiteral("$map")));
+        type("presetPattern", QStringLiteral("tex_$name_$map"));
+        type("presetColor", QStringLiteral("col"));
+        auto* files = child<PresetFilesTable>(*editor, "presetFiles");
+        const std::vector<PresetFile> unreal = findExportPreset("unreal").files;
+        QCOMPARE(files->rowCount(), static_cast<int>(unreal.size()));
+        child<QPushButton>(*editor, "addPresetFile")->click();
+        files->item(files->rowCount() - 1, PresetFilesTable::Word)->setText(QStringLiteral("rough"));
+        auto* holds =
+            qobject_cast<QComboBox*>(files->cellWidget(files->rowCount() - 1, PresetFilesTable::Holds));
+        holds->setCurrentIndex(holds->findData(static_cast<int>(MapRole::Roughness)));
+        Q_EMIT holds->activated(holds->currentIndex());
+        QVERIFY(keep->isEnabled());
+        keep->click();
+
+        QCOMPARE(presets->currentText(), QStringLiteral("Our engine"));
+        ExportPreset kept = dialog->options().preset;
+        QVERIFY((kept.files.back() == PresetFile{"rough", MapRole::Roughness}));
+        kept.files.pop_back();
+        QVERIFY(kept.files.size() == unreal.size() && kept.files[1] == unreal[1]);
+        QCOMPARE(child<QTableWidget>(*dialog, "exportTable")->item(0, 0)->text(),
+                 QStringLiteral("tex_felt_col.png"));
+        const QString file = OwnExportPresets::fileOf(kept);
+        QVERIFY(exportPresetFrom(file.toStdString()) == dialog->options().preset);
+
+        editor = open();
+        list = child<QListWidget>(*editor, "presetList");
+        QCOMPARE(list->currentItem()->text(), QStringLiteral("Our engine"));
+        child<QPushButton>(*editor, "removePreset")->click();
+        QTest::keyClick(editor, Qt::Key_Escape);
+        QVERIFY2(QFile::exists(file), "not before it is kept");
+        editor = open();
+        child<QPushButton>(*editor, "removePreset")->click();
+        child<QPushButton>(*editor, "keepPresets")->click();
+        QVERIFY(!QFile::exists(file));
+        QVERIFY(presets->findText(QStringLiteral("Our engine")) < 0);
         dialog->reject();
     }
 

@@ -5,13 +5,19 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/text.h"
 #include "ui/inspector/inspector.h"
+#include "ui/lattice/candidate_table.h"
+#include "ui/lattice/lattice_previews.h"
 #include "ui/lattice/lattice_tool.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <QToolButton>
+
+#include <map>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -84,6 +90,82 @@ private Q_SLOTS:
         QVERIFY(std::abs(right->value - given->reduced().v1.x) < 1e-9);
         window.inspector()->resetAll();
         QVERIFY2(tool.useText().contains(QStringLiteral("by itself")), qPrintable(tool.useText()));
+    }
+
+    void everyCandidateShowsTheResultThatItGives() {
+        MainWindow window;
+        std::map<int, std::shared_ptr<const DisplayPicture>> made;
+        connect(window.lattice()->findChild<LatticePreviews*>(), &LatticePreviews::made, this,
+                [&](int row, const std::shared_ptr<const DisplayPicture>& picture) { made[row] = picture; });
+        QVERIFY(openLattice(window, m_bricks));
+        const LatticeTool& tool = *window.lattice();
+        const auto& candidates = tool.analysis()->candidates;
+        QVERIFY(candidates.size() > 1);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), candidates.size(), kPatience);
+        auto* const table = child<QTableWidget>(tool, "latticeCandidates");
+        for (int row = 0; row < table->rowCount(); ++row)
+            QVERIFY(!table->item(row, CandidateTable::Result)->icon().isNull());
+        // What was made with the right lattice has it, and a wrong one gives something else.
+        const LatticeAnalysis ofFirst = analyzeLattice(made[0]->values());
+        QVERIFY(ofFirst.found());
+        QVERIFY(ofFirst.candidates.front().lattice.like(kBricks, 1));
+        QVERIFY(made[1]->image() != made[0]->image());
+
+        const std::shared_ptr<const DisplayPicture> blocks = made[0];
+        made.clear();
+        auto* const method = child<QComboBox>(window, "method");
+        method->setCurrentIndex(method->findData(QStringLiteral("regular-tile")));
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), candidates.size(), kPatience);
+        QVERIFY2(made[0]->image() != blocks->image(), "the method that would use it makes it");
+    }
+
+    void previewsLoseNoLattice() {
+        for (const Size exemplar : {Size{64, 64}, Size{220, 200}, Size{4096, 1024}, Size{8192, 8192}})
+            for (const double large : {8.0, 40.0, 300.0, 2000.0})
+                for (const double small : {4.0, 11.0, 90.0}) {
+                    const std::vector<Lattice> lattices = {
+                        {{large, 0}, {large / 2, large}}, {{small, 1}, {0, small}}, {{1, 0}, {0, small}}};
+                    if (2 * large > exemplar.shorterSide() || small > large)
+                        continue;
+                    const LatticePreviewFrame frame = previewFrame(exemplar, lattices);
+                    QVERIFY(frame.part.within(exemplar));
+                    QVERIFY(frame.scale <= 1 && frame.output.longerSide() <= 256);
+                    QVERIFY(frame.scale * small >= std::min(small, 5.0) - 1e-9);
+                    QVERIFY(frame.part.size.shorterSide() >=
+                            std::min<double>(2 * large, exemplar.shorterSide()) - 1);
+                }
+    }
+
+    void whatDecidesBetweenLatticesCanBeChangedAndUndone() {
+        MainWindow window;
+        const QString squares = m_folder.filePath(QStringLiteral("squares.png"));
+        writeImage(toPath(squares), test::nearlyAlikeSquares(), {});
+        QVERIFY(openLattice(window, squares));
+        const LatticeTool& tool = *window.lattice();
+        const auto area = [&] { return std::lround(tool.lattice()->area() / 256); };
+        QCOMPARE(area(), 2);
+        child<QToolButton>(tool, "latticeAdvanced")->click();
+        auto* const alpha = child<QWidget>(tool, "alphaEditor")->findChild<QDoubleSpinBox*>();
+        QVERIFY(alpha->isVisible());
+        alpha->setFocus();
+        alpha->selectAll();
+        QTest::keyClicks(alpha, QLocale().toString(1.4));
+        QTest::keyClick(alpha, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(area(), 1, kPatience);
+        QCOMPARE(tool.analysis()->criteria.alpha, 1.4);
+        child<QAction>(window, "undo")->trigger();
+        QCOMPARE(alpha->value(), 1.12);
+        QTRY_COMPARE_WITH_TIMEOUT(tool.analysis()->criteria.alpha, 1.12, kPatience);
+        QCOMPARE(area(), 2);
+        child<QAction>(window, "redo")->trigger();
+        QCOMPARE(alpha->value(), 1.4);
+        QTRY_COMPARE_WITH_TIMEOUT(area(), 1, kPatience);
+        // What was drawn by hand stays whatever is found.
+        child<QDoubleSpinBox>(tool, "latticeV1x")->setValue(31);
+        const Lattice drawn = *tool.lattice();
+        alpha->setValue(1.5);
+        QTRY_COMPARE_WITH_TIMEOUT(tool.analysis()->criteria.alpha, 1.5, kPatience);
+        QVERIFY(*tool.lattice() == drawn);
     }
 
     void handlesMoveByKeysMouseAndNumbers() {
@@ -195,7 +277,8 @@ private Q_SLOTS:
         QVERIFY(openLattice(window, courses));
         const LatticeTool& tool = *window.lattice();
         QVERIFY2(tool.verdict().contains(QStringLiteral("in rows")), qPrintable(tool.verdict()));
-        QCOMPARE(child<QTableWidget>(tool, "latticeCandidates")->item(0, 0)->text(), QStringLiteral("free"));
+        const auto* const table = child<QTableWidget>(tool, "latticeCandidates");
+        QVERIFY(table->item(0, CandidateTable::Vectors)->text().startsWith(QStringLiteral("free")));
         // The handle of the free vector lies beside the origin, where it can be taken.
         LatticeCanvas* const canvas = tool.canvas();
         const QPointF origin = canvas->view().toWidget({canvas->origin().x, canvas->origin().y});

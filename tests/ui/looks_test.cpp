@@ -1,7 +1,10 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/common/appearance.h"
 #include "ui/common/language.h"
+#include "ui/exemplar/layer_dialog.h"
+#include "ui/export/preset_editor.h"
 #include "ui/maps/result_view.h"
+#include "ui/session/missing_files_dialog.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -20,6 +23,8 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 using namespace texloom;
 using namespace texloom::ui;
@@ -54,7 +59,33 @@ QString misfit(QWidget& window, QSize screen) {
             .arg(window.height());
     if (const QString cut = cutText(window); !cut.isEmpty())
         return QStringLiteral("cut in %1: “%2”").arg(window.windowTitle(), cut);
+    if (const QString wrong = misplaced(window); !wrong.isEmpty())
+        return QStringLiteral("in %1: %2").arg(window.windowTitle(), wrong);
     return {};
+}
+
+/// A file with layers, one of which has a long name.
+LayerQuestion layers() {
+    LayerQuestion question{
+        QStringLiteral("/materials/cobblestone courtyard after the rain, all passes.exr"), {}, {}};
+    question.entries.push_back({"", QStringLiteral("All channels")});
+    for (const char* layer : {"beauty", "diffuse.direct", "diffuse.indirect", "specular.direct", "normal",
+                              "a layer whose name somebody wrote in full, with all that it is for"})
+        question.entries.push_back({layer, QString::fromUtf8(layer)});
+    return question;
+}
+
+/// The dialogs that no action opens by itself, for something that happens seldom.
+std::vector<std::unique_ptr<QDialog>> seldomDialogs(MainWindow& window) {
+    std::vector<std::unique_ptr<QDialog>> all;
+    all.push_back(std::make_unique<LayerDialog>(layers(), &window));
+    all.push_back(std::make_unique<PresetEditor>(QStringLiteral("unity"), &window));
+    all.push_back(std::make_unique<MissingFilesDialog>(
+        window.session(),
+        QStringList{QStringLiteral("materials/a long folder name/bark_albedo.png"),
+                    QStringLiteral("materials/bark_normal.png")},
+        &window));
+    return all;
 }
 
 } // namespace
@@ -160,42 +191,59 @@ private Q_SLOTS:
         QCOMPARE(repeat->isChecked(), before); // a letter of the text
     }
 
-    void allFitsASmallScreen_data() { languages(); }
+    void allFitsASmallScreen_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QSize>("screen");
+        for (const char* language : {"en", "de", "fr"})
+            QTest::addRow("%s", language) << QString(QLatin1String(language)) << QSize(1366, 768);
+    }
 
-    /// Offscreen screens are small anyway; what counts is what windows ask for.
+    /// Offscreen screens are small anyway; what counts is what windows ask for, in points of the screen.
     void allFitsASmallScreen() {
         QFETCH(QString, language);
-        constexpr QSize kSmall(1366, 768);
+        QFETCH(QSize, screen);
         useLanguage(QLocale(language));
         QTemporaryDir folder;
         MainWindow window;
         window.show();
         QVERIFY(openAndFinish(window, writeTexture(folder, QStringLiteral("fits.png"), {64, 64})));
-        for (const QSize screen : {kSmall, kSmall + QSize(200, 100)}) {
-            window.resize(screen);
+        for (const QSize size : {screen, screen + QSize(200, 100)}) {
+            window.resize(size);
             settle();
-            auto* tabs = child<QTabWidget>(window, "resultTabs");
-            for (int tab = 0; tab < tabs->count(); ++tab) {
-                if (!tabs->isTabVisible(tab))
-                    continue;
-                tabs->setCurrentIndex(tab);
-                settle();
-                const QString wrong = misfit(window, screen);
-                QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1, tab %2").arg(wrong).arg(tab)));
-            }
-            tabs->setCurrentIndex(0);
-            auto* run = child<QWidget>(window, "runButton");
-            const QRect place(run->mapTo(&window, QPoint()), run->size());
-            QVERIFY(run->visibleRegion().boundingRect() == run->rect() && window.rect().contains(place));
-            const double canvas = window.centralWidget()->width();
-            QVERIFY2(canvas >= 0.45 * screen.width(), // German has the longest words
-                     qPrintable(QStringLiteral("canvas %1 of %2").arg(canvas).arg(screen.width())));
+            tabsFit(window, size);
+            if (QTest::currentTestFailed())
+                return;
         }
-        window.resize(kSmall);
+        window.resize(screen);
+        dialogsFit(window, screen);
+    }
+
+private:
+    static void tabsFit(MainWindow& window, QSize screen) {
+        auto* tabs = child<QTabWidget>(window, "resultTabs");
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            if (!tabs->isTabVisible(tab))
+                continue;
+            tabs->setCurrentIndex(tab);
+            settle();
+            const QString wrong = misfit(window, screen);
+            QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1, tab %2").arg(wrong).arg(tab)));
+        }
+        tabs->setCurrentIndex(0);
+        auto* run = child<QWidget>(window, "runButton");
+        const QRect place(run->mapTo(&window, QPoint()), run->size());
+        QVERIFY(run->visibleRegion().boundingRect() == run->rect() && window.rect().contains(place));
+        const double canvas = window.centralWidget()->width();
+        QVERIFY2(canvas >= 0.45 * screen.width(), // German has the longest words
+                 qPrintable(QStringLiteral("canvas %1 of %2").arg(canvas).arg(screen.width())));
+    }
+
+    static void dialogsFit(MainWindow& window, QSize screen) {
         for (const char* name : {"shortcuts", "export", "sweep", "trySome", "stress", "variance", "blend",
-                                 "extendCanvas", "about"}) {
+                                 "extendCanvas", "about", "editExemplar", "keepPreset"}) {
             auto* action = window.findChild<QAction*>(QLatin1String(name));
-            if (action == nullptr || !action->isEnabled())
+            QVERIFY2(action != nullptr, name);
+            if (!action->isEnabled())
                 continue;
             action->trigger();
             settle();
@@ -203,19 +251,34 @@ private Q_SLOTS:
             for (QDialog* open : window.findChildren<QDialog*>())
                 if (open->isVisible())
                     dialog = open;
-            if (dialog == nullptr)
+            if (dialog == nullptr) {
+                const QString wrong = misfit(window, screen); // a page of its own
+                QVERIFY2(wrong.isEmpty(),
+                         qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(name), wrong)));
                 continue;
-            const QString wrong = misfit(*dialog, kSmall);
-            const QSize least = dialog->minimumSizeHint();
-            QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(QLatin1String(name), wrong)));
-            QVERIFY2(least.width() <= kSmall.width() && least.height() <= kSmall.height(), name);
+            }
+            dialogFits(*dialog, screen);
+            if (QTest::currentTestFailed())
+                return;
             QTest::keyClick(dialog, Qt::Key_Escape);
             settle();
             QVERIFY2(!window.findChildren<QDialog*>().contains(dialog) || !dialog->isVisible(), name);
         }
+        for (const auto& dialog : seldomDialogs(window)) {
+            dialog->show();
+            settle();
+            dialogFits(*dialog, screen);
+        }
     }
 
-private:
+    static void dialogFits(QDialog& dialog, QSize screen) {
+        const QString wrong = misfit(dialog, screen);
+        const QSize least = dialog.minimumSizeHint();
+        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(dialog.objectName(), wrong)));
+        QVERIFY2(least.width() <= screen.width() && least.height() <= screen.height(),
+                 qPrintable(dialog.objectName()));
+    }
+
     static void languages() {
         QTest::addColumn<QString>("language");
         for (const char* language : {"en", "de", "fr"})

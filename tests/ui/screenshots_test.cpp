@@ -15,10 +15,12 @@
 #include "ui/exemplar/exemplar_panel.h"
 #include "ui/exemplar/files.h"
 #include "ui/export/export_dialog.h"
+#include "ui/export/preset_editor.h"
 #include "ui/inspector/inspector.h"
 #include "ui/inspector/output_group.h"
 #include "ui/inspector/param_row.h"
 #include "ui/jobs/run_panel.h"
+#include "ui/lattice/lattice_previews.h"
 #include "ui/lattice/lattice_tool.h"
 #include "ui/maps/result_view.h"
 #include "ui/plots/figures_panel.h"
@@ -331,6 +333,7 @@ private:
         trigger(window, "lattice");
         QTRY_VERIFY_WITH_TIMEOUT(window.lattice()->analysis(), 60'000);
         window.lattice()->canvas()->setHandle(LatticeCanvas::Handle::First);
+        QTRY_VERIFY_WITH_TIMEOUT(!child<LatticePreviews>(window, "latticePreviews")->running(), 60'000);
         shoot(window, "lattice");
         child<QPushButton>(window, "useLattice")->click();
         QSignalSpy finished(window.desk()->controller(), &RunController::finished);
@@ -471,6 +474,13 @@ private:
         QVERIFY(dialog != nullptr);
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
         shoot(*dialog, "export");
+        child<QToolButton>(*dialog, "exportEditPresets")->click();
+        auto* presets = child<PresetEditor>(*dialog, "presetEditor");
+        child<QListWidget>(*presets, "presetList")->setCurrentRow(2);
+        child<QPushButton>(*presets, "addPreset")->click();
+        QVERIFY(QTest::qWaitForWindowExposed(presets));
+        shoot(*presets, "export-presets");
+        presets->reject();
         dialog->reject();
         trigger(window, "shortcuts");
         auto* keys = child<QDialog>(window, "shortcutsDialog");

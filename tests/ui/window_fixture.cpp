@@ -7,17 +7,27 @@
 #include "ui/common/background.h"
 #include "ui/common/text.h"
 
+#include <QAbstractScrollArea>
 #include <QAccessible>
 #include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QGroupBox>
+#include <QHeaderView>
 #include <QLabel>
+#include <QLayout>
+#include <QMainWindow>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QStackedWidget>
 #include <QStandardPaths>
+#include <QStyleOptionComboBox>
 #include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace texloom::ui {
 
@@ -82,6 +92,116 @@ void settle() {
         QCoreApplication::processEvents();
 }
 
+namespace {
+
+/// The text of a list of choices that is shorter than what is chosen; those that shorten names on purpose do
+/// not count.
+QString cutChoice(const QWidget& window) {
+    for (const auto* box : window.findChildren<QComboBox*>()) {
+        if (!box->isVisible() || box->isEditable() ||
+            box->sizeAdjustPolicy() == QComboBox::AdjustToMinimumContentsLengthWithIcon)
+            continue;
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect room =
+            box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        const int icon = box->itemIcon(box->currentIndex()).isNull() ? 0 : box->iconSize().width() + 4;
+        if (box->fontMetrics().horizontalAdvance(box->currentText()) + icon > room.width())
+            return box->currentText();
+    }
+    return {};
+}
+
+QString cutTitle(const QWidget& window) {
+    for (const auto* group : window.findChildren<QGroupBox*>())
+        if (group->isVisible() && group->width() < group->minimumSizeHint().width())
+            return group->title();
+    for (const auto* header : window.findChildren<QHeaderView*>())
+        for (int i = 0; header->isVisible() && header->orientation() == Qt::Horizontal && i < header->count();
+             ++i)
+            if (!header->isSectionHidden(i) && header->sectionSize(i) < header->sectionSizeHint(i))
+                return header->model()->headerData(i, Qt::Horizontal).toString();
+    return {};
+}
+
+QString nameOf(const QWidget& widget) {
+    const QWidget* const around = widget.parentWidget();
+    return QStringLiteral("%1 %2 in %3")
+        .arg(QLatin1String(widget.metaObject()->className()), widget.objectName(),
+             around != nullptr ? around->objectName() : QString());
+}
+
+/// The widgets that a layout and those in it give places to.
+void gather(const QLayout& layout, std::vector<const QWidget*>& widgets) {
+    for (int i = 0; i < layout.count(); ++i) {
+        if (const QLayout* inner = layout.itemAt(i)->layout())
+            gather(*inner, widgets);
+        if (const QWidget* widget = layout.itemAt(i)->widget(); widget != nullptr && widget->isVisible())
+            widgets.push_back(widget);
+    }
+}
+
+/// Two of them that share a pixel.
+QString overlapping(const std::vector<const QWidget*>& widgets) {
+    for (std::size_t i = 0; i < widgets.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!widgets[i]->geometry().intersected(widgets[j]->geometry()).isEmpty())
+                return QStringLiteral("%1 lies on %2").arg(nameOf(*widgets[i]), nameOf(*widgets[j]));
+    return {};
+}
+
+/// Whether a widget is wider than what is seen of it, and cannot be scrolled to the rest.
+bool reachesBeyond(const QWidget& widget) {
+    for (const QWidget* around = widget.parentWidget(); around != nullptr; around = around->parentWidget()) {
+        const auto* area = qobject_cast<const QAbstractScrollArea*>(around->parentWidget());
+        const bool viewport = area != nullptr && area->viewport() == around;
+        if (viewport && area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff)
+            return false;
+        if (!viewport && !around->isWindow())
+            continue;
+        const QRect place(widget.mapTo(around, QPoint()), widget.size());
+        return place.left() < 0 || place.right() >= around->width() ||
+               (around->isWindow() && (place.top() < 0 || place.bottom() >= around->height()));
+    }
+    return false;
+}
+
+/// Whether a widget lies in a dock that another one hides, which Qt puts beyond the window.
+bool inHiddenDock(const QWidget& widget) {
+    for (const QWidget* around = &widget; around != nullptr; around = around->parentWidget())
+        if (qobject_cast<const QDockWidget*>(around) != nullptr)
+            return around->visibleRegion().isEmpty();
+    return false;
+}
+
+/// Whether a widget lays others out beside each other; pages and docks in tabs lie on one another.
+bool givesPlaces(const QWidget& parent) {
+    return parent.layout() != nullptr && !parent.layout()->inherits("QStackedLayout") &&
+           qobject_cast<const QStackedWidget*>(&parent) == nullptr &&
+           qobject_cast<const QMainWindow*>(&parent) == nullptr &&
+           qobject_cast<const QDockWidget*>(&parent) == nullptr;
+}
+
+} // namespace
+
+QString misplaced(const QWidget& window) {
+    QList<const QWidget*> parents(1, &window);
+    for (const QWidget* inner : window.findChildren<QWidget*>())
+        parents += inner;
+    for (const QWidget* parent : parents) {
+        if (!parent->isVisible() || !givesPlaces(*parent) || inHiddenDock(*parent))
+            continue;
+        std::vector<const QWidget*> widgets;
+        gather(*parent->layout(), widgets);
+        if (const QString wrong = overlapping(widgets); !wrong.isEmpty())
+            return wrong;
+        for (const QWidget* widget : widgets)
+            if (widget->width() > 0 && reachesBeyond(*widget))
+                return QStringLiteral("%1 reaches beyond").arg(nameOf(*widget));
+    }
+    return {};
+}
+
 QString cutText(const QWidget& window) {
     for (const auto* button : window.findChildren<QAbstractButton*>()) {
         const auto* tool = qobject_cast<const QToolButton*>(button);
@@ -98,7 +218,8 @@ QString cutText(const QWidget& window) {
         if (label->isVisible() && label->width() > 0 && !label->text().isEmpty() && cut)
             return label->text();
     }
-    return {};
+    const QString choice = cutChoice(window);
+    return choice.isEmpty() ? cutTitle(window) : choice;
 }
 
 QStringList namelessControls(const QWidget& window) {

@@ -36,6 +36,10 @@ void settle();
 /// The first text in a window that has less room than it asks for; empty if all are whole.
 QString cutText(const QWidget& window);
 
+/// The first two widgets of a layout that lie on each other, or one that reaches beyond the window or the
+/// area that scrolls it; empty if all have their place.
+QString misplaced(const QWidget& window);
+
 /// Names of the widgets in a window that take the focus but that a screen reader could not tell.
 QStringList namelessControls(const QWidget& window);
 

@@ -27,10 +27,10 @@ ReadingBar::ReadingBar(QWidget* parent) : QFrame(parent), m_text(new ElidedLabel
     busy->setRange(0, 0); // how long it takes, nobody knows
     busy->setTextVisible(false);
     busy->setFixedWidth(fontMetrics().averageCharWidth() * kBarWidth);
-    busy->setAccessibleName(tr("Reading"));
+    busy->setAccessibleName(tr("Working"));
     auto* cancel = new QPushButton(tr("Cancel"), this);
     cancel->setObjectName(QStringLiteral("cancelReading"));
-    cancel->setToolTip(tr("Stops reading; everything stays as it was."));
+    cancel->setToolTip(tr("Stops; everything stays as it was."));
     auto* row = new QHBoxLayout(this);
     row->addWidget(busy);
     row->addWidget(m_text, 1);
@@ -50,8 +50,11 @@ void ReadingBar::refresh() {
         return hide();
     }
     const int others = readings.count() - 1;
-    m_text->setFullText(others > 0 ? tr("Reading %1 and %2 more…").arg(readings.what()).arg(others)
-                                   : tr("Reading %1…").arg(readings.what()));
+    const std::shared_ptr<const Readings::Reading> first = readings.first();
+    const QString doing = first->doing == Readings::Doing::Edit ? tr("Editing %1…") : tr("Reading %1…");
+    const QString what =
+        others > 0 ? tr("%1 and %2 more").arg(first->what, QString::number(others)) : first->what;
+    m_text->setFullText(doing.arg(what));
     if (!isVisible() && !m_patience.isActive())
         m_patience.start();
 }

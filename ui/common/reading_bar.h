@@ -7,7 +7,7 @@ namespace texloom::ui {
 
 class ElidedLabel;
 
-/// Says which file is being read, once that takes longer than a moment, and offers to break it off.
+/// Says which file is being read or edited, once that takes longer than a moment, and offers to break it off.
 class ReadingBar : public QFrame {
     Q_OBJECT
 

@@ -12,10 +12,10 @@ Readings& Readings::all() {
     return readings;
 }
 
-std::shared_ptr<Readings::Reading> Readings::begin(const QString& what) {
+std::shared_ptr<Readings::Reading> Readings::begin(const QString& what, Doing doing) {
     // Nobody ends those whose window is gone.
     std::erase_if(m_readings, [](const auto& reading) { return reading->over.load(); });
-    m_readings.push_back(std::make_shared<Reading>(what));
+    m_readings.push_back(std::make_shared<Reading>(what, doing));
     Q_EMIT changed();
     return m_readings.back();
 }
@@ -25,8 +25,8 @@ void Readings::end(const std::shared_ptr<Reading>& reading) {
     Q_EMIT changed();
 }
 
-QString Readings::what() const {
-    return m_readings.empty() ? QString() : m_readings.front()->what;
+std::shared_ptr<const Readings::Reading> Readings::first() const {
+    return m_readings.empty() ? nullptr : m_readings.front();
 }
 
 void Readings::stop() {

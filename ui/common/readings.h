@@ -13,16 +13,19 @@
 
 namespace texloom::ui {
 
-/// The files that are being read, so that the window can say so and the user can break it off. Used on the
-/// GUI thread.
+/// The files that are being read or edited, so that the window can say so and the user can break it off. Used
+/// on the GUI thread.
 class Readings : public QObject {
     Q_OBJECT
 
 public:
+    enum class Doing { Read, Edit };
+
     /// One of them.
     struct Reading {
-        explicit Reading(QString name) : what(std::move(name)) {}
-        const QString what;                ///< the file's name
+        Reading(QString name, Doing work) : what(std::move(name)), doing(work) {}
+        const QString what; ///< the file's name
+        const Doing doing;
         std::atomic<bool> stopped = false; ///< by the user
         std::atomic<bool> over = false;    ///< set on the worker
     };
@@ -30,10 +33,10 @@ public:
     /// Those of this program.
     static Readings& all();
 
-    std::shared_ptr<Reading> begin(const QString& what);
+    std::shared_ptr<Reading> begin(const QString& what, Doing doing = Doing::Read);
     void end(const std::shared_ptr<Reading>& reading);
-    /// What has been read for longest; empty if nothing is.
-    QString what() const;
+    /// What has been under way for longest; null if nothing is.
+    std::shared_ptr<const Reading> first() const;
     int count() const { return static_cast<int>(m_readings.size()); }
     /// Breaks off all of them.
     void stop();
@@ -49,11 +52,15 @@ private:
 /// nothing more is. @return whether it came to its end.
 bool cameToEnd(Readings::Reading& reading, const std::function<void()>& work);
 
-/// inBackground() for work that reads files, which the user can break off.
-/// @param what the file's name. @param failed gets an empty text where it was broken off.
+/// inBackground() for work that reads or edits files, which the user can break off; work that takes long
+/// calls DecoderProcess::check() for that.
+/// @param what the file's name. @param failed gets an empty text where it was broken off. @return by which it
+/// can be broken off, too.
 template <class Work, class Done, class Failed>
-void readInBackground(QObject* context, const QString& what, Work work, Done done, Failed failed) {
-    const std::shared_ptr<Readings::Reading> reading = Readings::all().begin(what);
+std::shared_ptr<Readings::Reading> readInBackground(QObject* context, const QString& what, Work work,
+                                                    Done done, Failed failed,
+                                                    Readings::Doing doing = Readings::Doing::Read) {
+    const std::shared_ptr<Readings::Reading> reading = Readings::all().begin(what, doing);
     inBackground(
         context,
         [reading, work = std::move(work)]() mutable {
@@ -71,6 +78,7 @@ void readInBackground(QObject* context, const QString& what, Work work, Done don
             Readings::all().end(reading);
             failed(why);
         });
+    return reading;
 }
 
 } // namespace texloom::ui

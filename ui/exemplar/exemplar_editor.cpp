@@ -7,12 +7,14 @@
 #include "ui/common/text.h"
 #include "ui/common/value_editors.h"
 #include "ui/exemplar/edit_list.h"
+#include "ui/exemplar/edit_preview.h"
 #include "ui/exemplar/frame_page.h"
 #include "ui/exemplar/tool_form.h"
 #include "ui/paint/brush.h"
 
 #include <QButtonGroup>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QListWidget>
@@ -39,8 +41,8 @@ QLabel* noteLabel(const QString& text) {
 } // namespace
 
 ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
-    : QWidget(parent), m_store(store), m_canvas(new EditCanvas(this)), m_title(new ElidedLabel(this)),
-      m_buttons(new QButtonGroup(this)) {
+    : QWidget(parent), m_store(store), m_canvas(new EditCanvas(this)), m_preview(new EditPreview(this)),
+      m_title(new ElidedLabel(this)), m_buttons(new QButtonGroup(this)) {
     setObjectName(QStringLiteral("exemplarEditor"));
     m_canvas->setAccessibleName(tr("Exemplar being edited"));
     QFont bold = font();
@@ -62,7 +64,7 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(tools);
-    scroll->setFixedWidth(std::max(tools->minimumSizeHint().width(), fontMetrics().averageCharWidth() * 44) +
+    scroll->setFixedWidth(std::max(tools->minimumSizeHint().width(), fontMetrics().averageCharWidth() * 40) +
                           scroll->verticalScrollBar()->sizeHint().width());
     auto* done = new QPushButton(tr("&Done"), this);
     done->setObjectName(QStringLiteral("editDone"));
@@ -82,6 +84,16 @@ ExemplarEditor::ExemplarEditor(ExemplarStore* store, QWidget* parent)
     connect(m_canvas, &EditCanvas::painted, this, &ExemplarEditor::hidePainted);
     connect(m_store, &ExemplarStore::changed, this, &ExemplarEditor::showCurrent);
     connect(m_store, &ExemplarStore::currentChanged, this, &ExemplarEditor::showCurrent);
+    connect(m_store, &ExemplarStore::pendingChanged, this, &ExemplarEditor::showCurrent);
+    connect(m_preview, &EditPreview::made, this,
+            [this](const std::shared_ptr<const DisplayPicture>& picture) {
+                const bool other = m_canvas->picture() && m_canvas->picture()->size() != picture->size();
+                m_canvas->setHidden({}); // which is not where it was
+                m_canvas->setPicture(picture);
+                m_canvas->setBadge(tr("Preview"));
+                if (other)
+                    m_canvas->resetFrames();
+            });
     connect(m_canvas, &EditCanvas::left, this, [this] { setMode(QStringLiteral("look")); });
     connect(m_canvas, &EditCanvas::accepted, this, [this] {
         if (auto* page = qobject_cast<FramePage*>(m_pages->currentWidget()))
@@ -103,13 +115,17 @@ void ExemplarEditor::addMode(QWidget* row, const QString& title, const QString& 
     button->setCheckable(true);
     button->setFocusPolicy(Qt::StrongFocus);
     m_buttons->addButton(button, static_cast<int>(m_modes.size()));
-    row->layout()->addWidget(button);
+    // In rows of three, so that the picture keeps its room.
+    constexpr int kColumns = 3;
+    const int number = static_cast<int>(m_modes.size());
+    qobject_cast<QGridLayout*>(row->layout())->addWidget(button, number / kColumns, number % kColumns);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_modes.push_back(std::move(mode));
 }
 
 /// A button for looking, one for each tool with a frame, and two for the mask, with their pages.
 void ExemplarEditor::makeModes(QWidget* row) {
-    auto* layout = new QHBoxLayout(row);
+    auto* layout = new QGridLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
     addMode(row, tr("&Look"), tr("Zoom and pan"),
             {QStringLiteral("look"), nullptr, EditCanvas::Mode::Look, m_pages->addWidget(makeLookPage())});
@@ -245,26 +261,37 @@ void ExemplarEditor::showCurrent() {
     m_title->setFullText(
         tr("%1 · %2 px")
             .arg(toQString(entry->file().path.filename()), sizeText(entry->file().image->size())));
-    const ExemplarEdits& made = entry->exemplar.edits;
-    const auto before = std::find_if(m_forms.begin(), m_forms.end(), [&](const ToolForm* form) {
-        return form->showsBefore() && standingEdit(made, form->tool());
-    });
-    ++m_beforeRequest; // what is still being made shows an earlier state
-    if (before != m_forms.end())
-        showWithout(*standingEdit(made, (*before)->tool()));
-    else
-        m_canvas->setPicture(entry->picture);
-    m_canvas->setBadge(before != m_forms.end() ? tr("Before") : QString());
-    m_canvas->setHidden(entry->hidden);
+    const ExemplarEdits wanted = edits();
+    showPicture(*entry, wanted);
     m_clearMask->setEnabled(entry->exemplar.mask.has_value());
     if (other)
         m_canvas->resetFrames();
-    fillList(made);
+    fillList(wanted, entry->exemplar.edits);
     for (ToolForm* form : m_forms) {
-        const std::optional<std::size_t> standing = standingEdit(made, form->tool());
+        const std::optional<std::size_t> standing = standingEdit(wanted, form->tool());
         if (form->adjusts())
-            form->setEdit(standing ? &made[*standing] : nullptr);
+            form->setEdit(standing ? &wanted[*standing] : nullptr);
     }
+}
+
+/// The exemplar as it is, without one of its edits, or, while edits of a large one are made, soon a preview.
+void ExemplarEditor::showPicture(const ExemplarEntry& entry, const ExemplarEdits& wanted) {
+    const ExemplarEdits& made = entry.exemplar.edits;
+    ++m_beforeRequest; // what is still being made shows an earlier state
+    if (wanted != made && EditPreview::worthwhile(entry.exemplar.original().image.image->size())) {
+        m_preview->make(entry.exemplar, wanted);
+        return;
+    }
+    m_preview->cancel();
+    const auto before = std::find_if(m_forms.begin(), m_forms.end(), [&](const ToolForm* form) {
+        return form->showsBefore() && standingEdit(made, form->tool());
+    });
+    if (before != m_forms.end())
+        showWithout(*standingEdit(made, (*before)->tool()));
+    else
+        m_canvas->setPicture(entry.picture);
+    m_canvas->setBadge(before != m_forms.end() ? tr("Before") : QString());
+    m_canvas->setHidden(entry.hidden);
 }
 
 void ExemplarEditor::showWithout(std::size_t index) {
@@ -283,12 +310,19 @@ void ExemplarEditor::showWithout(std::size_t index) {
         [](const QString&) {});
 }
 
-void ExemplarEditor::fillList(const ExemplarEdits& edits) {
+/// What is not made yet is listed at once, and looks like it.
+void ExemplarEditor::fillList(const ExemplarEdits& wanted, const ExemplarEdits& made) {
     const int row = m_list->currentRow();
     const QSignalBlocker blocker(m_list);
     m_list->clear();
-    for (const ExemplarEdit& edit : edits)
-        m_list->addItem(editText(edit));
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const bool pending = i >= made.size() || wanted[i] != made[i];
+        auto* item = new QListWidgetItem(
+            pending ? tr("%1 (being made)").arg(editText(wanted[i])) : editText(wanted[i]), m_list);
+        QFont font = m_list->font();
+        font.setItalic(pending);
+        item->setFont(font);
+    }
     m_list->setCurrentRow(std::min(row, m_list->count() - 1));
     m_remove->setEnabled(m_list->currentRow() >= 0);
 }

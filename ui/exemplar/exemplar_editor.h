@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace texloom::ui {
 
+class EditPreview;
 class ElidedLabel;
 class ToolForm;
 class ValueEditor;
@@ -60,8 +61,9 @@ private:
     QWidget* makeListGroup();
 
     void showCurrent();
+    void showPicture(const ExemplarEntry& entry, const ExemplarEdits& wanted);
     void showWithout(std::size_t index);
-    void fillList(const ExemplarEdits& edits);
+    void fillList(const ExemplarEdits& wanted, const ExemplarEdits& made);
     void removeEdit(int index);
     void append(const ExemplarEdit& edit);
     void adjust(const ToolForm* form);
@@ -71,6 +73,7 @@ private:
 
     ExemplarStore* m_store;
     EditCanvas* m_canvas;
+    EditPreview* m_preview;
     ElidedLabel* m_title;
     QButtonGroup* m_buttons;
     std::vector<Mode> m_modes; ///< by the buttons' ids

@@ -84,9 +84,10 @@ ExemplarState stateOf(const RunExemplar& exemplar) {
     return {exemplar.original(), exemplar.edits};
 }
 
-RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known) {
+RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known,
+                     const std::function<void()>& check) {
     if (!samePixels(known, state))
-        return texloom::edited(state.original, state.edits);
+        return texloom::edited(state.original, state.edits, check);
     RunExemplar made = known;
     made.weight = state.original.weight;
     if (known.source)

@@ -5,6 +5,7 @@
 
 #include <QImage>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,6 +40,8 @@ ShownExemplar shown(RunExemplar exemplar, const ShownExemplar* before = nullptr)
 ExemplarState stateOf(const RunExemplar& exemplar);
 
 /// What the state makes of an exemplar, whose pixels are kept where they stay the same.
-RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known);
+/// @param check called every few milliseconds; may throw.
+RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known,
+                     const std::function<void()>& check);
 
 } // namespace texloom::ui

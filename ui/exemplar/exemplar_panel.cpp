@@ -220,7 +220,9 @@ void ExemplarPanel::fillList() {
 
 void ExemplarPanel::fillRow(QListWidgetItem& item, const ExemplarEntry& entry) const {
     item.setIcon(pictureIcon(entry.picture->levelFor(iconScale(*entry.picture, m_list->iconSize().width()))));
-    const QString name = QString::fromStdString(entry.file().name());
+    QString name = QString::fromStdString(entry.file().name());
+    if (!entry.file().layer.empty()) // two layers of one file would read alike
+        name += QStringLiteral(" · ") + QString::fromStdString(entry.file().layer);
     const bool weighted = m_abilities.several && m_abilities.weights && entry.exemplar.weight != 1;
     item.setText(weighted ? tr("%1 (× %2)").arg(name, QLocale().toString(entry.exemplar.weight)) : name);
     item.setToolTip(toQString(entry.file().path));

@@ -2,10 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/image/mask_paint.h"
+#include "core/io/decoder_process.h"
 #include "core/session/run/edited_exemplar.h"
 #include "core/tools/edits.h"
 #include "ui/common/background.h"
-#include "ui/common/readings.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
 
@@ -51,8 +51,7 @@ bool belongTogether(const QString& companion, const QString& other) {
 
 } // namespace
 
-template <class Work, class Done, class Failed>
-void ExemplarStore::load(const QString& what, Work work, Done done, Failed onFailed) {
+template <class Work, class Done> void ExemplarStore::load(const QString& what, Work work, Done done) {
     beginLoading(1);
     readInBackground(
         this, what, std::move(work),
@@ -60,16 +59,11 @@ void ExemplarStore::load(const QString& what, Work work, Done done, Failed onFai
             beginLoading(-1);
             done(std::move(loaded));
         },
-        [this, onFailed = std::move(onFailed)](const QString& why) {
+        [this](const QString& why) {
             beginLoading(-1);
             if (!why.isEmpty())
                 Q_EMIT failed(why);
-            onFailed();
         });
-}
-
-template <class Work, class Done> void ExemplarStore::load(const QString& what, Work work, Done done) {
-    load(what, std::move(work), std::move(done), [] {});
 }
 
 void ExemplarStore::beginLoading(int step) {
@@ -290,11 +284,25 @@ void ExemplarStore::change(Change change) {
     const std::size_t waiting = m_changes.size() - (m_changing ? 1 : 0);
     const bool replaces = waiting > 0 && !change.key.isEmpty() && m_changes.back().id == change.id &&
                           m_changes.back().key == change.key;
+    const bool edits = change.edits.has_value();
+    const int id = change.id;
+    if (supersedes(change)) {
+        m_superseded = true;
+        m_making->stopped = true;
+    }
     if (replaces)
         m_changes.back() = std::move(change);
     else
         m_changes.push_back(std::move(change));
+    if (edits)
+        Q_EMIT pendingChanged(id);
     nextChange();
+}
+
+/// Whether what is being made would be made anew at once, as while a slider is dragged.
+bool ExemplarStore::supersedes(const Change& change) const {
+    return m_changing && m_making && m_changes.size() == 1 && change.edits && m_changes.front().edits &&
+           change.id == m_changes.front().id && !change.key.isEmpty() && change.key == m_changes.front().key;
 }
 
 void ExemplarStore::nextChange() {
@@ -307,12 +315,14 @@ void ExemplarStore::nextChange() {
         return nextChange();
     }
     m_changing = true;
-    load(
-        toQString(known->file().path.filename()),
+    m_superseded = false;
+    beginLoading(1);
+    m_making = readInBackground(
+        this, toQString(known->file().path.filename()),
         [apply = next.apply, entry = *known] {
             ExemplarState state = stateOf(entry.exemplar);
             apply(state);
-            return shown(madeFrom(state, entry.exemplar), &entry);
+            return shown(madeFrom(state, entry.exemplar, &DecoderProcess::check), &entry);
         },
         [this, before = stateOf(known->exemplar)](ShownExemplar made) {
             const Change done = std::move(m_changes.front());
@@ -320,15 +330,29 @@ void ExemplarStore::nextChange() {
             changeDone(done, before, std::move(made));
             nextChange();
         },
-        [this] {
+        [this, id = next.id](const QString& why) {
+            const bool byUser = why.isEmpty() && !m_superseded;
             endChange();
+            if (!why.isEmpty())
+                Q_EMIT failed(why);
+            if (byUser)
+                brokenOff(id);
+            Q_EMIT pendingChanged(id);
             nextChange();
-        });
+        },
+        next.edits ? Readings::Doing::Edit : Readings::Doing::Read);
 }
 
 void ExemplarStore::endChange() {
     m_changes.pop_front();
     m_changing = false;
+    m_making.reset();
+    beginLoading(-1);
+}
+
+/// Whoever breaks one change off wants none of those that wait for it.
+void ExemplarStore::brokenOff(int id) {
+    std::erase_if(m_changes, [id](const Change& change) { return change.id == id; });
 }
 
 ExemplarEdits ExemplarStore::wantedEdits(int id) const {

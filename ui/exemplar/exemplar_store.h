@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/common/readings.h"
 #include "ui/exemplar/exemplar_entry.h"
 #include "ui/exemplar/layer_dialog.h"
 
@@ -74,7 +75,8 @@ public:
     /// @param what names the change in the undo list. @param key changes of one key that follow each other
     /// are one, such as those of a slider's drag; empty for none.
     void setEdits(int id, const ExemplarEdits& edits, const QString& what, const QString& key = {});
-    /// The edits as they will be when all that was asked for is done.
+    /// The edits as they will be when all that was asked for is done: pendingChanged() tells when they differ
+    /// from those of the entry, and when they do no more.
     ExemplarEdits wantedEdits(int id) const;
     /// Goes back to a state, without telling edited().
     void restoreState(int id, const ExemplarState& state);
@@ -84,6 +86,8 @@ public:
 Q_SIGNALS:
     /// Entries, their order or anything about them changed.
     void changed();
+    /// What wantedEdits() says changed, while the entry is as it was.
+    void pendingChanged(int id);
     void currentChanged();
     void loadingChanged(int count);
     /// A file holds several layers, and one is to be chosen.
@@ -131,15 +135,17 @@ private:
     void change(Change change);
     void nextChange();
     void endChange();
+    bool supersedes(const Change& change) const;
+    void brokenOff(int id);
     void changeDone(const Change& change, const ExemplarState& before, ShownExemplar made);
     void beginLoading(int step);
-    template <class Work, class Done, class Failed>
-    void load(const QString& what, Work work, Done done, Failed onFailed);
     template <class Work, class Done> void load(const QString& what, Work work, Done done);
 
     std::vector<ExemplarEntry> m_entries;
     std::deque<Change> m_changes; ///< the first one is under way while m_changing
     bool m_changing = false;
+    std::shared_ptr<Readings::Reading> m_making; ///< the change under way
+    bool m_superseded = false;                   ///< it was broken off for the one after it
     int m_current = 0;
     int m_lastId = 0;
     int m_loading = 0;

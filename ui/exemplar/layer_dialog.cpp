@@ -36,6 +36,15 @@ bool takenWhole(const ImageFileInfo& info) {
     return layers.size() > 1;
 }
 
+/// The channels of a layer without its name: "R, G, B"; empty for parts whose channels are not known.
+QString channelsOf(const std::string& layer, const ImageFileInfo& info) {
+    QStringList names;
+    for (const std::string& channel : info.channelNames)
+        if (layerOf(channel) == layer)
+            names += QString::fromStdString(channel.substr(layer.size() + 1));
+    return names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 std::vector<LayerEntry> layerEntries(const ImageFileInfo& info) {
@@ -45,7 +54,7 @@ std::vector<LayerEntry> layerEntries(const ImageFileInfo& info) {
     if (takenWhole(info) || (!info.layer.empty() && info.format != "tiff"))
         entries.push_back({"", LayerDialog::tr("All channels")});
     for (const std::string& layer : info.layers)
-        entries.push_back({layer, titleOf(layer, info)});
+        entries.push_back({layer, titleOf(layer, info), channelsOf(layer, info)});
     return entries;
 }
 
@@ -62,7 +71,8 @@ LayerDialog::LayerDialog(const LayerQuestion& question, QWidget* parent)
     m_list->setAccessibleName(tr("Layers"));
     m_list->setMinimumHeight(fontMetrics().height() * kLines);
     for (const LayerEntry& entry : question.entries) {
-        auto* item = new QListWidgetItem(entry.title, m_list);
+        auto* item = new QListWidgetItem(
+            entry.channels.isEmpty() ? entry.title : tr("%1 (%2)").arg(entry.title, entry.channels), m_list);
         item->setData(Qt::UserRole, QString::fromStdString(entry.layer));
     }
     m_list->setCurrentRow(0);

@@ -17,6 +17,7 @@ namespace texloom::ui {
 struct LayerEntry {
     std::string layer; ///< as ReadOptions::layer
     QString title;
+    QString channels = {}; ///< "R, G, B", where the file's header says them
 };
 
 /// What there is to choose from in a file with several layers, parts or pages; what is taken if nobody

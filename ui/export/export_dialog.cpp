@@ -9,6 +9,8 @@
 #include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 #include "ui/export/export_table.h"
+#include "ui/export/own_presets.h"
+#include "ui/export/preset_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -21,6 +23,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -166,8 +169,7 @@ QString ExportDialog::holds(const ExportEntry& entry) const {
 }
 
 void ExportDialog::presetChosen() {
-    const ExportPreset& preset = findExportPreset(m_preset->currentData().toString().toStdString());
-    m_name->setText(QString::fromStdString(preset.pattern));
+    m_name->setText(QString::fromStdString(preset().pattern));
     m_table->forgetDepths();
     refresh();
 }
@@ -179,8 +181,7 @@ QString ExportDialog::nameFor(const std::string& map) const {
 }
 
 void ExportDialog::fillFormats() {
-    for (const ExportPreset& preset : exportPresets())
-        m_preset->addItem(translated(preset.title), QString::fromStdString(preset.id));
+    fillPresets();
     m_preset->setToolTip(
         tr("What the files are called, which maps share one, and where green points in normal "
            "maps."));
@@ -200,6 +201,50 @@ void ExportDialog::fillFormats() {
     for (const ColorSpace& space : color::spaces())
         m_space->addItem(translated(space.title), QString::fromStdString(space.id));
     m_space->setToolTip(tr("Automatic: sRGB, or linear for depths that hold it."));
+}
+
+void ExportDialog::fillPresets() {
+    m_presets = exportPresets();
+    const std::size_t shipped = m_presets.size();
+    const OwnExportPresets own = OwnExportPresets::read();
+    m_presets.insert(m_presets.end(), own.presets.begin(), own.presets.end());
+    const QSignalBlocker blocker(m_preset);
+    m_preset->clear();
+    for (std::size_t i = 0; i < m_presets.size(); ++i)
+        m_preset->addItem(i < shipped ? translated(m_presets[i].title)
+                                      : QString::fromStdString(m_presets[i].title),
+                          QString::fromStdString(m_presets[i].id));
+}
+
+QWidget* ExportDialog::makePresetRow() {
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* edit = new QToolButton(row);
+    edit->setObjectName(QStringLiteral("exportEditPresets"));
+    edit->setText(tr("Edit…"));
+    edit->setToolTip(tr("Make and change presets of your own"));
+    edit->setAccessibleName(tr("Edit export presets"));
+    edit->setFocusPolicy(Qt::StrongFocus);
+    connect(edit, &QToolButton::clicked, this, &ExportDialog::editPresets);
+    layout->addWidget(m_preset, 1);
+    layout->addWidget(edit);
+    return row;
+}
+
+void ExportDialog::editPresets() {
+    auto* editor = new PresetEditor(m_preset->currentData().toString(), this);
+    editor->setAttribute(Qt::WA_DeleteOnClose);
+    connect(editor, &QDialog::accepted, this, [this, editor] {
+        fillPresets();
+        choosePreset(editor->chosen());
+        presetChosen();
+    });
+    editor->open();
+}
+
+const ExportPreset& ExportDialog::preset() const {
+    return m_presets[static_cast<std::size_t>(std::max(0, m_preset->currentIndex()))];
 }
 
 void ExportDialog::fillDepths() {
@@ -242,7 +287,9 @@ QFormLayout* ExportDialog::makeForm() {
     QWidget* const folderRow = makeFolderRow();
     form->addRow(tr("&Folder"), folderRow);
     qobject_cast<QLabel*>(form->labelForField(folderRow))->setBuddy(m_folder);
-    form->addRow(tr("&Preset"), m_preset);
+    QWidget* const presetRow = makePresetRow();
+    form->addRow(tr("&Preset"), presetRow);
+    qobject_cast<QLabel*>(form->labelForField(presetRow))->setBuddy(m_preset);
     form->addRow(tr("&Name"), m_name);
     form->addRow(QString(), m_nameShown);
     form->addRow(tr("F&ormat"), m_format);
@@ -342,13 +389,12 @@ ExportOptions ExportDialog::options() const {
     const bool holdsMap =
         pattern.find("$map") != std::string::npos || pattern.find("${map}") != std::string::npos;
     ExportOptions options;
-    options.preset = m_preset->currentData().toString().toStdString();
+    options.preset = preset();
     options.pattern = holdsMap ? pattern : "";
     options.normals = static_cast<MapRole>(m_normals->currentData().toInt());
     options.mayReplace = m_table->replaced();
     const QString place = folder() + QLatin1Char('/');
-    options.image =
-        toPath(place + nameFor(findExportPreset(options.preset).color) + m_format->currentData().toString());
+    options.image = toPath(place + nameFor(options.preset.color) + m_format->currentData().toString());
     const auto besideIt = [&](const char* word, const char* extension) {
         const QString name = holdsMap ? nameFor(word) : nameFor("") + QLatin1Char('_') + QLatin1String(word);
         return toPath(place + name + QLatin1String(extension));

@@ -60,6 +60,10 @@ private:
     void fillDepths();
     void followExemplar();
     void choosePreset(const QString& id);
+    QWidget* makePresetRow();
+    void fillPresets();
+    void editPresets();
+    const ExportPreset& preset() const;
     void countClipped();
     void makeFolder();
     QString holds(const ExportEntry& entry) const;
@@ -72,6 +76,7 @@ private:
     QString nameFor(const std::string& map) const;
 
     std::shared_ptr<const Result> m_result;
+    std::vector<ExportPreset> m_presets; ///< those that Texloom ships, then one's own
     QLineEdit* m_folder;
     QComboBox* m_preset;
     QLineEdit* m_name;

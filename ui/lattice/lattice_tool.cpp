@@ -10,6 +10,8 @@
 #include "ui/lattice/candidate_table.h"
 #include "ui/lattice/correlation_picture.h"
 #include "ui/lattice/lattice_fields.h"
+#include "ui/lattice/lattice_previews.h"
+#include "ui/lattice/lattice_search_form.h"
 #include "ui/lattice/lattice_text.h"
 
 #include <QGridLayout>
@@ -44,7 +46,8 @@ LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* pa
     : QWidget(parent), m_store(store), m_inspector(inspector),
       m_canvas(new LatticeCanvas(LatticeCanvas::Style::Courses)),
       m_gamma(new LatticeCanvas(LatticeCanvas::Style::Points)), m_table(new CandidateTable),
-      m_fields(new LatticeFields), m_verdict(new QLabel), m_useText(new QLabel), m_bar(new TaskBar) {
+      m_search(new LatticeSearchForm), m_fields(new LatticeFields), m_previews(new LatticePreviews(this)),
+      m_verdict(new QLabel), m_useText(new QLabel), m_bar(new TaskBar) {
     setObjectName(QStringLiteral("latticeTool"));
     m_canvas->setObjectName(QStringLiteral("latticeCanvas"));
     m_canvas->setAccessibleName(tr("Exemplar with its lattice"));
@@ -71,13 +74,19 @@ LatticeTool::LatticeTool(ExemplarStore* store, Inspector* inspector, QWidget* pa
         setLattice(candidate.lattice);
         tellOf(before);
     });
+    connect(m_previews, &LatticePreviews::made, m_table, &CandidateTable::setResult);
+    connect(m_previews, &LatticePreviews::failed, m_table, &CandidateTable::setNoResult);
+    connect(m_search, &LatticeSearchForm::edited, this, &LatticeTool::searchEdited);
     connect(m_fields, &LatticeFields::edited, this, &LatticeTool::fieldsEdited);
     connect(m_inspector, &Inspector::edited, this, &LatticeTool::refreshUse);
+    connect(m_inspector, &Inspector::edited, this, &LatticeTool::previewCandidates);
     connect(m_bar, &TaskBar::cancelled, this, [this] {
         m_detection.cancel();
         m_bar->end();
         sayVerdict();
     });
+    connect(m_search, &LatticeSearchForm::folded, this, &LatticeTool::refreshUse);
+    m_previews->setObjectName(QStringLiteral("latticePreviews"));
     setLattice({});
 }
 
@@ -98,13 +107,13 @@ QWidget* LatticeTool::makePanel() {
     column->addWidget(makeButtons());
     column->addWidget(m_useText);
     column->addWidget(m_fields);
-    auto* scroll = new QScrollArea;
+    column->addWidget(m_search);
+    QScrollArea* const scroll = m_scroll = new QScrollArea;
     scroll->setWidget(panel);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setMinimumWidth(panel->minimumSizeHint().width() + fontMetrics().averageCharWidth() * 3);
     return scroll;
 }
 
@@ -156,6 +165,9 @@ void LatticeTool::followExemplar() {
     m_name = entry != nullptr ? QString::fromStdString(entry->file().name()) : QString();
     m_detection.cancel();
     m_bar->end();
+    m_previews->cancel();
+    m_previewed = {};
+    m_kept = false;
     m_analysis.reset();
     m_failure.clear();
     m_canvas->setPicture(entry != nullptr ? entry->picture : nullptr);
@@ -178,14 +190,14 @@ void LatticeTool::detect() {
     m_failure.clear();
     m_detection.start(
         {},
-        [image = m_exemplar](JobContext& context) {
+        [image = m_exemplar, criteria = m_criteria](JobContext& context) {
             const std::uint64_t bytes = latticeBytesFor(image->size(), image->channels());
             if (bytes > availableMemory())
                 fail("Finding the lattice takes {}, of which only {} are free; open a smaller exemplar.",
                      byteText(bytes), byteText(availableMemory()));
             Detected detected;
-            detected.analysis =
-                std::make_shared<const LatticeAnalysis>(analyzeLattice(*image, [&] { context.check(); }));
+            detected.analysis = std::make_shared<const LatticeAnalysis>(analyzeLattice(
+                *image, [&] { context.check(); }, criteria));
             detected.picture = pictureOf(detected.analysis->rating());
             return detected;
         },
@@ -203,13 +215,35 @@ void LatticeTool::take(Detected detected) {
     m_bar->end();
     m_analysis = std::move(detected.analysis);
     m_gamma->setPicture(std::move(detected.picture));
-    if (!m_edited && !m_analysis->candidates.empty())
+    if (!m_edited && !m_kept && !m_analysis->candidates.empty())
         setLattice(m_analysis->candidates.front().lattice);
     else
         setLattice(lattice());
+    m_kept = false;
     lookAtVectors();
     m_table->list(m_analysis, lattice());
-    sayVerdict();
+    previewCandidates();
+    rate();
+}
+
+const Method* LatticeTool::user() const {
+    const Method* const chosen = m_inspector->method();
+    return chosen != nullptr && followsLattice(chosen->params()) ? chosen : firstFollower();
+}
+
+/// Shows what each candidate would give with the method that uses lattices.
+void LatticeTool::previewCandidates() {
+    const Method* const method = user();
+    if (method == nullptr || !m_analysis || !m_exemplar || m_detection.running() ||
+        (m_previewed.analysis == m_analysis && m_previewed.method == method))
+        return;
+    m_previewed = {m_analysis, method};
+    std::vector<Lattice> lattices;
+    for (const LatticeCandidate& candidate : m_analysis->candidates) {
+        m_table->setResult(static_cast<int>(lattices.size()), nullptr);
+        lattices.push_back(candidate.lattice);
+    }
+    m_previews->make(*method, m_exemplar, std::move(lattices));
 }
 
 /// A few multiples of the vectors, as large as the correlation's viewer allows.
@@ -250,7 +284,7 @@ void LatticeTool::setOrigin(Vec2 origin) {
 }
 
 LatticeTool::Drawn LatticeTool::drawn() const {
-    return {m_exemplar, m_shown, m_shownOrigin, m_originMoved, m_edited};
+    return {m_exemplar, m_shown, m_shownOrigin, m_originMoved, m_edited, m_criteria};
 }
 
 void LatticeTool::tellOf(const Drawn& before) {
@@ -263,10 +297,27 @@ void LatticeTool::restore(const Drawn& drawn) {
         return;
     m_originMoved = drawn.originMoved;
     m_edited = drawn.edited;
+    const bool searchesAnew = drawn.criteria != m_criteria;
+    m_criteria = drawn.criteria;
+    m_search->setCriteria(m_criteria);
     m_canvas->setLattice(drawn.lattice, drawn.origin);
     setOrigin(drawn.origin);
     m_table->list(m_analysis, lattice());
     rate();
+    if (searchesAnew) {
+        m_kept = !drawn.toBeFound;
+        detect();
+    }
+}
+
+void LatticeTool::searchEdited() {
+    const Drawn before = drawn();
+    m_criteria = m_search->criteria();
+    m_kept = false;
+    Drawn after = drawn();
+    after.toBeFound = true;
+    detect();
+    Q_EMIT drawnAnew(before, after);
 }
 
 /// How well the exemplar agrees with vectors set by hand, found out beside everything else.
@@ -277,7 +328,7 @@ void LatticeTool::rate() {
         m_ratingTask.start(
             {},
             [analysis = m_analysis, lattice = *lattice()](JobContext& context) {
-                return ratedLattice(analysis->rating(), lattice, [&] { context.check(); });
+                return ratedLattice(*analysis, lattice, [&] { context.check(); });
             },
             [this](const LatticeCandidate& rating) {
                 m_rating = rating;
@@ -320,7 +371,7 @@ void LatticeTool::refit() {
     m_fitting.start(
         {},
         [analysis = m_analysis, rough = *lattice()](JobContext& context) {
-            return fittedLattice(analysis->rating(), rough, [&] { context.check(); });
+            return fittedLattice(*analysis, rough, [&] { context.check(); });
         },
         [this](const LatticeCandidate& candidate) {
             const Drawn before = drawn();
@@ -334,128 +385,16 @@ void LatticeTool::refit() {
         });
 }
 
-QString LatticeTool::problem() const {
-    if (!lattice() || !m_exemplar)
-        return {};
-    LatticeSettings settings;
-    settings.lattice = LatticeSource::Given;
-    settings.v1x = lattice()->v1.x;
-    settings.v1y = lattice()->v1.y;
-    settings.v2x = lattice()->v2.x;
-    settings.v2y = lattice()->v2.y;
-    try {
-        checkLattice(settings, m_name.toStdString(), m_exemplar->size());
-    } catch (const std::exception& error) {
-        return sentence(error);
-    }
-    return {};
-}
-
 void LatticeTool::use() {
     const Method* method = m_inspector->method();
     if (!lattice() || method == nullptr)
         return;
     if (!followsLattice(method->params())) {
-        Q_EMIT methodWanted(QString::fromStdString(firstFollower()->id()));
+        Q_EMIT methodWanted(QString::fromStdString(user()->id()));
         method = m_inspector->method();
     }
     const std::optional<Vec2> origin = m_originMoved ? std::optional(m_canvas->origin()) : std::nullopt;
     m_inspector->changeValues(latticeValues(method->params(), *lattice(), origin));
-}
-
-void LatticeTool::refreshUse() {
-    const Method* const method = m_inspector->method();
-    if (method == nullptr)
-        return;
-    const bool follows = followsLattice(method->params());
-    const Method* const user = follows ? method : firstFollower();
-    m_use->setVisible(user != nullptr);
-    if (user == nullptr)
-        return;
-    const QString title = translated(user->info().title);
-    m_use->setText(tr("Use in %1").arg(title));
-    const QString why = problem();
-    m_use->setEnabled(lattice() && m_exemplar && why.isEmpty());
-    m_fit->setEnabled(lattice() && m_analysis && why.isEmpty());
-    m_detect->setEnabled(m_exemplar != nullptr);
-    m_fields->setEnabled(m_exemplar != nullptr);
-    const std::optional<Lattice> given = givenLattice(method->params(), m_inspector->values());
-    QString text;
-    if (!why.isEmpty())
-        text = why;
-    else if (!follows)
-        text = tr("%1 follows no lattice.").arg(translated(method->info().title));
-    else if (!given)
-        text = latticeSource(method->params(), m_inspector->values()) == LatticeSource::None
-                   ? tr("%1 is set to use no lattice.").arg(title)
-                   : tr("%1 looks for the lattice by itself.").arg(title);
-    else if (lattice() && sameVectors(*given, *lattice()))
-        text = tr("✓ %1 uses this lattice.").arg(title);
-    else
-        text = tr("%1 uses another lattice: %2 and %3 px.")
-                   .arg(title, vectorText(given->v1), vectorText(given->v2));
-    if (why.isEmpty() && lattice() && m_exemplar &&
-        (2 * lattice()->extent().x > m_exemplar->width() || 2 * lattice()->extent().y > m_exemplar->height()))
-        text +=
-            tr(" The exemplar holds fewer than two of these tiles on a side, so results repeat much of it.");
-    m_useText->setText(text);
-}
-
-void LatticeTool::sayVerdict() {
-    QString text;
-    if (!m_failure.isEmpty())
-        text = m_failure;
-    else if (m_detection.running())
-        text = QString();
-    else if (!m_exemplar)
-        text = tr("Open an exemplar first.");
-    else if (!m_analysis)
-        text = tr("Press Detect to look for the lattice, or give its vectors.");
-    else if (m_edited && m_rating)
-        text = tr("Set by hand: %1 agrees with itself by %2 at the multiples of these vectors; by %3 at "
-                  "those of "
-                  "the best that was found.")
-                   .arg(m_name, percentText(m_rating->correlation),
-                        percentText(
-                            m_analysis->candidates.empty() ? 0 : m_analysis->candidates.front().correlation));
-    else if (m_analysis->found() && m_analysis->candidates.front().lattice.keepsOrder(m_exemplar->size()))
-        text =
-            tr("Nothing in %1 repeats itself, but rows run through all of it (confidence %2): they keep "
-               "their order, and begin again after %3 px. If you see it repeat, rectify the exemplar first "
-               "(Ctrl+D) where it is seen at an angle, or drag the vectors.")
-                .arg(m_name, percentText(m_analysis->confidence))
-                .arg(m_analysis->candidates.front().lattice.area(), 0, 'f', 0);
-    else if (m_analysis->found() && m_analysis->candidates.front().lattice.rowsOnly())
-        text =
-            tr("%1 repeats itself in rows (confidence %2); what lies along them may come from anywhere in a "
-               "row.")
-                .arg(m_name, percentText(m_analysis->confidence));
-    else if (m_analysis->found())
-        text = tr("%1 repeats itself by this lattice (confidence %2).")
-                   .arg(m_name, percentText(m_analysis->confidence));
-    else if (m_analysis->candidates.empty())
-        text =
-            tr("Nothing in %1 repeats itself. A vector must fit into the exemplar about twice to be found. "
-               "If you see it repeat, give the vectors, or rectify the exemplar first (Ctrl+D) where it is "
-               "seen at an angle; if not, methods without a lattice suit it, such as image quilting.")
-                .arg(m_name);
-    else
-        text =
-            tr("No lattice stands out in %1 (confidence %2). Choose one below, drag the vectors to what you "
-               "see, or rectify the exemplar first (Ctrl+D) where it is seen at an angle; if it does not "
-               "repeat, methods without a lattice suit it, such as image quilting.")
-                .arg(m_name, percentText(m_analysis->confidence));
-    m_verdict->setVisible(!text.isEmpty());
-    m_verdict->setText(text);
-    refreshUse();
-}
-
-QString LatticeTool::verdict() const {
-    return m_verdict->text();
-}
-
-QString LatticeTool::useText() const {
-    return m_useText->text();
 }
 
 } // namespace texloom::ui

@@ -12,12 +12,15 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace texloom::ui {
 
 class CandidateTable;
 class Inspector;
 class LatticeFields;
+class LatticePreviews;
+class LatticeSearchForm;
 class TaskBar;
 
 /// The workspace for the lattice of the exemplar that is looked at: what is found in the background, drawn
@@ -44,6 +47,8 @@ public:
         Vec2 origin;
         bool originMoved = false;
         bool edited = false; ///< by hand, since it was found or chosen
+        LatticeCriteria criteria;
+        bool toBeFound = false; ///< the lattice becomes the best by these criteria unless it was edited
     };
     /// Shows what was drawn before; nothing if another exemplar is looked at by now.
     void restore(const Drawn& drawn);
@@ -72,6 +77,10 @@ private:
     QWidget* makeButtons();
     void connectCanvases();
     void take(Detected detected);
+    /// The method that uses a lattice: the one chosen, or else the first that follows one.
+    const Method* user() const;
+    void previewCandidates();
+    void searchEdited();
     void lookAtVectors();
     Drawn drawn() const;
     void tellOf(const Drawn& before);
@@ -92,7 +101,10 @@ private:
     LatticeCanvas* m_canvas;
     LatticeCanvas* m_gamma;
     CandidateTable* m_table;
+    LatticeSearchForm* m_search;
     LatticeFields* m_fields;
+    LatticePreviews* m_previews;
+    QScrollArea* m_scroll = nullptr; ///< around the panel, which it is never narrower than
     QPushButton* m_detect = nullptr;
     QPushButton* m_fit = nullptr;
     QPushButton* m_use = nullptr;
@@ -104,6 +116,12 @@ private:
     QString m_name;
     std::shared_ptr<const LatticeAnalysis> m_analysis;
     QString m_failure;
+    LatticeCriteria m_criteria;
+    struct {
+        std::shared_ptr<const LatticeAnalysis> analysis;
+        const Method* method = nullptr;
+    } m_previewed;       ///< what the candidates' pictures were made from
+    bool m_kept = false; ///< the lattice shown stays when the search ends
     bool m_originMoved = false;
     bool m_edited = false;          ///< see Drawn
     std::optional<Lattice> m_shown; ///< before canvas or fields were edited

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace texloom::near_regular {
 
@@ -384,6 +385,8 @@ std::vector<Param> params() {
             .group(TR("Exemplar"))
             .help(TR("Turns and shears the exemplar so that its courses run along the axes in whole pixels; "
                      "pixels are interpolated.")));
+    for (Param& param : latticeSearchFields<Settings>())
+        all.push_back(std::move(param));
     return all;
 }
 

@@ -390,6 +390,8 @@ std::vector<Param> params() {
                                "takes the best whatever the seed, larger lets seeds differ.")));
     for (Param& param : colourFields())
         all.push_back(std::move(param));
+    for (Param& param : latticeSearchFields<Settings>())
+        all.push_back(std::move(param));
     return all;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 /// Where green of a normal map should point when it is written.
 MapRole normalsWanted(const ExportOptions& options) {
-    return options.normals != MapRole::Other ? options.normals : findExportPreset(options.preset).normals;
+    return options.normals != MapRole::Other ? options.normals : options.preset.normals;
 }
 
 /// Companion `index` as it is written.
@@ -178,7 +178,7 @@ public:
           m_names(result, options) {}
 
     std::vector<ExportStep> steps() {
-        for (const PresetFile& file : findExportPreset(m_options.preset).files) {
+        for (const PresetFile& file : m_options.preset.files) {
             if (const auto index = companionFor(m_result, file.role))
                 addWhole(*index, file.word, file.depth);
             else if (const std::vector<PackedSlot> slots = slotsOf(m_result, file); anyOf(slots))

@@ -24,8 +24,9 @@ struct ExportOptions {
     /// Further outputs to write, by the id of their port, as writeAsset() does. Of several from one port the
     /// others get -2, -3 … after the name.
     std::map<std::string, std::filesystem::path> outputs;
-    bool companions = true;         ///< companion maps as NAME_COMPANION.EXT, in their own depth
-    std::string preset = "generic"; ///< which companion maps share a file, and what they are called
+    bool companions = true; ///< companion maps as NAME_COMPANION.EXT, in their own depth
+    /// Which companion maps share a file, and what they are called.
+    ExportPreset preset = exportPresets().front();
     /// Template with $map of companion maps' names, without extension; empty: the image's name, with _$map.
     std::string pattern;
     /// Where green points in normal maps: NormalGl or NormalDx; Other for the preset's way.

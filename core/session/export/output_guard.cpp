@@ -62,7 +62,11 @@ void OutputGuard::check(bool overwrite) const {
     std::map<FileIdentity, const Use*> written;
     for (const Use& use : m_writes) {
         const FileIdentity file = FileIdentity::of(use.path);
-        if (const Use* const read = reader(file))
+        const Use* const read = reader(file);
+        if (read != nullptr && read->path == use.path)
+            failUsage("{} would be overwritten by the {}: it is {}; name another file.", read->path.string(),
+                      use.what, read->what);
+        if (read != nullptr)
             failUsage("{} would be overwritten by the {} {}: it is {}; name another file.",
                       read->path.string(), use.what, use.path.string(), read->what);
         if (const auto [other, isNew] = written.try_emplace(file, &use); !isNew)

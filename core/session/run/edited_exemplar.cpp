@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace texloom {
 
@@ -38,15 +40,27 @@ void place(RunExemplar& exemplar, const Warp& warp, const Check& check) {
             }
 }
 
-void recolor(RunExemplar& exemplar, const Tool& tool, const Values& settings, const Check& check) {
-    Image image = *exemplar.image.image;
-    const bool data = exemplar.image.space == "raw";
+/// Changes colours in light, values of data as they are.
+void recolor(Image& image, bool data, const Image* mask, const Tool& tool, const Values& settings,
+             const Check& check) {
     if (!data)
         color::fromWorking(image, "linear", check);
-    tool.recolor(image, settings, exemplar.mask ? exemplar.mask->image.get() : nullptr, check);
+    tool.recolor(image, settings, mask, check);
     if (!data)
         color::toWorking(image, "linear", check);
-    exemplar.image.image = shared(std::move(image));
+}
+
+bool isData(const ExemplarFile& file) {
+    return file.space == "raw";
+}
+
+/// The map of a picture's points whose source has `times` as many pixels on a side.
+Placement magnified(Size size, double times) {
+    return {size, Eigen::Vector3d(times, times, 1).asDiagonal().toDenseMatrix()};
+}
+
+Size reducedSize(Size size, int step) {
+    return {(size.width + step - 1) / step, (size.height + step - 1) / step};
 }
 
 } // namespace
@@ -88,12 +102,56 @@ RunExemplar edited(const RunExemplar& exemplar, const ExemplarEdits& edits, cons
             moved = true;
         } else {
             placePending();
-            recolor(result, tool, settings, check);
+            Image image = *result.image.image;
+            recolor(image, isData(result.image), result.mask ? result.mask->image.get() : nullptr, tool,
+                    settings, check);
+            result.image.image = shared(std::move(image));
         }
     }
     placePending();
     result.source = std::make_shared<const RunExemplar>(source);
     return result;
+}
+
+Image reducedImage(const ImageView& image, int step, const Check& check) {
+    Image small(reducedSize(image.size(), step), image.channels);
+    for (int c = 0; c < image.channels; ++c)
+        for (int y = 0; y < small.height(); ++y) {
+            check();
+            const int bottom = std::min(image.height, (y + 1) * step);
+            for (int x = 0; x < small.width(); ++x) {
+                const int right = std::min(image.width, (x + 1) * step);
+                double sum = 0;
+                for (int v = y * step; v < bottom; ++v)
+                    for (int u = x * step; u < right; ++u)
+                        sum += static_cast<double>(image(u, v, c));
+                small(x, y, c) = static_cast<float>(sum / ((bottom - y * step) * (right - x * step)));
+            }
+        }
+    return small;
+}
+
+EditedPreview editedPreview(const ExemplarFile& source, const ImageView& reduced, int reducedBy,
+                            const ExemplarEdits& edits, int longest, const Check& check) {
+    Warp warp = magnified(source.image->size(), 1.0 / reducedBy);
+    std::vector<const ExemplarEdit*> colours;
+    for (const ExemplarEdit& edit : edits) {
+        const Tool& tool = toolOf(edit);
+        if (tool.warps())
+            warp = warp.after(tool.warp(tool.resolved(edit), warp.size()));
+        else
+            colours.push_back(&edit);
+    }
+    EditedPreview preview;
+    preview.whole = warp.size();
+    preview.step = std::max(1, (preview.whole.longerSide() + longest - 1) / longest);
+    preview.image = resampled(
+        reduced, warp.after(magnified(reducedSize(preview.whole, preview.step), preview.step)), check);
+    for (const ExemplarEdit* edit : colours) {
+        const Tool& tool = toolOf(*edit);
+        recolor(preview.image, isData(source), nullptr, tool, tool.resolved(*edit), check);
+    }
+    return preview;
 }
 
 } // namespace texloom

@@ -135,7 +135,7 @@ TEST(LatticeDetector, fitsALatticeDrawnRoughlyAndKeepsItsVectors) {
     const LatticeAnalysis analysis = analyzeLattice(texture);
     // Drawn two pixels off, and not the shortest pair.
     const Lattice drawn{{35.0, 3.0}, {28.5, 44.0}};
-    const LatticeCandidate fitted = fittedLattice(analysis.correlation, drawn);
+    const LatticeCandidate fitted = fittedLattice(analysis, drawn);
     EXPECT_LT((fitted.lattice.v1 - truth.v1).length(), 0.2);
     EXPECT_LT((fitted.lattice.v2 - (truth.v1 + truth.v2)).length(), 0.2);
     EXPECT_GT(fitted.goodness, 0.9 * analysis.candidates.front().goodness);
@@ -152,6 +152,25 @@ TEST(LatticeDetector, takesTheLargerTileWhereEveryOtherElementDiffers) {
     const LatticeAnalysis analysis = analyzeLattice(board);
     ASSERT_TRUE(analysis.found());
     EXPECT_TRUE(analysis.candidates.front().lattice.like({{16, 16}, {16, -16}}, 0.5));
+}
+
+TEST(LatticeDetector, prefersSmallerTilesAsMuchAsAlphaSays) {
+    const auto best = [](double alpha) {
+        return analyzeLattice(nearlyAlikeSquares(), [] {}, {.alpha = alpha}).candidates.front().lattice;
+    };
+    EXPECT_TRUE(best(1.12).like({{16, 16}, {16, -16}}, 0.5));
+    EXPECT_TRUE(best(1.4).like({{16, 0}, {0, 16}}, 0.5));
+}
+
+TEST(LatticeDetector, countsTheMultiplesWhoseOverlapIsLargeEnough) {
+    const Image texture = regularTexture({130, 120}, 1, {{33, 4}, {-6, 41}}, {}, 2);
+    LatticeAnalysis analysis = analyzeLattice(texture);
+    const auto multiples = [&](double significance) {
+        analysis.criteria.significance = significance;
+        return ratedLattice(analysis, {{33, 4}, {-6, 41}}).multiples;
+    };
+    EXPECT_GT(multiples(0.5), multiples(0.85));
+    EXPECT_GT(multiples(0.85), multiples(1));
 }
 
 TEST(LatticeDetector, isFreeAlongALineWhereNothingChanges) {
@@ -247,7 +266,7 @@ TEST(LatticeDetector, offersTheSmallestTileAndTheRowsAsRunnersUp) {
 TEST(LatticeDetector, fitsRowsDrawnRoughly) {
     const Image courses = coursesTexture({240, 200}, 1, {1, 0}, 31.4, {}, 2);
     const LatticeAnalysis analysis = analyzeLattice(courses);
-    const LatticeCandidate drawn = fittedLattice(analysis.correlation, {{1, 0}, {0, 30}});
+    const LatticeCandidate drawn = fittedLattice(analysis, {{1, 0}, {0, 30}});
     EXPECT_NEAR(drawn.lattice.v2.y, 31.4, 0.2);
     EXPECT_EQ(drawn.lattice.v1, (Vec2{1, 0}));
 }
@@ -281,6 +300,14 @@ TEST(LatticeSettings, anExemplarIsLookedAtOnce) {
     EXPECT_TRUE(lattice(grain).free());
     EXPECT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes.front(), notes.back());
+    const auto squares = std::make_shared<const Image>(nearlyAlikeSquares());
+    const auto found = [&](double alpha) {
+        LatticeSettings settings;
+        settings.alpha = alpha;
+        return latticeFor(settings, "squares", squares, notes, [] {}).area();
+    };
+    EXPECT_NEAR(found(1.12), 512, 10);
+    EXPECT_NEAR(found(1.4), 256, 10) << "other criteria, another search";
     // The place of an image that is gone says nothing of the next one there.
     EXPECT_FALSE(lattice(std::make_shared<const Image>(*bricks)).free());
     EXPECT_TRUE(lattice(std::make_shared<const Image>(noise({120, 110}, 1))).free());

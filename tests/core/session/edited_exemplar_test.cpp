@@ -5,6 +5,8 @@
 #include "tests/core/session/sample_run.h"
 #include "tests/core/tools/sample_edits.h"
 
+#include <cmath>
+
 namespace texloom::test {
 
 namespace {
@@ -81,6 +83,45 @@ TEST(EditedExemplar, RefusesWhatDoesNotFit) {
     SampleRun plain;
     EXPECT_THAT([&] { edited(plain.input.exemplars.front(), {crop(0, 0, 49, 10)}); },
                 usageRefusal("49 × 10", "48 × 44"));
+}
+
+TEST(EditedPreview, IsTheWholeReduced) {
+    SampleRun sample;
+    RunExemplar& source = sample.input.exemplars.front();
+    Image waves({330, 270}, 3);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < waves.height(); ++y)
+            for (int x = 0; x < waves.width(); ++x)
+                waves(x, y, c) = 0.5F + 0.2F * std::sin(0.05F * static_cast<float>(x + c)) *
+                                            std::cos(0.04F * static_cast<float>(y));
+    source.image.image = std::make_shared<const Image>(waves);
+    const ExemplarEdits edits = {crop(10, 20, 300, 240), turn(12), flatten("smooth"), flip("horizontal")};
+    const Image whole = *edited(source, edits).image.image;
+    const Image reduced = reducedImage(waves, 2);
+    EXPECT_EQ(reduced.size(), (Size{165, 135}));
+    EXPECT_NEAR(reduced(7, 9, 1),
+                (waves(14, 18, 1) + waves(15, 18, 1) + waves(14, 19, 1) + waves(15, 19, 1)) / 4, 1e-6);
+    const EditedPreview preview = editedPreview(source.image, reduced, 2, edits, 100);
+    EXPECT_EQ(preview.whole, whole.size());
+    EXPECT_LE(preview.image.size().longerSide(), 100);
+    const Image expected = reducedImage(whole, preview.step);
+    ASSERT_EQ(preview.image.size(), expected.size());
+    double apart = 0;
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < expected.height(); ++y)
+            for (int x = 0; x < expected.width(); ++x)
+                apart += std::abs(static_cast<double>(preview.image(x, y, c) - expected(x, y, c)));
+    EXPECT_LT(apart / static_cast<double>(3 * expected.size().area()), 0.01);
+}
+
+TEST(EditedPreview, RefusesWhatCannotBeMadeAndEndsWhenTold) {
+    SampleRun sample;
+    const ExemplarFile& image = sample.input.exemplars.front().image;
+    const Image reduced = reducedImage(*image.image, 1);
+    EXPECT_THROW(editedPreview(image, reduced, 1, {crop(0, 0, 4000, 10)}, 100), UsageError);
+    const auto end = [] { throw Cancelled{}; };
+    EXPECT_THROW(editedPreview(image, reduced, 1, {turn(5)}, 100, end), Cancelled);
+    EXPECT_THROW(edited(sample.input.exemplars.front(), {turn(5)}, end), Cancelled);
 }
 
 } // namespace texloom::test

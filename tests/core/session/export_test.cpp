@@ -239,7 +239,7 @@ TEST(ExportPresets, PackAndNameTheMapsOfAMaterial) {
     const Result result = sample.run();
     const TemporaryFolder out;
     ExportOptions options;
-    options.preset = "unreal";
+    options.preset = findExportPreset("unreal");
     options.pattern = findExportPreset("unreal").pattern;
     options.image = out / "T_bark_BC.png";
     exportResult(result, options);
@@ -295,7 +295,7 @@ TEST(ExportPresets, UnityWantsSmoothnessAndMayHaveNoMap) {
     const Result result = sample.run();
     const TemporaryFolder out;
     ExportOptions options;
-    options.preset = "unity";
+    options.preset = findExportPreset("unity");
     options.image = out / "made.png";
     options.sidecar = false;
     exportResult(result, options);

@@ -92,7 +92,7 @@ TEST(MaterialFiles, PackedMapsAreSplitLaidOutAndPackedAgain) {
         EXPECT_NEAR(image(x, 3, 0), result.companion(0)(x, 3, 0), 1e-6);
         EXPECT_NEAR(image(x, 3, 3), 1 - result.companion(1)(x, 3, 0), 1e-6);
     }
-    options.preset = "unreal"; // which packs in another order
+    options.preset = findExportPreset("unreal"); // which packs in another order
     options.image = sample.folder / "T_bark_BC.png";
     options.pattern = "T_bark_$map";
     exportResult(result, options);
