@@ -345,6 +345,30 @@ TEST(WangTiles, smallerThresholdsSearchLongerAndJoinBetter) {
     EXPECT_EQ(long_.notes.size(), 1U);
 }
 
+TEST(WangTiles, cornersAreTakenFromPlacesWithoutMarks) {
+    Image exemplar = noise({160, 160}, 1);
+    const std::vector<std::pair<int, int>> marks = {{40, 50}, {110, 30}, {75, 120}, {140, 130}};
+    const auto marked = [&](int x, int y) {
+        return std::any_of(marks.begin(), marks.end(), [&](const std::pair<int, int>& mark) {
+            return std::hypot(mark.first - x, mark.second - y) < 6;
+        });
+    };
+    for (int y = 0; y < 160; ++y)
+        for (int x = 0; x < 160; ++x)
+            exemplar(x, y, 0) = marked(x, y) ? 1.0F : 0.4F + 0.1F * exemplar(x, y, 0);
+    constexpr int kTile = 24;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        Request request = requestOf(exemplar, {6 * kTile, 6 * kTile});
+        request.seed = seed;
+        const Synthesis result = made(request, {{"tile", kTile}, {"threshold", 2.0}});
+        for (int y = 0; y < 6 * kTile; ++y)
+            for (int x = 0; x < 6 * kTile; ++x)
+                if (const Source& source = result.map.at(x, y); x % kTile == 0 || y % kTile == 0) {
+                    ASSERT_FALSE(marked(source.x, source.y)) << seed << ": " << x << ", " << y;
+                }
+    }
+}
+
 TEST(WangTiles, pictureOfTheSetHoldsAllTiles) {
     const Synthesis full = made(requestOf(blobs({96, 96}, 3), {64, 64}), {{"tile", 20}, {"colours", 3}});
     EXPECT_EQ(full.outputs.image("tile-sheet")->size(), (Size{180, 180}));
