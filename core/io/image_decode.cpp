@@ -204,12 +204,18 @@ std::string filledWithEnd(const DecodeRequest& request, const SampleTarget& targ
     return input->geterror();
 }
 
-/// Reads all samples. @return the decoder's remark on what it filled by itself
+/// Whether a decoder misses the end of a JPEG.
+bool breaksOff(const std::string& format, const std::string& remark) {
+    return format == "jpeg" && remark.find("Premature end of JPEG file") != std::string::npos;
+}
+
+/// Reads all samples. @param cut whether it is known that the file breaks off. @return the decoder's remark
+/// on what it filled by itself
 std::string filled(const DecodeRequest& request, OIIO::ImageInput& input, const SampleTarget& target,
-                   ImageFileInfo& info) {
+                   ImageFileInfo& info, bool cut) {
     const bool read = fill(input, target);
     std::string remark = input.geterror();
-    if (info.format == "jpeg" && remark.find("Premature end of JPEG file") != std::string::npos) {
+    if (cut || breaksOff(info.format, remark)) {
         remark = filledWithEnd(request, target);
         info.notes.push_back(
             message("{} breaks off before its end marker, but all of its rows are there.", info.name));
@@ -239,13 +245,13 @@ template <class Number> void scaleToSpan(float* samples, std::size_t count, Deco
                 header.info.name, least, most));
 }
 
-/// All samples of a part's channels, interleaved.
+/// All samples of a part's channels, interleaved. @param cut as of filled()
 void readSamples(const DecodeRequest& request, OIIO::ImageInput& input, const FilePart& part,
-                 DecodedHeader& header, float* samples) {
+                 DecodedHeader& header, float* samples, bool cut) {
     const OIIO::TypeDesc stored = input.spec().format;
     const bool wide = stored.basetype == OIIO::TypeDesc::UINT32 || stored.basetype == OIIO::TypeDesc::INT32;
     const SampleTarget target{part, wide ? stored : OIIO::TypeDesc::FLOAT, samples};
-    takeRemark(request.path, filled(request, input, target, header.info), header.info);
+    takeRemark(request.path, filled(request, input, target, header.info, cut), header.info);
     if (stored.basetype == OIIO::TypeDesc::UINT32)
         scaleToSpan<std::uint32_t>(samples, header.samples, header);
     else if (wide)
@@ -302,8 +308,10 @@ DecodedHeader decode(const DecodeRequest& request, const SamplePlace& place) {
     header.steps = stepsOf(spec.format);
     header.samples = spec.image_pixels() * static_cast<std::size_t>(part.channels);
     checkRoom(request, header);
-    takeRemark(request.path, remark, header.info);
-    readSamples(request, *input, part, header, place(header.samples));
+    const bool cut = breaksOff(format, remark); // progressive ones are looked through when they are opened
+    if (!cut)
+        takeRemark(request.path, remark, header.info);
+    readSamples(request, *input, part, header, place(header.samples), cut);
     return header;
 }
 
