@@ -11,6 +11,9 @@ namespace {
 
 /// Cells to either side and above in which the same piece is noticed again.
 constexpr int kNear = 4;
+/// How fast flat patches become farther where there are more of them than there should be, in usual distances
+/// for as many again.
+constexpr double kFlatPressure = 32;
 
 std::vector<Size> sizesOf(const std::vector<PatchSource>& exemplars) {
     std::vector<Size> sizes;
@@ -32,6 +35,8 @@ PatchQuilter::PatchQuilter(const std::vector<PatchSource>& exemplars, const Quil
       m_cutCosts(static_cast<std::size_t>(m_canvas.grid().count()), 0.0) {
     if (options.stitch != PatchStitch::Cut && options.stitch != PatchStitch::SmoothCut)
         m_stitcher.emplace(options.stitch, options.patch);
+    if (options.contrast > 0 && !options.initial && !options.guide)
+        findFlat(exemplars);
     if (!options.guide || !(options.guide->weight > 0))
         return;
     const QuiltGuide& guide = *options.guide;
@@ -89,6 +94,34 @@ void PatchQuilter::vary(int index, PatchSearch::Scratch& distances) const {
                             m_options.variety / grid.away(index, other), distances);
 }
 
+void PatchQuilter::findFlat(const std::vector<PatchSource>& exemplars) {
+    m_flat.emplace(exemplars, m_options.patch, [this] { m_context.check(); });
+    if (!m_flat->any())
+        m_flat.reset();
+    for (const PatchSource& exemplar : exemplars)
+        m_flatReach = std::max(m_flatReach, std::max(exemplar.image.width, exemplar.image.height) /
+                                                (m_options.patch - m_options.overlap));
+}
+
+/// Makes flat patches farther where there are more of them than the exemplars have: among the patches laid so
+/// far within an exemplar's length to the left, to the right and above, which are as much as two exemplars;
+/// of fewer, near the borders, the flat patches of one exemplar are allowed.
+void PatchQuilter::leaveFlat(int index, PatchSearch::Scratch& distances) const {
+    double flat = 0, laid = 0;
+    for (const int other : m_canvas.grid().nearby(index, m_flatReach)) {
+        ++laid;
+        const PatchPosition& source = m_sources[static_cast<std::size_t>(other)];
+        flat += static_cast<double>(
+            m_flat->shares()[static_cast<std::size_t>(source.exemplar)](source.x, source.y, 0));
+    }
+    const double expected = std::max(laid, 1.0 * m_flatReach * m_flatReach) * m_flat->usual();
+    if (flat > expected)
+        m_search.raise(m_flat->shares(),
+                       kFlatPressure * m_options.contrast * (flat / expected - 1) *
+                           m_search.usualDistance(compared(m_canvas.grid().cell(index))),
+                       distances);
+}
+
 PatchPosition PatchQuilter::choose(int index, Workspace& work) const {
     const PatchCell& cell = m_canvas.grid().cell(index);
     const bool known = !cell.overlap.none() || m_options.initial;
@@ -97,6 +130,8 @@ PatchPosition PatchQuilter::choose(int index, Workspace& work) const {
     PatchSearch::Scratch& compared = distances(cell, known, work);
     if (m_options.variety > 0)
         vary(index, compared);
+    if (m_flat)
+        leaveFlat(index, compared);
     return m_search.drawn(m_search.within(m_options.tolerance, compared), m_context.random(), cell.column,
                           cell.row);
 }

@@ -3,6 +3,7 @@
 #include "core/image/position_map.h"
 #include "core/job/job_context.h"
 #include "core/job/pool.h"
+#include "core/match/flat_shares.h"
 #include "core/match/patch_canvas.h"
 #include "core/match/patch_search.h"
 #include "core/match/patch_stitch.h"
@@ -97,6 +98,8 @@ private:
     PatchSearch::Scratch& distances(const PatchCell& cell, bool known, Workspace& work) const;
     PatchPosition choose(int index, Workspace& work) const;
     void vary(int index, PatchSearch::Scratch& distances) const;
+    void findFlat(const std::vector<PatchSource>& exemplars);
+    void leaveFlat(int index, PatchSearch::Scratch& distances) const;
     bool cuts() const { return !m_stitcher; }
     void trace(const PatchCell& cell, const PatchPosition& source, const PlaneView& weight);
 
@@ -105,6 +108,8 @@ private:
     PatchSearch m_search;
     PatchCanvas m_canvas;
     std::optional<Guide> m_guide;
+    std::optional<FlatShares> m_flat;        ///< where there are flat patches that are kept from winning
+    int m_flatReach = 0;                     ///< cells that an exemplar takes, across or down
     std::optional<PatchStitcher> m_stitcher; ///< where patches are not cut
     PositionMap m_map;
     std::vector<PatchPosition> m_sources; ///< by cell

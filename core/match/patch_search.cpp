@@ -47,7 +47,9 @@ PatchSearch::PatchSearch(std::vector<PatchSource> exemplars, int patch, const st
                          double balance)
     : m_exemplars(std::move(exemplars)), m_patch(patch), m_smallest(smallestDistance(m_exemplars)) {
     const std::vector<double> means = commonMeans(m_exemplars);
-    const ContrastBalance contrast{balance, balance > 0 ? pixelVariance(m_exemplars, means, check) : 0};
+    if (balance > 0)
+        m_variance = pixelVariance(m_exemplars, means, check);
+    const ContrastBalance contrast{balance, m_variance};
     for (const PatchSource& exemplar : m_exemplars) {
         m_distances.emplace_back(exemplar.image, exemplar.mask, means, patch, contrast);
         check();
@@ -153,6 +155,17 @@ void PatchSearch::discourage(const PatchPosition& used, double weight, Scratch& 
         for (std::ptrdiff_t i = 0; i < count; ++i)
             from[i] *= 1 + share * columns[i];
     }
+}
+
+void PatchSearch::raise(const std::vector<Image>& by, double amount, Scratch& scratch) const {
+    const auto factor = static_cast<float>(amount);
+    for (std::size_t e = 0; e < m_distances.size(); ++e)
+        for (int y = 0; y < m_distances[e].positions().height; ++y) {
+            const float* const more = by[e].view().plane(0).row(y);
+            float* const row = m_distances[e].distanceRow(scratch[e], y);
+            for (int x = 0; x < m_distances[e].positions().width; ++x)
+                row[x] += factor * more[x];
+        }
 }
 
 float PatchSearch::smallest(const Scratch& scratch) const {

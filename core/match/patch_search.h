@@ -64,6 +64,13 @@ public:
     /// Makes patches that share pixels with one of them farther: by 1 + weight × the share of their pixels.
     void discourage(const PatchPosition& used, double weight, Scratch& scratch) const;
 
+    /// Makes patches farther by `amount` × what `by` has for them: one image for each exemplar, with a value
+    /// for each of its patches.
+    void raise(const std::vector<Image>& by, double amount, Scratch& scratch) const;
+    /// How far a patch is from another on these pixels on average, whatever they show: twice the variance.
+    /// 0 where contrast is not balanced.
+    double usualDistance(const Footprint& shape) const { return 2 * m_variance * shape.pixels(m_patch); }
+
     /// All patches at most (1 + tolerance) times as far as the nearest (Efros & Freeman 2001). Never empty.
     std::vector<PatchPosition> within(double tolerance, const Scratch& scratch) const;
     /// The `count` nearest patches, or all if there are fewer, by increasing distance.
@@ -77,7 +84,8 @@ private:
 
     std::vector<PatchSource> m_exemplars;
     int m_patch;
-    float m_smallest; ///< distances below it are raised to it
+    float m_smallest;      ///< distances below it are raised to it
+    double m_variance = 0; ///< see ContrastBalance
     std::vector<PatchDistances> m_distances;
 };
 

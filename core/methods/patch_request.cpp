@@ -3,6 +3,7 @@
 #include "core/analysis/estimated_map.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/match/flat_shares.h"
 #include "core/match/patch_distances.h"
 #include "core/match/patch_quilter.h"
 #include "core/match/whole_patches.h"
@@ -103,6 +104,8 @@ Estimate growthEstimate(const Request& request, int patch, int overlap, int thre
     Estimate need;
     need.bytes = PatchCanvas::bytesFor(request.size, request.wrap, channels, patch, overlap) +
                  patchSearchBytes(exemplars, channels, patch, threads, balanced);
+    for (const Size& size : exemplars)
+        need.bytes += balanced ? FlatShares::bytesFor(size, patch) : 0;
     need.seconds = PatchCanvas::countFor(request.size, request.wrap, patch, overlap) *
                    patchSearchSeconds(exemplars, channels);
     return need;

@@ -5445,8 +5445,8 @@
         <translation>Aus dem meistgenutzten Teil der Vorlage, %</translation>
     </message>
     <message>
-        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
-        <translation>Wie weit flache Patches in ganzen Ausgaben davon abgehalten werden, zu gewinnen, wo nichts gut passt: 1 hält den Kontrast der Vorlage; 0 vergleicht wie veröffentlicht, und Ausgaben können verblassen.</translation>
+        <source>How far flat patches are kept from winning in whole outputs where nothing fits well, and parts of one flat colour from growing beyond their share: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>Wie weit flache Patches in ganzen Ausgaben davon abgehalten werden, zu gewinnen, wo nichts gut passt, und einfarbige Teile davon, über ihren Anteil hinaus zu wachsen: 1 hält den Kontrast der Vorlage; 0 vergleicht wie veröffentlicht, und Ausgaben können verblassen.</translation>
     </message>
     <message>
         <source>How much pieces that were copied near by are avoided in whole outputs: larger repeats itself less, but joins worse; 0 takes whatever fits best, as published.</source>

@@ -5445,8 +5445,8 @@
         <translation>Issu de la partie la plus utilisée de l’échantillon, %</translation>
     </message>
     <message>
-        <source>How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
-        <translation>À quel point, dans les sorties entières, les patchs plats sont empêchés de l’emporter là où rien ne convient bien : 1 garde le contraste de l’échantillon ; 0 compare comme publié, et les sorties peuvent pâlir.</translation>
+        <source>How far flat patches are kept from winning in whole outputs where nothing fits well, and parts of one flat colour from growing beyond their share: 1 holds the exemplar&apos;s contrast; 0 compares as published, and outputs may fade.</source>
+        <translation>À quel point, dans les sorties entières, les patchs plats sont empêchés de l’emporter là où rien ne convient bien, et les parties unies de croître au-delà de leur part : 1 garde le contraste de l’échantillon ; 0 compare comme publié, et les sorties peuvent pâlir.</translation>
     </message>
     <message>
         <source>How much pieces that were copied near by are avoided in whole outputs: larger repeats itself less, but joins worse; 0 takes whatever fits best, as published.</source>

@@ -104,8 +104,9 @@ const Method self = method<Settings>(
              "less, but joins worse; 0 takes whatever fits best, as published.")),
      contrastField(&Settings::contrast)
          .help(TR(
-             "How far flat patches are kept from winning in whole outputs where nothing fits well: 1 holds "
-             "the exemplar's contrast; 0 compares as published, and outputs may fade.")),
+             "How far flat patches are kept from winning in whole outputs where nothing fits well, and parts "
+             "of one flat colour from growing beyond their share: 1 holds the exemplar's contrast; 0 "
+             "compares as published, and outputs may fade.")),
      radiusField(&Settings::radius)
          .help(TR("Where a hole is filled, how far from its own place in an exemplar of the output's size a "
                   "pixel's source may lie: smaller takes what is near; 0 looks everywhere.")),

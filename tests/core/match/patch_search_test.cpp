@@ -55,6 +55,19 @@ TEST(PatchSearch, addedDistancesLeaveTheNearestOfTheSum) {
     }
 }
 
+TEST(PatchSearch, raisedPatchesAreFartherByTheAmount) {
+    Pair pair;
+    const PatchSearch::Scratch before = pair.added(1);
+    PatchSearch::Scratch after = pair.added(1);
+    const Image by = noise({35, 25}, 1);
+    pair.first.raise({by}, 3, after);
+    const PatchDistances reader(pair.colours, {}, channelMeans(pair.colours.view()), kPatch);
+    for (int y = 0; y < 25; ++y)
+        for (int x = 0; x < 35; ++x)
+            EXPECT_NEAR(reader.distanceRow(after[0], y)[x],
+                        reader.distanceRow(before[0], y)[x] + 3 * by(x, y, 0), 1e-4);
+}
+
 TEST(PatchSearch, discouragedPatchesAreFartherByTheShareOfTheirPixels) {
     Pair pair;
     const PatchSearch::Scratch before = pair.added(1);

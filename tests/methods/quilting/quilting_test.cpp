@@ -50,6 +50,38 @@ TEST(Quilting, wavefrontGivesThePixelsOfRasterOrder) {
             }
 }
 
+/// The share of pixels that are black.
+double blackShare(const Image& image) {
+    double black = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            black += image(x, y, 0) == 0 ? 1 : 0;
+    return black / static_cast<double>(image.size().area());
+}
+
+TEST(Quilting, aFlatPartWithoutAnEndDoesNotTakeOver) {
+    // Of the exemplar's right and lower border: it does not show what lies behind black.
+    for (const auto& [left, top] : {std::pair{40, 40}, std::pair{60, 0}, std::pair{0, 60}}) {
+        Image exemplar = noise({80, 80}, 1);
+        for (int y = top; y < 80; ++y)
+            for (int x = left; x < 80; ++x)
+                exemplar(x, y, 0) = 0;
+        const double wanted = blackShare(exemplar);
+        double balanced = 0, published = 0;
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            Request request = requestOf(exemplar, {240, 240});
+            request.seed = seed;
+            Settings settings{14, 0.25, 0.1, PatchStitch::Cut, 3};
+            balanced += blackShare(quilt(request, settings).image) / 3;
+            settings.contrast = 0;
+            published += blackShare(quilt(request, settings).image) / 3;
+        }
+        EXPECT_GT(published, 2.5 * wanted) << left;
+        EXPECT_LT(balanced, 1.6 * wanted) << left;
+        EXPECT_GT(balanced, 0.5 * wanted) << left;
+    }
+}
+
 TEST(Quilting, periodicExemplarIsContinuedWithItsPeriod) {
     const Request request = requestOf(periodic({48, 45}, {8, 9}, 2), {101, 87});
     const Image image = quilt(request, {20, 0.25, 0, PatchStitch::Cut, 3}).image;
