@@ -49,6 +49,14 @@ template <class Settings> Param contrastField(double Settings::*member) {
                  "contrast; 0 compares as published, and outputs may fade."));
 }
 
+/// Whether patches drawn from a Gaussian are kept within what its patches show: see boundPatch().
+template <class Settings> Param boundedField(bool Settings::*member) {
+    return field(member, "bounded", TR("Bounded"))
+        .group(TR("Advanced"))
+        .help(TR("Keeps each pixel of a new patch within the lightness and colour that the patches like it "
+                 "have there: no sparks and no false colours. Off: the Gaussian as published."));
+}
+
 /// Scales of a pyramid.
 template <class Settings> Param scalesField(int Settings::*member) {
     return field(member, "scales", TR("Scales"))

@@ -5953,10 +5953,6 @@
         <translation>Alle Kacheln nebeneinander; die eines vollständigen Satzes passen dort zusammen.</translation>
     </message>
     <message>
-        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but each patch is softer than those before it: lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as large as a patch, keep most of it.</source>
-        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die geteilten Pixel. Keine Nähte und kein Zusammenfügen, aber jeder Patch ist weicher als die vor ihm: Rasen, Kies und Erde verlieren mehr als die Hälfte ihres Kontrasts; Schuppen und Ziegel, deren Elemente so groß wie ein Patch sind, behalten das meiste.</translation>
-    </message>
-    <message>
         <source>Edges</source>
         <translation>Kanten</translation>
     </message>
@@ -6247,6 +6243,30 @@
     <message>
         <source>{} would be overwritten by the {}: it is {}; name another file.</source>
         <translation>{0} würde überschrieben ({1}), und es ist {2}; nennen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Bounded</source>
+        <translation>Begrenzt</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels next to it. Suits grain, gravel and brick; patches are not stitched, so that their borders show on smooth objects such as scales or roof tiles.</source>
+        <translation>Setzt fort, was da ist: Jeder Patch wird aus der Gauß-Verteilung ähnlicher gezogen, bedingt durch die Pixel neben ihm. Für Körniges, Kies und Ziegel; Patches werden nicht zusammengefügt, sodass ihre Ränder auf glatten Objekten wie Schuppen oder Dachziegeln zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Given border</source>
+        <translation>Gegebener Rand</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning where nothing fits well, and how far a sample gets the contrast of the patches that it is drawn from: 1 holds the exemplar&apos;s contrast; 0 is as published, and outputs fade.</source>
+        <translation>Wie weit flaue Patches davon abgehalten werden zu gewinnen, wo nichts gut passt, und wie weit eine Ziehung den Kontrast der Patches bekommt, aus denen sie gezogen wird: 1 hält den Kontrast der Vorlage; 0 ist wie veröffentlicht, und Ergebnisse verflachen.</translation>
+    </message>
+    <message>
+        <source>How wide a border of what is there a patch is drawn to continue: narrow keeps the exemplar&apos;s contrast, wide fits more closely and fades; 0 gives all of it, as published.</source>
+        <translation>Wie breit der Rand dessen ist, was da ist, den ein Patch fortsetzt: schmal hält den Kontrast der Vorlage, breit passt genauer und verflacht; 0 gibt alles vor, wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Keeps each pixel of a new patch within the lightness and colour that the patches like it have there: no sparks and no false colours. Off: the Gaussian as published.</source>
+        <translation>Hält jedes Pixel eines neuen Patches in der Helligkeit und Farbe, die ähnliche Patches dort haben: keine Funken und keine falschen Farben. Aus: die Gauß-Verteilung wie veröffentlicht.</translation>
     </message>
 </context>
 <context>

@@ -5953,10 +5953,6 @@
         <translation>Toutes les tuiles côte à côte ; celles d’un jeu complet s’y accordent.</translation>
     </message>
     <message>
-        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels it shares. No seams and no stitching, but each patch is softer than those before it: lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as large as a patch, keep most of it.</source>
-        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels partagés. Ni couture ni raccord, mais chaque patch est plus doux que les précédents : pelouses, graviers et terre perdent plus de la moitié de leur contraste ; écailles et briques, dont les éléments sont aussi grands qu’un patch, en gardent l’essentiel.</translation>
-    </message>
-    <message>
         <source>Edges</source>
         <translation>Bords</translation>
     </message>
@@ -6247,6 +6243,30 @@
     <message>
         <source>{} would be overwritten by the {}: it is {}; name another file.</source>
         <translation>{0} serait écrasé ({1}), et c&apos;est {2} ; nommez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>Bounded</source>
+        <translation>Borné</translation>
+    </message>
+    <message>
+        <source>Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels next to it. Suits grain, gravel and brick; patches are not stitched, so that their borders show on smooth objects such as scales or roof tiles.</source>
+        <translation>Prolonge ce qui est là : chaque patch est tiré de la gaussienne de ses semblables, sachant les pixels voisins. Convient au grain, au gravier et à la brique ; les patchs ne sont pas raccordés, si bien que leurs bords se voient sur des objets lisses comme des écailles ou des tuiles.</translation>
+    </message>
+    <message>
+        <source>Given border</source>
+        <translation>Bord donné</translation>
+    </message>
+    <message>
+        <source>How far flat patches are kept from winning where nothing fits well, and how far a sample gets the contrast of the patches that it is drawn from: 1 holds the exemplar&apos;s contrast; 0 is as published, and outputs fade.</source>
+        <translation>À quel point les patchs plats sont empêchés de gagner là où rien ne convient, et un tirage reçoit le contraste des patchs dont il est tiré : 1 tient le contraste de l’échantillon ; 0 est comme publié, et les résultats s’affadissent.</translation>
+    </message>
+    <message>
+        <source>How wide a border of what is there a patch is drawn to continue: narrow keeps the exemplar&apos;s contrast, wide fits more closely and fades; 0 gives all of it, as published.</source>
+        <translation>Largeur du bord de ce qui est là qu’un patch prolonge : étroit, il garde le contraste de l’échantillon ; large, il s’ajuste mieux et s’affadit ; 0 donne tout, comme publié.</translation>
+    </message>
+    <message>
+        <source>Keeps each pixel of a new patch within the lightness and colour that the patches like it have there: no sparks and no false colours. Off: the Gaussian as published.</source>
+        <translation>Garde chaque pixel d’un nouveau patch dans la clarté et la couleur que les patchs semblables y ont : ni étincelles ni fausses couleurs. Désactivé : la gaussienne comme publiée.</translation>
     </message>
 </context>
 <context>

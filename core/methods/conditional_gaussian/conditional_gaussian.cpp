@@ -44,16 +44,13 @@ public:
 private:
     void make(const PatchCell& cell, Workspace& work) override {
         const std::vector<ImageView> patches = search().pixels(nearest(cell, m_settings.neighbours, work));
-        const std::vector<double> normals =
-            normalNumbers(context().random(), cell, patches.size(), kCoefficients);
         if (cell.overlap.none())
-            combinePatches(patches, gaussianWeights(normals), work.fresh);
+            drawPatch(patches, context().random(), cell, kCoefficients, m_settings.bounded, work.fresh);
         else
-            condition(cell, patches, normals, work);
+            condition(cell, patches, work);
     }
 
-    void condition(const PatchCell& cell, const std::vector<ImageView>& patches,
-                   const std::vector<double>& normals, Workspace& work) const {
+    void condition(const PatchCell& cell, const std::vector<ImageView>& patches, Workspace& work) const {
         const bool sampled = m_settings.choose == Choose::Sample;
         const auto noise = [&](int x, int y, int c) {
             const int at = (c * m_settings.patch + y) * m_settings.patch + x;
@@ -64,7 +61,10 @@ private:
                      [&](int x, int y) { return cell.overlap.contains(x, y, m_settings.patch); });
         context().check();
         const double sigma = m_settings.sigma / 100 * m_deviation;
-        conditionPatch(patches, work.known, cell.overlap, sigma, sampled ? normals : std::vector<double>{},
+        conditionPatch(patches, work.known, cell.overlap,
+                       {sigma, m_settings.border, m_settings.contrast, m_settings.bounded},
+                       sampled ? normalNumbers(context().random(), cell, patches.size(), kCoefficients)
+                               : std::vector<double>{},
                        work.fresh);
         context().check();
         if (sampled)
@@ -111,10 +111,9 @@ extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Conditional Gaussian"),
      .summary = TR(
-         "Continues what is there: every patch is drawn from the Gaussian of similar ones, given the "
-         "pixels it shares. No seams and no stitching, but each patch is softer than those before it: "
-         "lawns, gravel and soil fade to less than half their contrast; scales and brick, with elements as "
-         "large as a patch, keep most of it."),
+         "Continues what is there: every patch is drawn from the Gaussian of similar ones, given the pixels "
+         "next to it. Suits grain, gravel and brick; patches are not stitched, so that their borders show on "
+         "smooth objects such as scales or roof tiles."),
      .citation = "Raad, Desolneux & Morel, 2014; Raad, thesis 2016, algorithms 3 and 4",
      .category = Category::Patches,
      .suits = {.regular = 1, .grain = 2, .objects = 1, .large = 1},
@@ -129,6 +128,11 @@ const Method self = method<Settings>(
      overlapField(&Settings::overlap)
          .help(
              TR("Share of the patch that is given by its neighbours: larger fits better and takes longer.")),
+     field(&Settings::border, "border", TR("Given border"))
+         .range(0, 128)
+         .unit("px")
+         .help(TR("How wide a border of what is there a patch is drawn to continue: narrow keeps the "
+                  "exemplar's contrast, wide fits more closely and fades; 0 gives all of it, as published.")),
      field(&Settings::model, "model", TR("Overlap values"))
          .choices({{"exact", TR("Kept (CLG)")}, {"relaxed", TR("Relaxed (RCLG)")}})
          .help(TR(
@@ -151,7 +155,11 @@ const Method self = method<Settings>(
          .help(
              TR("White noise added to the model, in per cent of the exemplar's standard deviation: more lets "
                 "patches fit their neighbours less.")),
-     contrastField(&Settings::contrast)},
+     contrastField(&Settings::contrast)
+         .help(TR("How far flat patches are kept from winning where nothing fits well, and how far a sample "
+                  "gets the contrast of the patches that it is drawn from: 1 holds the exemplar's contrast; "
+                  "0 is as published, and outputs fade.")),
+     boundedField(&Settings::bounded)},
     run, checkPatch, estimate);
 
 } // namespace texloom::conditional_gaussian

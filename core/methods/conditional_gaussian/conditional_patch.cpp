@@ -11,13 +11,29 @@ namespace texloom::conditional_gaussian {
 
 namespace {
 
-/// The values of a patch on the overlap, channel by channel.
-std::vector<double> valuesOn(const ImageView& patch, const Overlap& overlap) {
+/// The pixels of an overlap that a patch is drawn to continue.
+struct Given {
+    Overlap overlap;
+    int border; ///< only those at most so many pixels away from what is drawn; 0: all
+
+    bool contains(int x, int y, int patch) const {
+        if (!overlap.contains(x, y, patch))
+            return false;
+        const auto away = [&](int at, int before, int after) {
+            return std::max(before - at, at - (patch - after - 1));
+        };
+        return border == 0 ||
+               std::max(away(x, overlap.left, overlap.right), away(y, overlap.top, overlap.bottom)) <= border;
+    }
+};
+
+/// The values of a patch on what is given, channel by channel.
+std::vector<double> valuesOn(const ImageView& patch, const Given& given) {
     std::vector<double> values;
     for (int c = 0; c < patch.channels; ++c)
         for (int y = 0; y < patch.height; ++y)
             for (int x = 0; x < patch.width; ++x)
-                if (overlap.contains(x, y, patch.width))
+                if (given.contains(x, y, patch.width))
                     values.push_back(static_cast<double>(patch(x, y, c)));
     return values;
 }
@@ -28,10 +44,10 @@ struct Known {
     std::vector<double> mean;
 };
 
-Known knownPart(std::span<const ImageView> patches, const Overlap& overlap) {
+Known knownPart(std::span<const ImageView> patches, const Given& given) {
     Known known;
     for (const ImageView& patch : patches) {
-        const std::vector<double> values = valuesOn(patch, overlap);
+        const std::vector<double> values = valuesOn(patch, given);
         known.rows.insert(known.rows.end(), values.begin(), values.end());
     }
     const std::size_t count = known.rows.size() / patches.size();
@@ -44,6 +60,17 @@ Known knownPart(std::span<const ImageView> patches, const Overlap& overlap) {
     return known;
 }
 
+/// Coefficients with the norm that those of a Gaussian have, √m, as far as `share` says, 0 to 1.
+std::vector<double> withNorm(std::vector<double> coefficients, double share) {
+    double squares = 0;
+    for (const double one : coefficients)
+        squares += one * one;
+    if (squares > 0)
+        for (double& one : coefficients)
+            one *= std::pow(static_cast<double>(coefficients.size()) / squares, share / 2);
+    return coefficients;
+}
+
 void keepWeights(const Overlap& overlap, PlaneSpan weight) {
     for (int y = 0; y < weight.height; ++y)
         for (int x = 0; x < weight.width; ++x)
@@ -53,9 +80,11 @@ void keepWeights(const Overlap& overlap, PlaneSpan weight) {
 } // namespace
 
 void conditionPatch(std::span<const ImageView> patches, const Image& known, const Overlap& overlap,
-                    double sigma, std::span<const double> normals, Image& fresh) {
-    const Known model = knownPart(patches, overlap);
-    std::vector<double> difference = valuesOn(known, overlap);
+                    const Drawing& drawing, std::span<const double> normals, Image& fresh) {
+    const bool closes = overlap.right > 0 || overlap.bottom > 0;
+    const Given given{overlap, closes ? 0 : drawing.border};
+    const Known model = knownPart(patches, given);
+    std::vector<double> difference = valuesOn(known, given);
     double largest = 0;
     for (std::size_t i = 0; i < difference.size(); ++i) {
         largest = std::max(largest, std::abs(difference[i]));
@@ -64,11 +93,14 @@ void conditionPatch(std::span<const ImageView> patches, const Image& known, cons
     // Keeps the factorisation well-defined where all patches are identical.
     const double least = std::max(1e-9 * largest, 1e-30);
     const ConditionalGaussian gaussian(model.rows, static_cast<int>(difference.size()), difference,
-                                       std::max(sigma, least));
-    combinePatches(patches, gaussianWeights(normals.empty() ? gaussian.mean() : gaussian.sample(normals)),
-                   fresh);
+                                       std::max(drawing.sigma, least));
+    const std::vector<double> drawn =
+        normals.empty() ? gaussian.mean() : withNorm(gaussian.sample(normals), drawing.contrast);
+    combinePatches(patches, gaussianWeights(drawn), fresh);
+    if (drawing.bounded)
+        boundPatch(patches, fresh);
     Image weight(fresh.size(), 1);
-    if (overlap.right > 0 || overlap.bottom > 0)
+    if (closes)
         rampWeights(overlap, weight.plane(0));
     else
         keepWeights(overlap, weight.plane(0));

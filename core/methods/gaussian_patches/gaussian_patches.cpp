@@ -102,7 +102,7 @@ private:
         compare(cell, guide, work);
         const std::vector<ImageView> patches =
             search().pixels(search().nearest(m_settings.neighbours, work.search));
-        drawPatch(patches, context().random(), cell, 0, work.fresh);
+        drawPatch(patches, context().random(), cell, 0, false, work.fresh);
     }
 
     void place(const PatchCell& cell, Workspace& work) override {

@@ -24,7 +24,7 @@ private:
     /// Draw 0 chooses the seed patch; the following draws are the Gaussian's coefficients.
     void make(const PatchCell& cell, Workspace& work) override {
         const std::vector<ImageView> patches = search().pixels(nearest(cell, m_settings.neighbours, work));
-        drawPatch(patches, context().random(), cell, 2, work.fresh);
+        drawPatch(patches, context().random(), cell, 2, m_settings.bounded, work.fresh);
         join(cell, work);
     }
 
@@ -68,7 +68,7 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(TR("How a patch joins its neighbours: along the cut of least error, or blended over the "
                   "overlap.")),
-     contrastField(&Settings::contrast)},
+     contrastField(&Settings::contrast), boundedField(&Settings::bounded)},
     run, checkPatch, estimate);
 
 } // namespace texloom::locally_gaussian

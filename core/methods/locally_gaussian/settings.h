@@ -12,6 +12,7 @@ struct Settings {
     double overlap = 0.5; ///< o as a share of the patch
     PatchStitch stitch = PatchStitch::Cut;
     double contrast = 1; ///< see ContrastBalance::share; 0 in the source
+    bool bounded = true; ///< see boundPatch(); not in the source
 
     int overlapPixels() const { return overlapFor(patch, overlap); }
 };

@@ -135,7 +135,7 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(TR("How patches join at the coarsest scale: the cut keeps contrast that the average, as "
                   "published, loses.")),
-     contrastField(&Settings::contrast)},
+     contrastField(&Settings::contrast), boundedField(&Settings::bounded)},
     run, check, estimate);
 
 } // namespace texloom::multiscale_gaussian

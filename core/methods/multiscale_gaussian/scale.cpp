@@ -87,7 +87,8 @@ std::vector<ImageView> ScaleSampler::pieces(const std::vector<PatchPosition>& po
 }
 
 void ScaleSampler::sample(const PatchCell& cell, const std::vector<ImageView>& patches, Image& to) const {
-    drawPatch(patches, context().random(), cell, (static_cast<std::uint32_t>(m_scale) << 16U) + 2, to);
+    drawPatch(patches, context().random(), cell, (static_cast<std::uint32_t>(m_scale) << 16U) + 2,
+              m_settings.bounded, to);
 }
 
 void ScaleSampler::make(const PatchCell& cell, Workspace& work) {

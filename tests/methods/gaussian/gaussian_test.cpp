@@ -116,6 +116,51 @@ TEST(Gaussian, outputsDoNotFadeWhereNothingFits) {
     }
 }
 
+TEST(Gaussian, conditionedSamplesKeepTheContrastThatTheSourceLoses) {
+    const Image exemplar = noise({96, 96}, 1);
+    const auto contrast = [&](const Values& settings) {
+        return localContrast(made("conditional-gaussian", requestOf(exemplar, {192, 192}), settings)) /
+               localContrast(exemplar);
+    };
+    EXPECT_LT(contrast({{"patch", 16}, {"neighbours", 30}, {"border", 0}, {"contrast", 0.0}}), 0.6);
+    EXPECT_GT(contrast({{"patch", 16}}), 0.75);
+}
+
+/// The least and the greatest lightness, and excess of the first channel over the mean of all.
+std::pair<ValueRange, ValueRange> lightAndRed(const Image& image) {
+    Image light(image.size(), 1), red(image.size(), 1);
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            for (int c = 0; c < image.channels(); ++c)
+                light(x, y, 0) += image(x, y, c) / static_cast<float>(image.channels());
+            red(x, y, 0) = image(x, y, 0) - light(x, y, 0);
+        }
+    return {valueRange(light), valueRange(red)};
+}
+
+TEST(Gaussian, boundedSamplesMakeNoSparksAndNoOppositeColours) {
+    // Grey, with a few spots that are brighter and red.
+    const Image random = noise({80, 80}, 2);
+    Image exemplar({80, 80}, 3);
+    for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const bool spot = random(x / 4, y / 4, 0) > 0.85F;
+            const float grey = 0.4F + 0.1F * random(x, y, 1);
+            for (int c = 0; c < 3; ++c)
+                exemplar(x, y, c) = spot && c == 0 ? grey + 0.4F : grey;
+        }
+    const auto [light, red] = lightAndRed(exemplar);
+    const auto inside = [](const ValueRange& one, const ValueRange& all) {
+        return one.smallest >= all.smallest - 1e-5F && one.largest <= all.largest + 1e-5F;
+    };
+    for (const bool bounded : {false, true}) {
+        const auto [itsLight, itsRed] = lightAndRed(
+            made("locally-gaussian", requestOf(exemplar, {160, 160}), {{"patch", 12}, {"bounded", bounded}}));
+        EXPECT_EQ(inside(itsLight, light), bounded);
+        EXPECT_EQ(inside(itsRed, red), bounded);
+    }
+}
+
 TEST(Gaussian, finerScalesKeepTheCoarseLayout) {
     // Blocks far larger than the patch: only the coarse scale can know how they lie.
     Image exemplar = noise({128, 128}, 1);
@@ -152,17 +197,37 @@ TEST(ConditionalPatch, keepsTheOverlapAndContinuesAPatchOfTheModel) {
     const Overlap overlap{6, 6, 0, 0};
     for (const bool sampled : {false, true}) {
         const std::vector<double> normals = {0.5, -1, 2, 0.1, 1, -0.4};
-        conditional_gaussian::conditionPatch(patches, known, overlap, 1e-7,
+        conditional_gaussian::conditionPatch(patches, known, overlap, {1e-7},
                                              sampled ? normals : std::vector<double>{}, fresh);
         EXPECT_LE(largestDifference(fresh, whole), 1e-4);
         EXPECT_EQ(fresh(3, 9, 1), known(3, 9, 1));
     }
 }
 
+TEST(ConditionalPatch, aBorderOfWhatIsThereIsAllThatIsContinued) {
+    const Image source = noise({60, 60}, 2);
+    const std::vector<ImageView> patches = patchesOf(source, 12, 6);
+    const Image known(source.view().crop(40, 30, {12, 12}));
+    const Overlap overlap{6, 6, 0, 0};
+    const std::vector<double> normals = {0.5, -1, 2, 0.1, 1, -0.4};
+    const auto drawn = [&](int changedX, int changedY, int border) {
+        Image there = known, fresh({12, 12}, 2);
+        there(changedX, changedY, 1) += 1;
+        conditional_gaussian::conditionPatch(patches, there, overlap, {0.05, border}, normals, fresh);
+        return Image(fresh.view().crop(6, 6, {6, 6}));
+    };
+    // Three pixels from what is drawn, and two.
+    EXPECT_TRUE(samePixels(drawn(0, 0, 2), drawn(3, 8, 2)));
+    EXPECT_FALSE(samePixels(drawn(0, 0, 2), drawn(4, 8, 2)));
+    EXPECT_FALSE(samePixels(drawn(0, 0, 2), drawn(9, 4, 2)));
+    EXPECT_FALSE(samePixels(drawn(0, 0, 3), drawn(3, 8, 3)));
+    EXPECT_FALSE(samePixels(drawn(0, 0, 0), drawn(3, 8, 0)));
+}
+
 TEST(ConditionalPatch, equalPatchesGiveThatPatch) {
     const Image source = constant({40, 40}, 1, 0.5F);
     Image known = constant({12, 12}, 1, 0.5F), fresh({12, 12}, 1);
-    conditional_gaussian::conditionPatch(patchesOf(source, 12, 4), known, {6, 0, 0, 0}, 0, {}, fresh);
+    conditional_gaussian::conditionPatch(patchesOf(source, 12, 4), known, {6, 0, 0, 0}, {}, {}, fresh);
     EXPECT_LE(largestDifference(fresh, known), 1e-6);
 }
 
