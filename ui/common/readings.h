@@ -60,7 +60,7 @@ template <class Work, class Done, class Failed>
 std::shared_ptr<Readings::Reading> readInBackground(QObject* context, const QString& what, Work work,
                                                     Done done, Failed failed,
                                                     Readings::Doing doing = Readings::Doing::Read) {
-    const std::shared_ptr<Readings::Reading> reading = Readings::all().begin(what, doing);
+    std::shared_ptr<Readings::Reading> reading = Readings::all().begin(what, doing);
     inBackground(
         context,
         [reading, work = std::move(work)]() mutable {

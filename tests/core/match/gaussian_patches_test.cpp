@@ -65,21 +65,21 @@ std::vector<float> lightAndColors(const ImageView& patch, int x, int y) {
 }
 
 TEST(GaussianPatches, boundedPatchesShowNothingBeyondWhatTheOthersShow) {
-    constexpr Size kSize{8, 7};
+    constexpr Size kCrop{8, 7};
     for (const int channels : {1, 3}) {
         const Image source = noise({40, 40}, channels);
         std::vector<ImageView> patches;
         for (int i = 0; i < 4; ++i)
-            patches.push_back(source.view().crop(3 * i, 2 * i, kSize));
-        Image to(kSize, channels);
+            patches.push_back(source.view().crop(3 * i, 2 * i, kCrop));
+        Image to(kCrop, channels);
         combinePatches(patches, std::vector<double>{1.5, -1.2, 0.9, -0.2}, to);
         const Image before = to;
         boundPatch(patches, to);
         const Image once = to;
         boundPatch(patches, to);
         int changed = 0;
-        for (int y = 0; y < kSize.height; ++y)
-            for (int x = 0; x < kSize.width; ++x) {
+        for (int y = 0; y < kCrop.height; ++y)
+            for (int x = 0; x < kCrop.width; ++x) {
                 const std::vector<float> was = lightAndColors(before, x, y), is = lightAndColors(once, x, y);
                 bool inside = true;
                 for (std::size_t k = 0; k < is.size(); ++k) {
