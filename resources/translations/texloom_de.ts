@@ -6181,10 +6181,6 @@
         <translation>{} Voxel, {}</translation>
     </message>
     <message>
-        <source>{} × {} px, {}</source>
-        <translation>{} × {} px, {}</translation>
-    </message>
-    <message>
         <source>8 or 16</source>
         <translation>8 oder 16</translation>
     </message>

@@ -72,7 +72,7 @@ TEST_F(Overwrite, NothingThatACallReads) {
     remember();
     for (const char* output : {"tex.png", "hard.png", "soft.png"})
         refused(synth({"--overwrite"}, output), {output, "tex.png", "overwritten"});
-    refused(synth({"--report", "tex.png", "--overwrite"}), {"report tex.png"});
+    refused(synth({"--report", "tex.png", "--overwrite"}), {"tex.png", "by the report"});
     refused(synth({"--map", "tex.png", "--overwrite"}), {"position map", "tex.png"});
     refused({"run", "bark.json", "-o", "bark.png", "--overwrite"}, {"bark.json", "the recipe of this run"});
     refused({"stress", "quilting", "tex.png", "--set", "patch=8", "-o", "s", "--report", "tex.png"},

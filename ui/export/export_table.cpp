@@ -35,7 +35,6 @@ ExportTable::ExportTable(QWidget* parent) : QTableWidget(0, 4, parent) {
     verticalHeader()->setDefaultSectionSize(QComboBox().sizeHint().height());
     // Names are never cut: where they are long, the table scrolls.
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setStretchLastSection(true);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
     setTabKeyNavigation(false);

@@ -22,8 +22,10 @@ QString shown(const Message& text) {
     return text.empty() ? QStringLiteral("–") : translated(text);
 }
 
+/// A line for each part of the label, so that none is cut.
 QString headerOf(const ResultEntry& entry) {
-    return entry.title.empty() ? labelText(entry) : titleText(entry);
+    const QString text = entry.title.empty() ? labelText(entry) : titleText(entry);
+    return QString(text).replace(QStringLiteral(" · "), QStringLiteral("\n"));
 }
 
 } // namespace

@@ -68,7 +68,8 @@ std::string smallByteText(std::uint64_t bytes) {
 
 struct SizeText {
     Message operator()(const Image& image) const {
-        return message("{} × {} px, {}", image.width(), image.height(), channelText(image.channels()));
+        return message("{}, {}", message("{} × {} px", image.width(), image.height()),
+                       channelText(image.channels()));
     }
     Message operator()(const PositionMap& map) const {
         return message("{} × {} px", map.width(), map.height());

@@ -14,6 +14,9 @@ namespace texloom::test {
 namespace {
 
 /// The seam's mean difference against the largest between two neighbouring lines inside.
+/// Where all columns are alike, the seam is the worst of them by chance once in so many columns.
+constexpr double kByChance = 1.1;
+
 double worstInsideX(const ImageView& image) {
     double worst = 0;
     for (int x = 0; x + 1 < image.width; ++x) {
@@ -54,10 +57,10 @@ TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
         request.wrap = wrap;
         const Image image = runWith(method(), request, 2).image;
         if (wrap.x) {
-            EXPECT_LE(seamX(image), worstInsideX(image));
+            EXPECT_LE(seamX(image), kByChance * worstInsideX(image));
         }
         if (wrap.y) {
-            EXPECT_LE(seamX(transposed(image)), worstInsideX(transposed(image)));
+            EXPECT_LE(seamX(transposed(image)), kByChance * worstInsideX(transposed(image)));
         }
     }
 }
