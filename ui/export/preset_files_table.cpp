@@ -13,7 +13,7 @@ namespace texloom::ui {
 
 namespace {
 
-constexpr int kBoxLetters = 9, kWidth = 108;
+constexpr int kBoxLetters = 9, kWidth = 148;
 constexpr int kOtherwise = Qt::UserRole + 1; ///< what a channel holds where its map is missing
 constexpr int kPacked = -1, kAsSource = -1, kNoChannel = -1;
 
@@ -58,7 +58,7 @@ PresetFilesTable::PresetFilesTable(QWidget* parent) : QTableWidget(0, 7, parent)
         {tr("$map"), tr("Holds"), tr("Red"), tr("Green"), tr("Blue"), tr("Alpha"), tr("Depth")});
     horizontalHeaderItem(Word)->setToolTip(tr("The word that stands for $map in the file's name"));
     verticalHeader()->hide();
-    constexpr std::array kLetters = {14, 21, 14, 14, 14, 14, 15}; // of the columns
+    constexpr std::array kLetters = {16, 27, 22, 22, 22, 22, 15}; // of the columns
     for (int column = Word; column <= DepthColumn; ++column)
         horizontalHeader()->resizeSection(column, fontMetrics().averageCharWidth() *
                                                       kLetters[static_cast<std::size_t>(column)]);
