@@ -73,7 +73,7 @@ bool all(const fs::path&) {
 TEST(ZipFile, UnpacksStoredAndDeflatedFilesByTheirPlainNames) {
     const TemporaryFolder folder;
     std::string large;
-    for (int i = 0; i < 400'000; ++i)
+    for (unsigned i = 0; i < 400'000; ++i)
         large += static_cast<char>((i * i) >> 7);
     ArchiveMaker maker;
     maker.add("stone/", "", false);
