@@ -14,9 +14,6 @@ namespace texloom::test {
 namespace {
 
 /// The seam's mean difference against the largest between two neighbouring lines inside.
-/// Where all columns are alike, the seam is the worst of them by chance once in so many columns.
-constexpr double kByChance = 1.1;
-
 double worstInsideX(const ImageView& image) {
     double worst = 0;
     for (int x = 0; x + 1 < image.width; ++x) {
@@ -55,13 +52,16 @@ TEST_P(Conformance, wrappedOutputTilesOnTheChosenAxes) {
     for (const auto& [wrap, size] : cases) {
         Request request = requestFor({64, 64}, 3, size);
         request.wrap = wrap;
-        const Image image = runWith(method(), request, 2).image;
-        if (wrap.x) {
-            EXPECT_LE(seamX(image), kByChance * worstInsideX(image));
+        // Even where none shows, the seam is the worst of all columns by chance once in so many: a second
+        // seed tells.
+        bool across = !wrap.x, down = !wrap.y;
+        for (int n = 0; n < 2 && !(across && down); ++n, ++request.seed) {
+            const Image image = runWith(method(), request, 2).image, turned = transposed(image);
+            across = across || seamX(image) <= worstInsideX(image);
+            down = down || seamX(turned) <= worstInsideX(turned);
         }
-        if (wrap.y) {
-            EXPECT_LE(seamX(transposed(image)), kByChance * worstInsideX(transposed(image)));
-        }
+        EXPECT_TRUE(across) << size.width << " × " << size.height;
+        EXPECT_TRUE(down) << size.width << " × " << size.height;
     }
 }
 
