@@ -1,6 +1,7 @@
 #include "core/session/run/checkpoint_file.h"
 #include "core/tools/edits.h"
 #include "tests/support/volumes.h"
+#include "tests/ui/shoot.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/blend/blend_window.h"
 #include "ui/common/appearance.h"
@@ -487,16 +488,6 @@ private:
         QVERIFY(QTest::qWaitForWindowExposed(keys));
         shoot(*keys, "shortcuts");
         keys->reject();
-    }
-
-    static void shoot(QWidget& widget, const char* state) {
-        settle();
-        QVERIFY2(cutText(widget).isEmpty(), qPrintable(cutText(widget)));
-        const QString scale = qEnvironmentVariable("QT_SCALE_FACTOR", QStringLiteral("1"));
-        const QString file = QStringLiteral("%1/%2-%3-%4x.png")
-                                 .arg(QStringLiteral(TEXLOOM_SCREENSHOTS), QLatin1String(state),
-                                      QLatin1String(QTest::currentDataTag()), scale);
-        QVERIFY2(widget.grab().save(file), qPrintable(file));
     }
 };
 

@@ -16,6 +16,18 @@ QString dataFolder(const QString& name) {
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QLatin1Char('/') + name;
 }
 
+QString idFrom(const QString& title) {
+    QString id;
+    for (const QChar letter : title.toLower())
+        if (letter.isLetterOrNumber())
+            id += letter;
+        else if (!id.isEmpty() && !id.endsWith(QLatin1Char('-')))
+            id += QLatin1Char('-');
+    while (id.endsWith(QLatin1Char('-')))
+        id.chop(1);
+    return id;
+}
+
 QString earlierFolder(const QString& name) {
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QLatin1Char('/') + name;
 }

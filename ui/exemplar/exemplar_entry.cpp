@@ -95,4 +95,12 @@ RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known,
     return made;
 }
 
+void putCompanions(RunExemplar& original, std::vector<ExemplarFile> maps) {
+    std::erase_if(original.companions, [&](const ExemplarFile& known) {
+        return known.path == maps.front().path && known.layer == maps.front().layer;
+    });
+    for (ExemplarFile& map : maps)
+        original.companions.push_back(std::move(map));
+}
+
 } // namespace texloom::ui

@@ -39,6 +39,9 @@ ShownExemplar shown(RunExemplar exemplar, const ShownExemplar* before = nullptr)
 
 ExemplarState stateOf(const RunExemplar& exemplar);
 
+/// Puts these maps, at least one, in the place of what came from the same file, or the same layer of it.
+void putCompanions(RunExemplar& original, std::vector<ExemplarFile> maps);
+
 /// What the state makes of an exemplar, whose pixels are kept where they stay the same.
 /// @param check called every few milliseconds; may throw.
 RunExemplar madeFrom(const ExemplarState& state, const RunExemplar& known,

@@ -8,6 +8,7 @@
 #include "ui/common/background.h"
 #include "ui/common/text.h"
 #include "ui/exemplar/files.h"
+#include "ui/exemplar/material.h"
 
 #include <QFileInfo>
 
@@ -24,29 +25,6 @@ std::vector<ExemplarFile> loadFitting(const RunExemplar& original, const QString
     std::vector<ExemplarFile> companions = loadCompanions(toPath(path), layer);
     checkSizeLike(original.image, companions.front(), TR("companion"));
     return companions;
-}
-
-/// Puts these in the place of what came from the same file, or the same layer of it.
-void putCompanions(RunExemplar& original, std::vector<ExemplarFile> maps) {
-    std::erase_if(original.companions, [&](const ExemplarFile& known) {
-        return known.path == maps.front().path && known.layer == maps.front().layer;
-    });
-    for (ExemplarFile& map : maps)
-        original.companions.push_back(std::move(map));
-}
-
-std::string stemOf(const QString& path) {
-    return QFileInfo(path).completeBaseName().toStdString();
-}
-
-bool isCompanion(const QString& path) {
-    return mapNameFrom(stemOf(path)).isCompanion();
-}
-
-/// Whether two files are maps of one material by their names.
-bool belongTogether(const QString& companion, const QString& other) {
-    return QFileInfo(companion).path() == QFileInfo(other).path() &&
-           sameMaterial(stemOf(companion), stemOf(other)) && !isCompanion(other);
 }
 
 } // namespace

@@ -19,6 +19,10 @@ constexpr std::size_t kMostMaterials = 24;
 /// What the folders of derived maps begin with.
 const QString kDerived = QStringLiteral("derived-");
 
+std::string stemOf(const QString& path) {
+    return QFileInfo(path).completeBaseName().toStdString();
+}
+
 bool isArchive(const QString& path) {
     return path.endsWith(QStringLiteral(".zip"), Qt::CaseInsensitive);
 }
@@ -34,6 +38,15 @@ std::filesystem::path folderFor(const std::filesystem::path& archive) {
 
 bool isMaterial(const QString& path) {
     return isArchive(path) || QFileInfo(path).isDir();
+}
+
+bool isCompanion(const QString& path) {
+    return mapNameFrom(stemOf(path)).isCompanion();
+}
+
+bool belongTogether(const QString& companion, const QString& picture) {
+    return QFileInfo(companion).path() == QFileInfo(picture).path() &&
+           sameMaterial(stemOf(companion), stemOf(picture)) && !isCompanion(picture);
 }
 
 std::vector<MaterialFiles> materialsIn(const QString& path) {

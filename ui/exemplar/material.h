@@ -15,6 +15,12 @@ bool isMaterial(const QString& path);
 /// materialFolder(). Called on a worker. @throws Error where there is no picture, or there are too many.
 std::vector<MaterialFiles> materialsIn(const QString& path);
 
+/// Whether a file is a companion map by its name.
+bool isCompanion(const QString& path);
+
+/// Whether a companion map and a picture are of one material by their names.
+bool belongTogether(const QString& companion, const QString& picture);
+
 /// Whether a map was made from other maps, rather than read from the user's files.
 bool isDerived(const QString& path);
 

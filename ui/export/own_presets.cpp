@@ -14,19 +14,6 @@ namespace texloom::ui {
 
 namespace {
 
-/// "Our engine, 8-bit" -> "our-engine-8-bit".
-QString idFor(const QString& title) {
-    QString id;
-    for (const QChar letter : title.toLower())
-        if (letter.isLetterOrNumber())
-            id += letter;
-        else if (!id.isEmpty() && !id.endsWith(QLatin1Char('-')))
-            id += QLatin1Char('-');
-    while (id.endsWith(QLatin1Char('-')))
-        id.chop(1);
-    return id.isEmpty() ? QStringLiteral("preset") : id;
-}
-
 /// The ids of the shipped presets stay theirs.
 QSet<QString> shippedIds() {
     QSet<QString> ids;
@@ -61,7 +48,8 @@ void keepOwnExportPresets(std::vector<ExportPreset>& presets) {
     for (ExportPreset& preset : presets) {
         if (!preset.id.empty())
             continue;
-        const QString wanted = idFor(QString::fromStdString(preset.title));
+        const QString named = idFrom(QString::fromStdString(preset.title));
+        const QString wanted = named.isEmpty() ? QStringLiteral("preset") : named;
         QString id = wanted;
         for (int copy = 2; taken.contains(id) || QFile::exists(OwnExportPresets::folder() + QLatin1Char('/') +
                                                                id + QStringLiteral(".json"));

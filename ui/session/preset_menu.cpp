@@ -3,6 +3,7 @@
 #include "core/base/text.h"
 #include "core/io/image_file.h"
 #include "ui/common/background.h"
+#include "ui/common/own_folders.h"
 #include "ui/common/save_guard.h"
 #include "ui/common/text.h"
 
@@ -18,19 +19,6 @@
 namespace texloom::ui {
 
 namespace {
-
-/// "Old bark, fine" -> "old-bark-fine".
-QString idFrom(const QString& name) {
-    QString id;
-    for (const QChar letter : name.toLower())
-        if (letter.isLetterOrNumber())
-            id += letter;
-        else if (!id.isEmpty() && !id.endsWith(QLatin1Char('-')))
-            id += QLatin1Char('-');
-    while (id.endsWith(QLatin1Char('-')))
-        id.chop(1);
-    return id;
-}
 
 Preset presetNamed(const QString& name, std::vector<RecipeStep> steps) {
     return {idFrom(name).toStdString(), name.trimmed().toStdString(), {}, std::move(steps)};
