@@ -50,9 +50,9 @@ installPackages() {
       "${asRoot[@]}" apt-get install --yes --no-install-recommends "${missing[@]}"
 }
 
-# configurePreset NAME: configures a preset of CMakePresets.json in build/NAME.
+# configurePreset NAME [OPTION...]: configures a preset of CMakePresets.json in build/NAME, with options of CMake.
 configurePreset() {
-  quietly "Configuring preset $1" "configure_$1" cmake --preset "$1"
+  quietly "Configuring preset $1" "configure_$1" cmake --preset "$1" "${@:2}"
 }
 
 # buildTargets NAME TARGET [WRAPPER...]: builds one target of a configured preset.
@@ -60,8 +60,8 @@ buildTargets() {
   quietly "Building preset $1" "build_$1" "${@:3}" cmake --build --preset "$1" --target "$2"
 }
 
-# buildPreset NAME: configures and builds all of a preset.
+# buildPreset NAME [OPTION...]: configures and builds all of a preset.
 buildPreset() {
   cd "$root" || return
-  configurePreset "$1" && buildTargets "$1" all
+  configurePreset "$@" && buildTargets "$1" all
 }

@@ -1,10 +1,18 @@
 #!/usr/bin/env bash
 # Installs what Texloom needs, builds it and opens it; without a display it synthesises a sample instead.
+#     packaging/run.sh [--without-networks] [FILE...]
+# --without-networks leaves out the methods that train or use networks; files are opened.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
+networks=ON
+if [[ ${1:-} == --without-networks ]]; then
+  networks=OFF
+  shift
+fi
+
 installPackages
-(buildPreset release)
+(buildPreset release -D "TEXLOOM_NETWORKS=$networks")
 
 bin=$root/build/release/bin
 if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then

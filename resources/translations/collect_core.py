@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Collects the texts that lupdate does not find by itself, for the context "core": those marked with TR(), the patterns
-of messages and errors, whose values are {}, and the texts of the shipped presets and batches.
+of messages and errors, whose values are {}, the texts of the shipped presets and batches, and why methods are missing.
 
     collect_core.py ROOT OUT.cpp      writes them as a C++ file for lupdate
     collect_core.py ROOT --patterns   prints the patterns of messages as a JSON list
@@ -89,10 +89,16 @@ def shipped(root):
             yield from (run["title"] for run in file.get("runs", []) if "title" in run)
 
 
+def reasons(root):
+    """Why a method can be missing in a build."""
+    for path in sorted([*(root / "cmake").glob("*.cmake"), *(root / "core").rglob("component.cmake")]):
+        yield from re.findall(r'set\(COMPONENT_ABSENT "([^"]+)"\)', path.read_text(encoding="utf-8"))
+
+
 def texts(root):
     """Every text of the context "core"."""
     marked = set().union(*(first_texts(found, {"TR"}) for _, found in sources(root)))
-    return marked | patterns(root) | set(shipped(root))
+    return marked | patterns(root) | set(shipped(root)) | set(reasons(root))
 
 
 def unmarked_in(found):

@@ -6264,6 +6264,10 @@
         <source>Keeps each pixel of a new patch within the lightness and colour that the patches like it have there: no sparks and no false colours. Off: the Gaussian as published.</source>
         <translation>Hält jedes Pixel eines neuen Patches in der Helligkeit und Farbe, die ähnliche Patches dort haben: keine Funken und keine falschen Farben. Aus: die Gauß-Verteilung wie veröffentlicht.</translation>
     </message>
+    <message>
+        <source>It was left out when Texloom was built; build it with -DTEXLOOM_NETWORKS=ON.</source>
+        <translation>Sie wurde beim Bau von Texloom ausgelassen; bauen Sie es mit -DTEXLOOM_NETWORKS=ON.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

@@ -6264,6 +6264,10 @@
         <source>Keeps each pixel of a new patch within the lightness and colour that the patches like it have there: no sparks and no false colours. Off: the Gaussian as published.</source>
         <translation>Garde chaque pixel d’un nouveau patch dans la clarté et la couleur que les patchs semblables y ont : ni étincelles ni fausses couleurs. Désactivé : la gaussienne comme publiée.</translation>
     </message>
+    <message>
+        <source>It was left out when Texloom was built; build it with -DTEXLOOM_NETWORKS=ON.</source>
+        <translation>Elle a été omise à la construction de Texloom ; construisez-le avec -DTEXLOOM_NETWORKS=ON.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

@@ -16,7 +16,7 @@ void conditionOnePatch(benchmark::State& state) {
     const Image known(source.view().crop(100, 100, {patch, patch}));
     Image fresh({patch, patch}, 3);
     for (auto _ : state)
-        conditional_gaussian::conditionPatch(patches, known, {half, half, 0, 0}, 0.01, {}, fresh);
+        conditional_gaussian::conditionPatch(patches, known, {half, half, 0, 0}, {.sigma = 0.01}, {}, fresh);
 }
 BENCHMARK(conditionOnePatch)->ArgsProduct({{20, 40, 80}, {10, 30, 100}})->Unit(benchmark::kMicrosecond);
 

@@ -244,7 +244,7 @@ TEST_F(Doors, EachIsListedAsOthersAre) {
     std::set<std::string> ids, absent;
     for (const Json& method : Json::parse(run({"methods", "--json"})))
         (method.contains("absent") ? absent : ids).insert(method.at("id").get<std::string>());
-    EXPECT_EQ(absent, std::set<std::string>{"left-out"});
+    EXPECT_TRUE(absent.contains("left-out"));
     for (const char* id : {"mirror-tile", "stipple", "learn-moments", "solid-noise"})
         EXPECT_TRUE(ids.contains(id)) << id;
     run({"methods", "--markdown", "pages"});

@@ -142,7 +142,7 @@ TEST(Pipeline, RefusesAMethodThatCannotStartFromAnImage) {
 TEST(Pipeline, WrapsWhereItsLastMethodCan) {
     PipelineRun sample;
     sample.input.wrap = {true, false};
-    sample.input.steps = {{"solid-texture", {}}, {"quilting", {{"patch", 12}}}};
+    sample.input.steps = {{"solid-optimise", {}}, {"quilting", {{"patch", 12}}}};
     const RunPlan plan = planRun(sample.input);
     EXPECT_FALSE(plan.requestFor(0, plan.steps[0].method->info(), false).wrap.x);
     EXPECT_TRUE(plan.requestFor(1, plan.steps[1].method->info()).wrap.x);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texloom::test::solid_tests {
+namespace texloom::test::solid_texture_tests {
 namespace {
 
 TEST(SolidTexture, trainingThatIsStoppedKeepsItsGeneratorAndSaysHowFarItCame) {
@@ -17,4 +17,4 @@ TEST(SolidTexture, trainingThatIsStoppedKeepsItsGeneratorAndSaysHowFarItCame) {
 }
 
 } // namespace
-} // namespace texloom::test::solid_tests
+} // namespace texloom::test::solid_texture_tests

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace texloom::test::solid_tests {
+namespace texloom::test::solid_optimise_tests {
 namespace {
 
 Request requestFor(std::vector<Image> exemplars) {
@@ -133,4 +133,4 @@ TEST(SolidOptimise, refusesWhatCannotBe) {
 }
 
 } // namespace
-} // namespace texloom::test::solid_tests
+} // namespace texloom::test::solid_optimise_tests
