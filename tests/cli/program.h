@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/process_channel.h"
 #include "tests/support/temporary_folder.h"
 
 #include <sys/types.h>
@@ -40,7 +41,15 @@ public:
     Ended wait(std::chrono::seconds limit = std::chrono::seconds(120));
 
 private:
+    void start(const std::vector<std::string>& words, const std::filesystem::path& folder);
+    /// Has it started by a process that holds the libraries already. @return whether there is one.
+    bool startServed(const std::vector<std::string>& words, const std::filesystem::path& folder);
+
+    /// Kills it if it runs still.
+    void end();
+
     pid_t m_id = -1;
+    Handle m_served; ///< where its status comes from, if it was
     int m_status = 0;
     bool m_ended = false;
     TemporaryFolder m_output;

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kLong = 20; ///< seconds that a method says it takes
+constexpr double kLong = 6; ///< seconds that a method says it takes
 
 TEST_P(Conformance, memoryStaysWithinTheEstimate) {
     if (kSanitized)

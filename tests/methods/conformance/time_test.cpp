@@ -36,7 +36,7 @@ TEST_P(Conformance, cancelAnswersAtOnce) {
 }
 
 TEST_P(Conformance, progressNeverFallsAndEndsAtOne) {
-    Request request = requestFor({64, 64}, 3, reduced({512, 512}));
+    Request request = requestFor({64, 64}, 3, reduced({256, 256}));
     fillPorts(method().info(), request);
     const auto job = startRun(planFor(method(), request, briefSettings(method(), request)), false);
     double last = 0;
