@@ -4,7 +4,10 @@ ratios pair by pair. CPU time is user plus system of the whole process less that
 
     tests/bench/pairs.py build/release/bin/texloom-cli                      quilting and PatchMatch beside G'MIC's
     tests/bench/pairs.py build/release/bin/texloom-cli --ipol PATH          quilting beside the IPOL 171 reference
+    tests/bench/pairs.py build/release/bin/texloom-cli --rivals FOLDER      pixel by pixel beside IPOL 59 and Resynthesizer
     tests/bench/pairs.py build/release/bin/texloom-cli --tolerance 2        exact patch assignment beside that with ε
+
+rivals/build.sh builds what FOLDER holds.
 """
 import argparse
 import json
@@ -74,43 +77,74 @@ def tolerance(cli, epsilon, runs):
           f"cost ε / exact {statistics.mean(energies):.3f} (mean)")
 
 
+def cut(exemplar, side, file):
+    """Writes the top left square of an exemplar; the ending of the file's name says in which format."""
+    subprocess.run(["oiiotool", exemplar, "--cut", f"{side}x{side}+0+0", "-d", "uint8", "-o", file], check=True)
+    return file
+
+
+class Ours:
+    """Texloom's command lines, on one thread."""
+
+    def __init__(self, cli, out):
+        self.cli, self.out = cli, out
+        self.start = startup([cli, "--version"])
+
+    def __call__(self, method, exemplar, output, *settings):
+        return [self.cli, "synth", method, exemplar, "-o", self.out, "--size", str(output), "--seed", "1", *settings,
+                "--threads", "1", "--no-sidecar", "--quiet"]
+
+
+def patches(ours, options, folder):
+    """Quilting beside the IPOL reference, or quilting and PatchMatch beside G'MIC's."""
+    their_out = os.path.join(folder, "theirs.png")  # no program overwrites the other's
+    for side, output, patch in TASKS:
+        crop = cut(options.exemplar, side, os.path.join(folder, f"crop{side}.png"))
+        quilting = ours("quilting", crop, output, "--set", f"patch={patch}")
+        if options.ipol:
+            maps = [os.path.join(folder, "map1.png"), os.path.join(folder, "map2.png")]
+            theirs = [options.ipol, "-p", str(patch), "-r", str(output // side), "-t", "0.1", "-o", "0.25", "-s", "1",
+                      crop, their_out, *maps]
+            compare(f"quilting {side} to {output}", quilting, ours.start, theirs, 0.0, options.runs)
+            continue
+        theirs = ["gmic", "-v", "-", crop, "srand", "1", "syntexturize_matchpatch", f"{output},{output}", "o", their_out]
+        their_start = startup(["gmic", "-v", "-", "1"])
+        for method, command in (("quilting", quilting), ("patchmatch", ours("patchmatch", crop, output))):
+            compare(f"{method} {side} to {output}", command, ours.start, theirs, their_start, options.runs)
+
+
+def pixels(ours, options, folder):
+    """Efros–Leung beside IPOL 59's accelerated version, the fast ones beside Resynthesizer's engine."""
+    crop, their_out = cut(options.exemplar, 128, os.path.join(folder, "crop.png")), os.path.join(folder, "theirs.png")
+    rival = os.path.join(options.rivals, "efros_leung")
+    maps = [os.path.join(folder, "map1.png"), os.path.join(folder, "map2.png")]
+    theirs = [rival, "-p", "4", "-t", "0.1", "-s", "256", "-d", "20", crop, their_out, *maps]
+    grown = ours("efros-leung", crop, 256, "--set", "window=9", "--set", "search=pca", "--set", "components=20")
+    compare("efros-leung 128 to 256, window 9", grown, ours.start, theirs, 0.0, options.runs)
+
+    plain = cut(options.exemplar, 128, os.path.join(folder, "crop.ppm"))
+    theirs = [os.path.join(options.rivals, "resynthesizer"), plain, "512", os.path.join(folder, "out.ppm")]
+    for method in ("ashikhmin", "jump-map", "wei-levoy"):
+        compare(f"{method} 128 to 512", ours(method, crop, 512), ours.start, theirs, 0.0, options.runs)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("texloom_cli")
     parser.add_argument("--ipol", help="the IPOL 171 program `quilting`, to compare with in place of G'MIC")
+    parser.add_argument("--rivals", metavar="FOLDER", help="what rivals/build.sh built, to compare with in place of G'MIC")
     parser.add_argument("--exemplar", default=os.path.join(EXEMPLARS, "soil_clods.png"))
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--tolerance", type=float, metavar="ε", help="times patch assignment with and without ε instead")
     options = parser.parse_args()
     if options.tolerance is not None:
         return tolerance(options.texloom_cli, options.tolerance, options.runs)
-    if not options.ipol and not shutil.which("gmic"):
-        sys.exit("pairs.py: gmic is not installed (Debian's package gmic), and no --ipol program was named.")
+    if not options.ipol and not options.rivals and not shutil.which("gmic"):
+        sys.exit("pairs.py: gmic is not installed (Debian's package gmic), and neither --ipol nor --rivals was given.")
 
     with tempfile.TemporaryDirectory() as folder:
-        out = os.path.join(folder, "out.png")
-        for side, output, patch in TASKS:
-            crop = os.path.join(folder, f"crop{side}.png")
-            subprocess.run(["oiiotool", options.exemplar, "--crop", f"{side}x{side}+0+0", "--fullpixels", "-o", crop],
-                           check=True)
-            def ours(method, *settings):
-                return [options.texloom_cli, "synth", method, crop, "-o", out, "--size", str(output), "--seed", "1",
-                        *settings, "--threads", "1", "--no-sidecar", "--quiet"]
-
-            own_start = startup([options.texloom_cli, "--version"])
-            quilting = ours("quilting", "--set", f"patch={patch}")
-            if options.ipol:
-                maps = [os.path.join(folder, "map1.png"), os.path.join(folder, "map2.png")]
-                theirs = [options.ipol, "-p", str(patch), "-r", str(output // side), "-t", "0.1", "-o", "0.25", "-s", "1",
-                          crop, out, *maps]
-                their_start = 0.0
-            else:
-                theirs = ["gmic", "-v", "-", crop, "srand", "1", "syntexturize_matchpatch", f"{output},{output}", "o", out]
-                their_start = startup(["gmic", "-v", "-", "1"])
-            compare(f"quilting {side} to {output}", quilting, own_start, theirs, their_start, options.runs)
-            if not options.ipol:
-                compare(f"patchmatch {side} to {output}", ours("patchmatch"), own_start, theirs, their_start,
-                        options.runs)
+        ours = Ours(options.texloom_cli, os.path.join(folder, "out.png"))
+        (pixels if options.rivals else patches)(ours, options, folder)
 
 
 if __name__ == "__main__":
