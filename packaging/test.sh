@@ -97,9 +97,9 @@ sanitizedPart() {
   case $part in
     tools | session | cli | fuzz | methods_*) folder=build/$preset-whole ;;
   esac
-  # Optimised little: that compiles in half the time, and asserts stay in. Few sources as one, so that no core waits for another.
+  # Optimised little: that compiles in half the time, and asserts stay in.
   quietly "Configuring $part with $preset" "configure_$preset-$part" cmake --preset "$preset" -B "$folder" \
-    -D "TEXLOOM_PART=$part" -D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -D CMAKE_UNITY_BUILD_BATCH_SIZE=6 &&
+    -D "TEXLOOM_PART=$part" -D "CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" &&
     quietly "Building $part with $preset" "build_$preset-$part" "${wrapper[@]}" cmake --build "$folder" &&
     LSAN_OPTIONS=suppressions=$root/tests/lsan_suppressions.txt:print_suppressions=0 \
       TSAN_OPTIONS=suppressions=$root/tests/tsan_suppressions.txt \

@@ -34,7 +34,7 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 120'000;
+constexpr int kTriesPatience = 120'000;
 
 std::shared_ptr<const DisplayPicture> pictureOf(const Image& image) {
     return std::make_shared<const DisplayPicture>(std::make_shared<const Image>(image));
@@ -121,7 +121,7 @@ private Q_SLOTS:
             return std::all_of(view->items().begin() + 1, view->items().end(),
                                [](const CompareItem& item) { return !item.key.empty(); });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(made(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(made(), kTriesPatience);
         QVERIFY2(window.store()->entries().empty(), "what is open stays as it is");
     }
 
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(offered.removeDuplicates(), 0);
         QVERIFY(offered.contains(QStringLiteral("rock_strata_large")));
         for (const std::size_t way : {0, 1, 2, 3})
-            QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(way)->picture(), kPatience);
+            QTRY_VERIFY_WITH_TIMEOUT(blend->viewer(way)->picture(), kTriesPatience);
         QVERIFY2(window.store()->entries().empty(), "what is open stays as it is");
     }
 
@@ -318,7 +318,7 @@ private Q_SLOTS:
         QSignalSpy finished(window.desk()->controller(), &RunController::finished);
         window.inspector()->output()->setSeed(9);
         window.startRun(true);
-        QVERIFY(finished.wait(kPatience));
+        QVERIFY(finished.wait(kTriesPatience));
         ImageViewer* const viewer = window.results()->viewer(ResultView::ResultTab);
         viewer->setFocus();
         QTest::keyClick(viewer, Qt::Key_W, Qt::ShiftModifier);
@@ -357,7 +357,7 @@ private Q_SLOTS:
                      qPrintable(compare->items()[i + 1].label));
         }
         const JobQueue* const queue = window.desk()->queue();
-        QTRY_VERIFY_WITH_TIMEOUT(queue->current() == nullptr && queue->waiting() == 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(queue->current() == nullptr && queue->waiting() == 0, kTriesPatience);
         std::string random;
         for (std::size_t i = 1; i < compare->items().size(); ++i) {
             const CompareItem& item = compare->items()[i];
@@ -414,7 +414,7 @@ private Q_SLOTS:
         QCOMPARE(compare->items()[4].label, QStringLiteral("Patch size 10 px · Seed 6"));
         const int before = window.desk()->history()->rowCount();
         queue->setPaused(false);
-        QTRY_COMPARE_WITH_TIMEOUT(window.desk()->history()->rowCount(), before + 6, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(window.desk()->history()->rowCount(), before + 6, kTriesPatience);
         QCOMPARE(compare->pictures(), 6);
         const ResultEntry* const made = window.desk()->history()->find(compare->items()[4].key);
         QCOMPARE(made->recipe.seed, 6U);

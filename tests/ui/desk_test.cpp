@@ -15,8 +15,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
-
 ExemplarFile waves(Size size) {
     Image image(size, 3);
     for (int c = 0; c < 3; ++c)

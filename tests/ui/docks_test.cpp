@@ -20,8 +20,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
-
 RunPlan planFor(const QString& exemplar, Size size, std::uint64_t seed) {
     RunInput input;
     input.steps.front().method = "quilting";

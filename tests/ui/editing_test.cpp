@@ -19,7 +19,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
 constexpr Size kLarge{1700, 1500};
 
 /// Holds all workers up while it exists, so that what they are to do stays undone.

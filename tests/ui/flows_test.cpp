@@ -49,8 +49,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
-
 /// Names the folder for what the program to be killed leaves behind.
 const char* const kVictimFolder = "TEXLOOM_TEST_VICTIM";
 

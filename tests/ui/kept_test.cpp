@@ -36,7 +36,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
 const char* const kKilledFolder = "TEXLOOM_TEST_KILLED";
 
 /// A run in rounds, each of which is shown, adds to a curve, and can be taken up again.

@@ -24,7 +24,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
 const Lattice kBricks{{40.5, 0}, {20.25, 21}};
 
 bool near(const Lattice& a, const Lattice& b, double tolerance) {

@@ -37,8 +37,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
-
 void sendMouse(QWidget& widget, QEvent::Type type, QPointF at, Qt::KeyboardModifiers held = {}) {
     const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
     const Qt::MouseButtons down = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;

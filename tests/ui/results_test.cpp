@@ -27,8 +27,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kPatience = 60'000;
-
 /// A finished run of 48 × 40 px made without a window.
 std::shared_ptr<const Result> smallResult(const QString& exemplar, std::uint64_t seed) {
     RunInput input;

@@ -23,8 +23,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr int kPatience = 60'000;
-
 /// Settings whose run lasts for many seconds.
 void chooseLongRun(MainWindow& window) {
     window.inspector()->setValues({{"patch", 16}});

@@ -36,8 +36,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60000;
-
 QByteArray contentOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

@@ -74,7 +74,6 @@ bool openAndFinish(MainWindow& window, const QString& path) {
 
 void trigger(const QObject& parent, const char* name) {
     auto* const action = child<QAction>(parent, name);
-    constexpr int kPatience = 60'000;
     if (!QTest::qWaitFor([action] { return action->isEnabled(); }, kPatience))
         qFatal("%s stays disabled", name);
     action->trigger();

@@ -15,6 +15,9 @@
 
 namespace texloom::ui {
 
+/// How many milliseconds a test waits for what must come.
+inline constexpr int kPatience = 60'000;
+
 /// Makes an application whose settings and caches are in a temporary folder, and runs the tests of one class.
 int runTests(int argc, char** argv, const std::function<int(int, char**)>& tests);
 

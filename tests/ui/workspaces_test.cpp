@@ -30,7 +30,6 @@ using namespace texloom::ui;
 
 namespace {
 
-constexpr int kPatience = 60'000;
 constexpr std::size_t kCut = 0, kPoisson = 1, kLinear = 2,
                       kProgressive = 3; ///< ways of blending, as declared
 
