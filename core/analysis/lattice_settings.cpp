@@ -89,15 +89,14 @@ Lattice latticeFor(const LatticeSettings& settings, const std::string& name,
     if (found.candidates)
         notes.push_back(
             message("No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it "
-                    "was treated as a texture that does not repeat. If it does, rectify it in the window "
-                    "(Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or "
-                    "give them with lattice=given; if it does not, image quilting may suit it better.",
+                    "was treated as a texture that does not repeat. If it does, rectify it where it is seen "
+                    "at an angle, or give its vectors yourself; if it does not, image quilting may suit it "
+                    "better.",
                     name, 100 * found.confidence));
     else
         notes.push_back(message("Nothing in {} repeats about twice, so it was treated as a texture that does "
-                                "not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen "
-                                "at an angle, draw its vectors in the Lattice workspace, or give them with "
-                                "lattice=given; if it does not, image quilting may suit it better.",
+                                "not repeat. If it does, rectify it where it is seen at an angle, or give "
+                                "its vectors yourself; if it does not, image quilting may suit it better.",
                                 name));
     return {};
 }

@@ -256,8 +256,17 @@ int blocksOf(int count) {
     return (count + kBlock - 1) / kBlock;
 }
 
+/// DᵀD: half of it is computed, the rest is its mirror image.
 Eigen::MatrixXf gramOf(const Eigen::MatrixXf& dictionary, JobContext& context) {
-    return correlations(dictionary, SignalSource::of(dictionary), context);
+    const auto atoms = static_cast<int>(dictionary.cols());
+    Eigen::MatrixXf gram(atoms, atoms);
+    context.parallel(0, blocksOf(atoms), [&](int block) {
+        const int first = block * kBlock, count = std::min(kBlock, atoms - first), end = first + count;
+        gram.block(0, first, end, count).noalias() =
+            dictionary.leftCols(end).transpose() * dictionary.middleCols(first, count);
+    });
+    gram.triangularView<Eigen::StrictlyLower>() = gram.transpose();
+    return gram;
 }
 
 } // namespace

@@ -2141,18 +2141,6 @@
         <translation>Netze</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
-        <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
-        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde; wiederholt sie sich doch, entzerren Sie sie im Fenster (Strg+D), wo sie schräg gesehen ist, oder zeichnen Sie ihre Vektoren im Arbeitsbereich „Gitter“ oder geben Sie sie mit lattice=given an, und wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
-        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn; wiederholt es sich doch, entzerren Sie es im Fenster (Strg+D), wo es schräg gesehen ist, oder geben Sie seine Vektoren mit lattice=given an.</translation>
-    </message>
-    <message>
         <source>Occurrence {}</source>
         <translation>Häufigkeit {}</translation>
     </message>
@@ -6268,6 +6256,18 @@
         <source>It was left out when Texloom was built; build it with -DTEXLOOM_NETWORKS=ON.</source>
         <translation>Sie wurde beim Bau von Texloom ausgelassen; bauen Sie es mit -DTEXLOOM_NETWORKS=ON.</translation>
     </message>
+    <message>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it where it is seen at an angle, or give its vectors yourself; if it does not, image quilting may suit it better.</source>
+        <translation>In {} wurde kein Gitter gefunden (Sicherheit {:.0f} %; ein Vektor muss etwa zweimal hineinpassen), sodass es als Textur ohne Wiederholung behandelt wurde. Wiederholt sie sich doch, entzerren Sie sie, wo sie schräg zu sehen ist, oder geben Sie ihre Vektoren selbst an; wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it where it is seen at an angle, or give its vectors yourself; if it does not, image quilting may suit it better.</source>
+        <translation>Nichts in {} wiederholt sich etwa zweimal, sodass es als Textur ohne Wiederholung behandelt wurde. Wiederholt sie sich doch, entzerren Sie sie, wo sie schräg zu sehen ist, oder geben Sie ihre Vektoren selbst an; wenn nicht, passt Bild-Quilting vielleicht besser.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it where it is seen at an angle, or give its vectors yourself.</source>
+        <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn. Wiederholt es sich doch, entzerren Sie es, wo es schräg zu sehen ist, oder geben Sie seine Vektoren selbst an.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6623,6 +6623,14 @@
     <message>
         <source>Show the histogram of the picture, then its waveform, then neither</source>
         <translation>Das Histogramm des Bildes zeigen, dann seine Wellenform, dann keines von beiden</translation>
+    </message>
+    <message>
+        <source>Stac&amp;k panels</source>
+        <translation>Bereiche &amp;stapeln</translation>
+    </message>
+    <message>
+        <source>Put all panels on one another at the right, as on small screens</source>
+        <translation>Legt alle Bereiche rechts übereinander, wie auf kleinen Bildschirmen</translation>
     </message>
 </context>
 <context>

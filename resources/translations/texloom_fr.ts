@@ -2141,18 +2141,6 @@
         <translation>Réseaux</translation>
     </message>
     <message>
-        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
-        <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois), elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it in the window (Ctrl+D) where it is seen at an angle, draw its vectors in the Lattice workspace, or give them with lattice=given; if it does not, image quilting may suit it better.</source>
-        <translation>Rien dans {} ne se répète environ deux fois, elle a donc été traitée comme une texture sans répétition ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais, ou tracez ses vecteurs dans l’espace de travail « Réseau » ou donnez-les avec lattice=given, et sinon, le quilting d’images conviendra peut-être mieux.</translation>
-    </message>
-    <message>
-        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window (Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.</source>
-        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px ; si elle se répète, redressez-la dans la fenêtre (Ctrl+D) si elle est vue de biais ou donnez ses vecteurs avec lattice=given.</translation>
-    </message>
-    <message>
         <source>Occurrence {}</source>
         <translation>Occurrence {}</translation>
     </message>
@@ -6268,6 +6256,18 @@
         <source>It was left out when Texloom was built; build it with -DTEXLOOM_NETWORKS=ON.</source>
         <translation>Elle a été omise à la construction de Texloom ; construisez-le avec -DTEXLOOM_NETWORKS=ON.</translation>
     </message>
+    <message>
+        <source>No lattice was found in {} (confidence {:.0f} %; a vector must fit about twice), so it was treated as a texture that does not repeat. If it does, rectify it where it is seen at an angle, or give its vectors yourself; if it does not, image quilting may suit it better.</source>
+        <translation>Aucun réseau n’a été trouvé dans {} (confiance {:.0f} % ; un vecteur doit y tenir environ deux fois) ; elle a donc été traitée comme une texture sans répétition. Si elle se répète, redressez-la là où elle est vue de biais, ou donnez vous-même ses vecteurs ; sinon, le quilting d’images conviendra peut-être mieux.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats about twice, so it was treated as a texture that does not repeat. If it does, rectify it where it is seen at an angle, or give its vectors yourself; if it does not, image quilting may suit it better.</source>
+        <translation>Rien dans {} ne se répète environ deux fois ; elle a donc été traitée comme une texture sans répétition. Si elle se répète, redressez-la là où elle est vue de biais, ou donnez vous-même ses vecteurs ; sinon, le quilting d’images conviendra peut-être mieux.</translation>
+    </message>
+    <message>
+        <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it where it is seen at an angle, or give its vectors yourself.</source>
+        <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px. Si elle se répète, redressez-la là où elle est vue de biais, ou donnez vous-même ses vecteurs.</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
@@ -6623,6 +6623,14 @@
     <message>
         <source>Show the histogram of the picture, then its waveform, then neither</source>
         <translation>Montrer l&apos;histogramme de l&apos;image, puis sa forme d&apos;onde, puis aucun des deux</translation>
+    </message>
+    <message>
+        <source>Stac&amp;k panels</source>
+        <translation>E&amp;mpiler les panneaux</translation>
+    </message>
+    <message>
+        <source>Put all panels on one another at the right, as on small screens</source>
+        <translation>Superpose tous les panneaux à droite, comme sur les petits écrans</translation>
     </message>
 </context>
 <context>

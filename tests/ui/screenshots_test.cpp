@@ -92,6 +92,7 @@ private Q_SLOTS:
         showVolume();
         showFigures(window);
         showTools(window);
+        showSmallScreen(window);
         showManyRuns(window);
     }
 
@@ -247,6 +248,17 @@ private:
         QVERIFY(QTest::qWaitForWindowExposed(dialog));
         shoot(*dialog, "differences");
         dialog->reject();
+    }
+
+    static void showSmallScreen(MainWindow& window) {
+        auto* stacked = child<QAction>(window, "stackPanels");
+        stacked->setChecked(true);
+        window.resize(960, 510);
+        shoot(window, "small-screen");
+        child<QDockWidget>(window, "resultDock")->raise();
+        shoot(window, "small-screen-results");
+        stacked->setChecked(false);
+        window.resize(1280, 800);
     }
 
     static void showManyRuns(MainWindow& window) {

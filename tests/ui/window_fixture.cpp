@@ -41,6 +41,7 @@ int runTests(int argc, char** argv, const std::function<int(int, char**)>& tests
     QApplication::setOrganizationName(QStringLiteral("TexloomTests"));
     QApplication::setApplicationName(QStringLiteral("texloom-tests"));
     QSettings().setValue(QStringLiteral("results/folder"), folder.filePath(QStringLiteral("results")));
+    QSettings().setValue(QStringLiteral("window/stacked"), false); // however small the screen is
     applyAppearance(Appearance::Light);
     const int status = tests(argc, argv);
     workers().waitForDone();

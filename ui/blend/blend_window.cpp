@@ -1,6 +1,7 @@
 #include "ui/blend/blend_window.h"
 
 #include "ui/common/save_guard.h"
+#include "ui/common/screen_size.h"
 #include "ui/common/text.h"
 #include "ui/common/value_editors.h"
 #include "ui/exemplar/files.h"
@@ -92,7 +93,7 @@ BlendWindow::BlendWindow(const std::vector<NamedImage>& images, QWidget* parent)
             if (!image->file.path.empty())
                 guard.reads(image->file.path, TR("a picture to blend"));
     });
-    resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
+    resizeWithinScreen(this, {fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines});
     setTool(*m_tool);
 }
 

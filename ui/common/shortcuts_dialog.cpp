@@ -1,5 +1,6 @@
 #include "ui/common/shortcuts_dialog.h"
 
+#include "ui/common/screen_size.h"
 #include "ui/common/shortcuts.h"
 
 #include <QAction>
@@ -57,7 +58,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<QAction*>& actions, QWidget* parent
     connect(m_table, &QTableWidget::currentCellChanged, this, &ShortcutsDialog::rowChosen);
     m_table->setCurrentCell(0, 0);
     m_table->setFocus();
-    resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
+    resizeWithinScreen(this, {fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines});
 }
 
 QTableWidget* ShortcutsDialog::makeTable() {

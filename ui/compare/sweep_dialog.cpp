@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "ui/common/appearance.h"
+#include "ui/common/screen_size.h"
 #include "ui/common/text.h"
 
 #include <QCheckBox>
@@ -102,7 +103,7 @@ SweepDialog::SweepDialog(RunInput input, QWidget* parent)
     }
     connect(m_varySeed, &QRadioButton::toggled, this, &SweepDialog::refresh);
     const int width = fontMetrics().averageCharWidth() * kSheetWidths;
-    resize(width, layout()->totalHeightForWidth(width));
+    resizeWithinScreen(this, {width, layout()->totalHeightForWidth(width)});
 }
 
 QFormLayout* SweepDialog::makeForm(QWidget* sameSeed) {

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "ui/common/appearance.h"
 #include "ui/common/background.h"
+#include "ui/common/screen_size.h"
 #include "ui/common/text.h"
 #include "ui/export/own_presets.h"
 #include "ui/export/preset_files_table.h"
@@ -74,6 +75,7 @@ PresetEditor::PresetEditor(const QString& chosen, QWidget* parent)
     connect(m_addFile, &QPushButton::clicked, m_files, &PresetFilesTable::addFile);
     connect(m_removeFile, &QPushButton::clicked, m_files, &PresetFilesTable::removeFile);
     showPreset(first);
+    resizeWithinScreen(this, sizeHint());
 }
 
 QWidget* PresetEditor::makeList() {

@@ -67,11 +67,14 @@ PresetFilesTable::PresetFilesTable(QWidget* parent) : QTableWidget(0, 7, parent)
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setTabKeyNavigation(false);
-    setMinimumWidth(fontMetrics().averageCharWidth() * kWidth);
     connect(this, &QTableWidget::cellChanged, this, [this] {
         if (!m_filling)
             Q_EMIT edited();
     });
+}
+
+QSize PresetFilesTable::sizeHint() const {
+    return {fontMetrics().averageCharWidth() * kWidth, QTableWidget::sizeHint().height()};
 }
 
 QComboBox* PresetFilesTable::makeBox(const QString& name) {

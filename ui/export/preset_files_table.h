@@ -26,6 +26,9 @@ public:
     void addFile();
     void removeFile();
 
+    /// Wide enough for all columns; it scrolls where there is less room.
+    QSize sizeHint() const override;
+
 Q_SIGNALS:
     void edited();
 

@@ -1,6 +1,7 @@
 #include "ui/jobs/job_panel.h"
 
 #include "core/base/text.h"
+#include "ui/common/flow_layout.h"
 #include "ui/common/icons.h"
 #include "ui/common/text.h"
 
@@ -166,8 +167,7 @@ QAction* JobPanel::makeAction(const char* name, const QString& text, const QStri
 
 QWidget* JobPanel::makeBar() {
     auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* row = new FlowLayout(bar);
     for (QAction* action : {m_pause, m_up, m_down, m_stop, m_cancel, m_clear}) {
         auto* button = new QToolButton(bar);
         button->setDefaultAction(action);
@@ -175,7 +175,6 @@ QWidget* JobPanel::makeBar() {
         button->setFocusPolicy(Qt::StrongFocus);
         row->addWidget(button);
     }
-    row->addStretch();
     row->addWidget(makeThreads());
     return bar;
 }

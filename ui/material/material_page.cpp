@@ -141,7 +141,7 @@ void MaterialPage::makeFields() {
 }
 
 QGridLayout* MaterialPage::layOutFields() {
-    constexpr int kShownLetters = 8; // small windows have no room for the longest entry
+    constexpr int kShownLetters = 5; // small windows have no room for the longest entry
     for (QComboBox* box : {m_shape, m_light, m_shown, m_backdrop}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(kShownLetters);

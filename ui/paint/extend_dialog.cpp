@@ -1,5 +1,6 @@
 #include "ui/paint/extend_dialog.h"
 
+#include "ui/common/screen_size.h"
 #include "ui/common/text.h"
 
 #include <QDialogButtonBox>
@@ -73,7 +74,7 @@ ExtendDialog::ExtendDialog(std::shared_ptr<const DisplayPicture> picture, int mo
     column->addWidget(buttons);
     show(size);
     const int width = fontMetrics().averageCharWidth() * kDialogWidth;
-    resize(width, column->totalHeightForWidth(width));
+    resizeWithinScreen(this, {width, column->totalHeightForWidth(width)});
 }
 
 QSpinBox* ExtendDialog::addSide(const char* name, const QString& title, int most) {

@@ -1,6 +1,7 @@
 #include "ui/plots/stress_dialog.h"
 
 #include "ui/common/background.h"
+#include "ui/common/screen_size.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/plots/plot.h"
 #include "ui/viewers/image_viewer.h"
@@ -64,7 +65,7 @@ StressDialog::StressDialog(RunInput input, QWidget* parent)
         stop(tr("Stopped; the rounds made so far stay."));
     });
     showDistances();
-    resize(fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines);
+    resizeWithinScreen(this, {fontMetrics().averageCharWidth() * kWidth, fontMetrics().height() * kLines});
 }
 
 QString StressDialog::message() const {

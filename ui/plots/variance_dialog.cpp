@@ -1,6 +1,7 @@
 #include "ui/plots/variance_dialog.h"
 
 #include "core/base/text.h"
+#include "ui/common/screen_size.h"
 #include "ui/common/text.h"
 #include "ui/jobs/task_bar.h"
 #include "ui/plots/plot.h"
@@ -93,7 +94,8 @@ VarianceDialog::VarianceDialog(std::vector<NamedImage> images, QWidget* parent)
     say(tr(
         "Press Compute. Where σ̄ is small, m patches are alike and a Gaussian model of them copies; where it "
         "is large, the model blurs."));
-    resize(fontMetrics().averageCharWidth() * kVarianceWidth, fontMetrics().height() * kVarianceLines);
+    resizeWithinScreen(
+        this, {fontMetrics().averageCharWidth() * kVarianceWidth, fontMetrics().height() * kVarianceLines});
 }
 
 void VarianceDialog::say(const QString& text) {

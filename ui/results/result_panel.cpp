@@ -1,6 +1,7 @@
 #include "ui/results/result_panel.h"
 
 #include "core/base/text.h"
+#include "ui/common/flow_layout.h"
 #include "ui/common/icons.h"
 #include "ui/common/shortcuts.h"
 #include "ui/results/difference_dialog.h"
@@ -14,7 +15,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -25,6 +25,7 @@
 #include <QScopedValueRollback>
 #include <QSettings>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -141,8 +142,8 @@ ResultPanel::ResultPanel(ResultHistory* history, const ResultActions& actions, Q
 }
 
 QLayout* ResultPanel::makeBar() {
-    auto* bar = new QHBoxLayout;
-    bar->addWidget(m_search, 1);
+    auto* bar = new FlowLayout;
+    bar->addWidget(m_search);
     bar->addWidget(m_kind);
     for (QAction* action :
          {m_actions.restore, m_actions.compare, m_actions.difference, m_actions.pin, m_actions.remove}) {
@@ -152,7 +153,6 @@ QLayout* ResultPanel::makeBar() {
         button->setFocusPolicy(Qt::StrongFocus);
         bar->addWidget(button);
     }
-    bar->addStretch();
     bar->addWidget(m_usage);
     return bar;
 }

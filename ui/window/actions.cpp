@@ -110,6 +110,9 @@ Actions::Actions(QMainWindow* window) {
     stress = make("stress", tr("&Stress test…"), {},
                   tr("Make a texture of the texture of the texture, to see what the method loses"));
     resetLayout = make("resetLayout", tr("Reset &layout"));
+    stackPanels = make("stackPanels", tr("Stac&k panels"), {},
+                       tr("Put all panels on one another at the right, as on small screens"));
+    stackPanels->setCheckable(true);
     fullScreen = make("fullScreen", tr("F&ull screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     shortcuts = make("shortcuts", tr("&Keyboard shortcuts"), {Qt::Key_Question}, {}, "help");

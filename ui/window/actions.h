@@ -46,6 +46,7 @@ struct Actions {
     QAction* variance;
     QAction* stress;
     QAction* resetLayout;
+    QAction* stackPanels;
     QAction* fullScreen;
     QAction* shortcuts;
     QAction* about;

@@ -62,6 +62,9 @@ constexpr int kFirstWidth = 180;
 constexpr int kFirstHeight = 50;
 /// On screens wider than this it fills most of them.
 constexpr int kSmallScreen = 1000;
+/// Screens of fewer points than both show all panels on one another at first: 1920 × 1080 at twice the size.
+constexpr int kStackedWidth = 1100, kStackedHeight = 640;
+const QString kStacked = QStringLiteral("window/stacked");
 constexpr double kShareOfScreen = 0.92;
 
 } // namespace
@@ -195,27 +198,47 @@ void MainWindow::makeDocks() {
     m_jobs = new JobPanel(m_desk->queue());
     m_log = new LogPanel;
     m_figures = new FiguresPanel(this);
-    addDock(Qt::LeftDockWidgetArea, m_exemplars, tr("Exemplars"), "exemplarDock");
-    addDock(Qt::RightDockWidgetArea, parameters, tr("Parameters"), "parameterDock");
-    QDockWidget* const results =
-        addDock(Qt::BottomDockWidgetArea, m_resultPanel, tr("Results"), "resultDock");
-    QDockWidget* const jobs = addDock(Qt::BottomDockWidgetArea, m_jobs, tr("Jobs"), "jobDock");
-    QDockWidget* const log = addDock(Qt::BottomDockWidgetArea, m_log, tr("Log"), "logDock");
-    QDockWidget* const figures = addDock(Qt::BottomDockWidgetArea, m_figures, tr("Figures"), "figureDock");
-    tabifyDockWidget(results, jobs);
-    tabifyDockWidget(jobs, log);
-    tabifyDockWidget(log, figures);
+    addDock(m_exemplars, tr("Exemplars"), "exemplarDock");
+    addDock(parameters, tr("Parameters"), "parameterDock");
+    addDock(m_resultPanel, tr("Results"), "resultDock");
+    addDock(m_jobs, tr("Jobs"), "jobDock");
+    addDock(m_log, tr("Log"), "logDock");
+    const QDockWidget* const figures = addDock(m_figures, tr("Figures"), "figureDock");
     connect(figures, &QDockWidget::visibilityChanged, m_figures, &FiguresPanel::setSeen);
-    results->raise();
+    arrangePanels(false);
 }
 
-QDockWidget* MainWindow::addDock(Qt::DockWidgetArea area, QWidget* content, const QString& title,
-                                 const char* name) {
+QDockWidget* MainWindow::addDock(QWidget* content, const QString& title, const char* name) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(QLatin1String(name));
     dock->setWidget(content);
-    addDockWidget(area, dock);
+    m_panels.push_back(dock);
     return dock;
+}
+
+/// Exemplars at the left, parameters at the right, the others on one another at the bottom; or all on one
+/// another at the right, which leaves the picture most of a small screen.
+void MainWindow::arrangePanels(bool stacked) {
+    QDockWidget* const parameters = m_panels[1];
+    QDockWidget* last = nullptr;
+    for (QDockWidget* panel : m_panels) {
+        const bool beside = panel == m_panels.front() || panel == parameters;
+        addDockWidget(stacked || panel == parameters ? Qt::RightDockWidgetArea
+                      : panel == m_panels.front()    ? Qt::LeftDockWidgetArea
+                                                     : Qt::BottomDockWidgetArea,
+                      panel);
+        if (last != nullptr && (stacked || !beside))
+            tabifyDockWidget(last, panel);
+        last = stacked || !beside ? panel : nullptr;
+        panel->setFloating(false);
+        panel->show();
+    }
+    (stacked ? parameters : m_panels[2])->raise();
+    const int side = fontMetrics().averageCharWidth();
+    if (stacked)
+        return resizeDocks({parameters}, {side * 46}, Qt::Horizontal);
+    resizeDocks({m_panels.front(), parameters}, {side * 38, side * 46}, Qt::Horizontal);
+    resizeDocks({m_panels[2]}, {fontMetrics().height() * 11}, Qt::Vertical);
 }
 
 void MainWindow::setTabOrderThrough() {
@@ -234,18 +257,21 @@ void MainWindow::restoreLayout() {
         resize(room * kShareOfScreen);
     else
         resize(fontMetrics().averageCharWidth() * kFirstWidth, fontMetrics().height() * kFirstHeight);
-    const int side = fontMetrics().averageCharWidth();
-    resizeDocks({findChild<QDockWidget*>(QStringLiteral("exemplarDock")),
-                 findChild<QDockWidget*>(QStringLiteral("parameterDock"))},
-                {side * 38, side * 46}, Qt::Horizontal);
-    resizeDocks({findChild<QDockWidget*>(QStringLiteral("resultDock"))}, {fontMetrics().height() * 11},
-                Qt::Vertical);
-    m_defaultLayout = saveState(kLayoutVersion);
+    const bool small = room.width() < kStackedWidth && room.height() < kStackedHeight;
     const QSettings settings;
+    m_actions.stackPanels->setChecked(settings.value(kStacked, small).toBool());
+    arrangePanels(m_actions.stackPanels->isChecked());
+    m_defaultLayout = saveState(kLayoutVersion);
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
-    connect(m_actions.resetLayout, &QAction::triggered, this,
-            [this] { restoreState(m_defaultLayout, kLayoutVersion); });
+    connect(m_actions.resetLayout, &QAction::triggered, this, [this] {
+        restoreState(m_defaultLayout, kLayoutVersion); // bars, too
+        arrangePanels(m_actions.stackPanels->isChecked());
+    });
+    connect(m_actions.stackPanels, &QAction::toggled, this, [this](bool stacked) {
+        QSettings().setValue(kStacked, stacked);
+        arrangePanels(stacked);
+    });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

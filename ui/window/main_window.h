@@ -110,7 +110,8 @@ private:
     void fillMethods();
     void makeCentre();
     void makeDocks();
-    QDockWidget* addDock(Qt::DockWidgetArea area, QWidget* content, const QString& title, const char* name);
+    QDockWidget* addDock(QWidget* content, const QString& title, const char* name);
+    void arrangePanels(bool stacked);
     void makeMenus();
     QMenu* makeFileMenu();
     QMenu* makeExemplarMenu();
@@ -211,6 +212,7 @@ private:
     QComboBox* m_method;
     SettingsState m_firstSettings; ///< as the window first opens
     QByteArray m_defaultLayout;
+    std::vector<QDockWidget*> m_panels; ///< exemplars, parameters, results, jobs, log, figures
     QTimer m_planTimer;
 };
 

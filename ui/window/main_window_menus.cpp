@@ -119,7 +119,7 @@ QMenu* MainWindow::makeViewMenu() {
     view->addSeparator();
     for (const auto* dock : findChildren<QDockWidget*>())
         view->addAction(dock->toggleViewAction());
-    view->addAction(m_actions.resetLayout);
+    view->addActions({m_actions.stackPanels, m_actions.resetLayout});
     view->addSeparator();
     view->addAction(m_actions.fullScreen);
     view->addMenu(makeAppearanceMenu());

@@ -263,8 +263,8 @@ Message longTiles(const Settings& settings, const Plan& plan) {
 /// The note for rows of which the exemplar shows only the direction.
 Message orderedRows(const std::string& exemplar, const Plan& plan) {
     return message("Nothing in {} repeats, but rows run through all of it: they keep the order that they "
-                   "have there, and begin again every {:.0f} px. If it does repeat, rectify it in the window "
-                   "(Ctrl+D) where it is seen at an angle, or give its vectors with lattice=given.",
+                   "have there, and begin again every {:.0f} px. If it does repeat, rectify it where it is "
+                   "seen at an angle, or give its vectors yourself.",
                    exemplar, plan.from.area());
 }
 
