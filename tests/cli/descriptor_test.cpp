@@ -46,7 +46,8 @@ TEST_F(Descriptors, areLearnedWithTheSameBytes) {
 }
 
 TEST_F(Descriptors, areUsedAndNamedInTheReport) {
-    if (!runCli({"methods", "gram-cnn", "--json"}, m_folder.path()).err.empty())
+    const std::string listed = runCli({"methods", "gram-cnn"}, m_folder.path()).err;
+    if (listed.find("gram-cnn is not part of this build") != std::string::npos)
         GTEST_SKIP() << "skipped: this build is made without networks";
     ASSERT_EQ(learn("one.safetensors", {"--name", "mine", "--licence", "CC0-1.0"}).status, 0);
     const Ended made =
