@@ -76,8 +76,7 @@ std::vector<int> depths(const Image& known, const std::function<void()>& check) 
     return depth;
 }
 
-Request requestAt(const Request& request, const ExemplarPyramid& exemplars, int level,
-                  const FillScale& scale) {
+Request requestAt(const Request& request, const ExemplarPyramid& exemplars, int level, Size size) {
     Request scaled;
     for (const PatchSource& source : exemplars.level(level)) {
         const double weight = request.exemplars[scaled.exemplars.size()].weight;
@@ -91,28 +90,44 @@ Request requestAt(const Request& request, const ExemplarPyramid& exemplars, int 
             std::copy_n(source.mask.row(y), mask.width(), mask.plane(0).row(y));
         exemplar.inputs.set(kMaskPort, std::make_shared<const Image>(std::move(mask)));
     }
-    scaled.size = scale.size();
+    scaled.size = size;
     scaled.wrap = request.wrap;
+    return scaled;
+}
+
+Request requestAt(const Request& request, const ExemplarPyramid& exemplars, int level,
+                  const FillScale& scale) {
+    Request scaled = requestAt(request, exemplars, level, scale.size());
     scaled.inputs.set(kInitialPort, std::make_shared<const Image>(scale.picture));
     scaled.inputs.set(kKnownPort, std::make_shared<const Image>(scale.known));
     return scaled;
 }
 
-PositionMap finer(const PositionMap& map, const Image& known, std::vector<Size> exemplars,
+PositionMap finer(const PositionMap& map, Size size, std::vector<Size> exemplars,
                   const std::function<void()>& check) {
-    PositionMap fine(known.size(), std::move(exemplars));
+    PositionMap fine(size, std::move(exemplars));
     for (int y = 0; y < fine.height(); ++y) {
         check();
         for (int x = 0; x < fine.width(); ++x) {
-            if (known(x, y, 0) != 0)
-                continue;
             Source source = map.at(std::min(x / 2, map.width() - 1), std::min(y / 2, map.height() - 1));
-            const Size size = fine.exemplarSizes()[source.exemplar];
-            source.x = static_cast<std::uint16_t>(std::min(2 * source.x + x % 2, size.width - 1));
-            source.y = static_cast<std::uint16_t>(std::min(2 * source.y + y % 2, size.height - 1));
+            if (!source.valid())
+                continue;
+            const Size from = fine.exemplarSizes()[source.exemplar];
+            source.x = static_cast<std::uint16_t>(std::min(2 * source.x + x % 2, from.width - 1));
+            source.y = static_cast<std::uint16_t>(std::min(2 * source.y + y % 2, from.height - 1));
             fine.at(x, y) = source;
         }
     }
+    return fine;
+}
+
+PositionMap finer(const PositionMap& map, const Image& known, std::vector<Size> exemplars,
+                  const std::function<void()>& check) {
+    PositionMap fine = finer(map, known.size(), std::move(exemplars), check);
+    for (int y = 0; y < fine.height(); ++y)
+        for (int x = 0; x < fine.width(); ++x)
+            if (known(x, y, 0) != 0)
+                fine.at(x, y) = {};
     return fine;
 }
 

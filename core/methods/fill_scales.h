@@ -27,12 +27,18 @@ std::vector<FillScale> fillScales(const Request& request, int side, int most,
 /// Steps from each pixel to the nearest that is known, by rows, 0 there; diagonal ones count as one.
 std::vector<int> depths(const Image& known, const std::function<void()>& check);
 
-/// The request at a scale: the exemplars and their masks, the picture and what is known of it.
+/// The request at a scale: the exemplars and their masks, for an output of this size.
+Request requestAt(const Request& request, const ExemplarPyramid& exemplars, int level, Size size);
+/// The same with the picture and what is known of it.
 Request requestAt(const Request& request, const ExemplarPyramid& exemplars, int level,
                   const FillScale& scale);
 
-/// The map of a scale in the pixels of the next finer one.
-/// @param exemplars sizes there. @param known of the finer scale; where it is not 0, sources are invalid.
+/// The map of a scale in the pixels of the next finer one, of this size; without a source where it has none.
+/// @param exemplars sizes there.
+PositionMap finer(const PositionMap& map, Size size, std::vector<Size> exemplars,
+                  const std::function<void()>& check);
+/// The same for a picture with a hole. @param known of the finer scale; where it is not 0, sources are
+/// invalid.
 PositionMap finer(const PositionMap& map, const Image& known, std::vector<Size> exemplars,
                   const std::function<void()>& check);
 

@@ -7,6 +7,7 @@
 #include "core/methods/pixel_request.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace texloom::pixel_growth {
@@ -96,21 +97,43 @@ void Grower::guess() {
 }
 
 /// Copies a square about a random window's middle to the middle of the output, or, where it grows by rows,
-/// to its beginning.
+/// to its beginning; where there is a guess, what is guessed thereabouts.
 void Grower::placeSeed() {
     const Size size = m_request.size;
-    const int side = std::min(m_settings.seedSize, window(m_settings));
-    const Source middle = m_scan.windows().drawn(m_context.random().uniform(0, 0, kSeed));
+    const int side = std::min(m_settings.seedSize, window(m_settings)), reach = side / 2;
     const bool rows = m_settings.order == Order::Raster;
-    const int left = rows ? 0 : std::max(0, (size.width - side) / 2);
-    const int top = rows ? 0 : std::max(0, (size.height - side) / 2);
-    for (int y = 0; y < std::min(side, size.height); ++y)
-        for (int x = 0; x < std::min(side, size.width); ++x) {
-            const Continuation source(middle, x - side / 2, y - side / 2);
+    int left = rows ? 0 : std::max(0, (size.width - side) / 2);
+    int top = rows ? 0 : std::max(0, (size.height - side) / 2);
+    Source middle = m_scan.windows().drawn(m_context.random().uniform(0, 0, kSeed));
+    if (const auto place = guessedNear(left + reach, top + reach, reach)) {
+        middle = m_start.guess->at(x(*place), y(*place));
+        left = x(*place) - reach;
+        top = y(*place) - reach;
+    }
+    for (int y = 0; y < std::min(side, size.height - top); ++y)
+        for (int x = 0; x < std::min(side, size.width - left); ++x) {
+            const Continuation source(middle, x - reach, y - reach);
             m_canvas.put(left + x, top + y, source.source(), m_scan.pixels(middle.exemplar));
             m_known.at(left + x, top + y) = 1;
             ++m_made;
         }
+}
+
+/// The place nearest to one, at least `reach` from the top and the left, whose guess is a window's middle.
+std::optional<Grower::Place> Grower::guessedNear(int x, int y, int reach) const {
+    std::optional<Place> nearest;
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    const Size size = m_start.guess ? m_request.size : Size{};
+    for (int v = reach; v < size.height; ++v)
+        for (int u = reach; u < size.width; ++u) {
+            const Source& guess = m_start.guess->at(u, v);
+            const std::int64_t dx = u - x, dy = v - y, apart = dx * dx + dy * dy;
+            if (apart < least && guess.valid() && m_scan.windows().has(guess.x, guess.y, guess.exemplar)) {
+                least = apart;
+                nearest = static_cast<Place>(v) * size.width + u;
+            }
+        }
+    return nearest;
 }
 
 bool Grower::neighbour(int x, int y, int dx, int dy, Place& found) const {
@@ -164,13 +187,25 @@ int Grower::knownAround(Place place) const {
 
 /// Those with the most known pixels in their windows first; a random number of the place settles ties.
 void Grower::sortByKnown(Places& layer) const {
-    std::vector<std::tuple<int, std::uint32_t, Place>> keys;
-    keys.reserve(layer.size());
-    for (const Place place : layer)
-        keys.emplace_back(-knownAround(place), m_context.random().bits(x(place), y(place), kTie), place);
+    std::vector<std::tuple<int, std::uint32_t, Place>> keys(layer.size());
+    inShares(layer.size(), [&](std::size_t i) {
+        const Place place = layer[i];
+        keys[i] = {-knownAround(place), m_context.random().bits(x(place), y(place), kTie), place};
+    });
     std::sort(keys.begin(), keys.end());
     for (std::size_t i = 0; i < layer.size(); ++i)
         layer[i] = std::get<2>(keys[i]);
+}
+
+/// Calls work(i) for all i below a count, some hundreds of them at a time in parallel.
+void Grower::inShares(std::size_t count, const std::function<void(std::size_t)>& work) const {
+    constexpr std::size_t kAtOnce = 256;
+    m_context.parallel(0, static_cast<int>((count + kAtOnce - 1) / kAtOnce), [&](int share) {
+        m_context.check();
+        const std::size_t begin = static_cast<std::size_t>(share) * kAtOnce;
+        for (std::size_t i = begin; i < std::min(count, begin + kAtOnce); ++i)
+            work(i);
+    });
 }
 
 /// Divides an order into turns: a pixel comes in the turn after the last of those that its window shows and
@@ -203,26 +238,25 @@ std::vector<Grower::Places> Grower::inTurns(const Places& order) {
 std::vector<std::vector<int>> Grower::shownBefore(const Places& order) {
     const int reach = m_scan.window() / 2;
     std::vector<std::vector<int>> before(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i % 1024 == 0)
-            m_context.check();
+    for (std::size_t i = 0; i < order.size(); ++i)
+        m_turn[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i) + 1;
+    inShares(order.size(), [&](std::size_t i) {
+        std::vector<int>& earlier = before[i];
         for (int dy = -reach; dy <= reach; ++dy)
             for (int dx = -reach; dx <= reach; ++dx) {
                 Place near = 0;
                 if (!neighbour(x(order[i]), y(order[i]), dx, dy, near))
                     continue;
-                if (const std::int32_t turn = m_turn[static_cast<std::size_t>(near)]; turn > 0)
-                    before[i].push_back(turn - 1);
+                const std::int32_t turn = m_turn[static_cast<std::size_t>(near)];
+                if (turn > 0 && turn <= static_cast<std::int32_t>(i))
+                    earlier.push_back(turn - 1);
             }
-        m_turn[static_cast<std::size_t>(order[i])] = static_cast<std::int32_t>(i) + 1;
-    }
-    for (const Place place : order)
-        m_turn[static_cast<std::size_t>(place)] = 0;
-    // Round the borders of a small output, a window may show a pixel twice.
-    for (std::vector<int>& earlier : before) {
+        // Round the borders of a small output, a window may show a pixel twice.
         std::sort(earlier.begin(), earlier.end());
         earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
-    }
+    });
+    for (const Place place : order)
+        m_turn[static_cast<std::size_t>(place)] = 0;
     return before;
 }
 

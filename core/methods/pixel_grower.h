@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace texloom::pixel_growth {
@@ -15,14 +16,13 @@ namespace texloom::pixel_growth {
 /// In which order pixels are made: those with the most known neighbours first, layer by layer, or in rows.
 enum class Order { Onion, Raster };
 /// How the windows are found that fit: among all of them, or among those that are likely by their principal
-/// components; by itself, among all where an output grows from a seed or on the coarsest scale of a hole, and
-/// among those near a coarser scale's guess where there is one.
+/// components; by itself, among all where there is no coarser scale, or the exemplars are small on the
+/// coarsest, and among those near a coarser scale's guess where there is one.
 enum class Search { Auto, Exact, Pca };
 
 /// Parameters of the pixel growing of Efros & Leung (ICCV 1999).
 struct Settings {
-    int window = 21; ///< side n in pixels; an even one counts as the next odd. The source uses 11 to 25;
-                     ///< 11 grows garbage from most photos
+    int window = 21; ///< side n in pixels; an even one counts as the next odd. The source uses 11 to 25
     double tolerance = 0.1; ///< ε: a window up to (1 + ε) times as far as the nearest may be drawn
     double sigma = 0.156;   ///< of the Gaussian weights, as a share of the window: the source has 1 / 6.4
     int seedSize = 3;       ///< side of the square that growth begins with
@@ -31,12 +31,12 @@ struct Settings {
     int components = 20; ///< principal axes on which windows are compared first
     int radius =
         0; ///< in exemplars of the output's size, how far a window may lie from the pixel; 0: anywhere
-    /// Where a hole is filled, what is not the Grower's own, but that of who runs it: how far around it
-    /// windows lie (see withoutHole()), on how many scales it grows at most, and whether seams are moved and
-    /// tone evened.
-    int context = 200;
+    /// What is not the Grower's own, but that of who runs it: on how many scales it grows at most, whether
+    /// seams are moved, and, where a hole is filled, how far around it windows lie (see withoutHole()) and
+    /// whether tone is evened.
     int scales = 4;
     bool seams = true;
+    int context = 200;
     bool tone = true;
 };
 
@@ -83,6 +83,7 @@ private:
     int y(Place place) const { return static_cast<int>(place / m_request.size.width); }
     void begin();
     void placeSeed();
+    std::optional<Place> guessedNear(int x, int y, int reach) const;
     void keep();
     void guess();
     void growLayers();
@@ -90,6 +91,7 @@ private:
     Places unknownBeside(const Places& made);
     int knownAround(Place place) const;
     void sortByKnown(Places& layer) const;
+    void inShares(std::size_t count, const std::function<void(std::size_t)>& work) const;
     std::vector<Places> inTurns(const Places& order);
     std::vector<std::vector<int>> shownBefore(const Places& order);
     void make(const std::vector<Places>& turns);

@@ -3353,10 +3353,6 @@
         <translation>Wächst von dem, was bekannt ist, Schicht um Schicht nach außen, oder Zeile um Zeile von links oben.</translation>
     </message>
     <message>
-        <source>Grows the output pixel by pixel from a seed; each becomes one of the exemplar&apos;s whose surroundings fit what is known around it. Faithful to small structures; slow, and a window of the wrong size grows garbage or copies verbatim.</source>
-        <translation>Lässt das Ergebnis Pixel für Pixel aus einem Keim wachsen; jedes wird eines der Vorlage, dessen Umgebung zu dem passt, was um es bekannt ist. Treu bei kleinen Strukturen; langsam, und ein Fenster von falscher Größe lässt Unsinn wachsen oder kopiert wörtlich.</translation>
-    </message>
-    <message>
         <source>How closely the target is followed, if there is one: larger follows it more, smaller keeps more of the exemplar&apos;s structure.</source>
         <translation>Wie genau dem Ziel gefolgt wird, falls es eines gibt: größer folgt ihm mehr, kleiner hält sich mehr an die Struktur der Vorlage.</translation>
     </message>
@@ -6081,10 +6077,6 @@
         <translation>{} ist schon da, und Texloom hat es nicht geschrieben; wählen Sie einen anderen Namen oder Ordner.</translation>
     </message>
     <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
-        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: alle, doch wo ein Loch gefüllt wird, die wahrscheinlichen, und auf feineren Skalen die bei den Quellen der gröberen.</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
         <translation>Die Maske lässt keine ganze Umgebung von {} px übrig, nur welche von höchstens {} px; wählen Sie eine kleinere oder maskieren Sie weniger.</translation>
     </message>
@@ -6099,10 +6091,6 @@
     <message>
         <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>
         <translation>Wo ein Loch mit der Naht cut gefüllt wird, richten sich Helligkeit und Farbe des Kopierten nach der Umgebung, wie bei der Naht poisson; aus: Jedes Pixel ist eine Kopie.</translation>
-    </message>
-    <message>
-        <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
-        <translation>Wo ein Loch gefüllt wird, höchstens so viele Skalen, jede halb so groß wie die vorige: Eine feinere sieht das Ergebnis der gröberen, wo sie selbst noch nichts gemacht hat, sodass zusammenpasst, was von gegenüberliegenden Seiten wächst. 1 wächst wie veröffentlicht.</translation>
     </message>
     <message>
         <source>1 channel</source>
@@ -6267,6 +6255,30 @@
     <message>
         <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it where it is seen at an angle, or give its vectors yourself.</source>
         <translation>Nichts in {} wiederholt sich, aber Reihen laufen durch alles hindurch: Sie behalten die Reihenfolge, die sie dort haben, und beginnen alle {:.0f} px von vorn. Wiederholt es sich doch, entzerren Sie es, wo es schräg zu sehen ist, oder geben Sie seine Vektoren selbst an.</translation>
+    </message>
+    <message>
+        <source>At most so many, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that large structures are kept, and what grows from opposite sides meets. 1 grows as published.</source>
+        <translation>Höchstens so viele, jede halb so groß wie die vorige: Eine feinere sieht das Ergebnis der gröberen, wo sie selbst noch nichts gemacht hat, sodass große Strukturen erhalten bleiben und zusammenpasst, was von gegenüberliegenden Seiten wächst. 1 wächst wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all on the coarsest scale, or the likely ones of large exemplars, and on finer scales those near the coarser one&apos;s sources.</source>
+        <translation>Vergleicht alle Fenster genau oder nur die, die nach ihren Hauptkomponenten in Frage kommen, in einer Zeit, die kaum mit der Vorlage wächst. Automatisch: auf der gröbsten Skala alle oder bei großen Vorlagen die wahrscheinlichen, und auf feineren Skalen die bei den Quellen der gröberen.</translation>
+    </message>
+    <message>
+        <source>Efros–Leung, as published</source>
+        <translation>Efros–Leung, wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Grows the output pixel by pixel, from coarse to fine; each becomes one of the exemplar&apos;s whose surroundings fit what is around it. Faithful to small structures and large ones. With one scale, as published, it is slow, and a window of the wrong size grows garbage or copies verbatim.</source>
+        <translation>Lässt das Ergebnis Pixel für Pixel wachsen, von grob nach fein; jedes wird eines der Vorlage, dessen Umgebung zu dem passt, was um es ist. Treu bei kleinen Strukturen und bei großen. Mit einer Skala, wie veröffentlicht, ist es langsam, und ein Fenster von falscher Größe lässt Unsinn wachsen oder kopiert wörtlich.</translation>
+    </message>
+    <message>
+        <source>Moves the borders between what is copied to where they are seen least, so that few large pieces take the place of many small ones; where a whole output grows, on coarse scales only.</source>
+        <translation>Verschiebt die Grenzen zwischen dem, was kopiert ist, dorthin, wo man sie am wenigsten sieht, sodass wenige große Stücke an die Stelle vieler kleiner treten; wo ein ganzes Ergebnis wächst, nur auf groben Skalen.</translation>
+    </message>
+    <message>
+        <source>The settings of Efros &amp; Leung, ICCV 1999, as Aguerrebere, Gousseau &amp; Tartavel give them (IPOL 2013): one scale, windows of 11 px, a tolerance of 0.1 and weights of 1 / 6.4 of the window.</source>
+        <translation>Die Einstellungen von Efros &amp; Leung, ICCV 1999, wie Aguerrebere, Gousseau &amp; Tartavel sie angeben (IPOL 2013): eine Skala, Fenster von 11 px, eine Toleranz von 0,1 und Gewichte von 1 / 6,4 des Fensters.</translation>
     </message>
 </context>
 <context>

@@ -3353,10 +3353,6 @@
         <translation>Croît à partir de ce qui est connu, couche par couche, ou ligne par ligne depuis le haut à gauche.</translation>
     </message>
     <message>
-        <source>Grows the output pixel by pixel from a seed; each becomes one of the exemplar&apos;s whose surroundings fit what is known around it. Faithful to small structures; slow, and a window of the wrong size grows garbage or copies verbatim.</source>
-        <translation>Fait croître le résultat pixel par pixel à partir d’un germe ; chacun devient un pixel de l’échantillon dont les alentours s’accordent à ce qui est connu autour de lui. Fidèle aux petites structures ; lent, et une fenêtre de mauvaise taille engendre du désordre ou copie mot à mot.</translation>
-    </message>
-    <message>
         <source>How closely the target is followed, if there is one: larger follows it more, smaller keeps more of the exemplar&apos;s structure.</source>
         <translation>Avec quelle précision la cible est suivie, s’il y en a une : plus grand, il la suit davantage ; plus petit, il garde plus de la structure de l’échantillon.</translation>
     </message>
@@ -6081,10 +6077,6 @@
         <translation>{} existe déjà, et Texloom ne l’a pas écrit ; choisissez un autre nom ou dossier.</translation>
     </message>
     <message>
-        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the likely ones, and on finer scales those near the coarser one&apos;s sources.</source>
-        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’échantillon. Automatique : toutes, mais là où un trou est rempli, les probables, et aux échelles plus fines celles proches des sources de la plus grossière.</translation>
-    </message>
-    <message>
         <source>The mask leaves no whole neighbourhood of {} px, but only some of at most {} px; choose a smaller one or mask less.</source>
         <translation>Le masque ne laisse aucun voisinage entier de {} px, seulement d’au plus {} px ; choisissez-en un plus petit ou masquez moins.</translation>
     </message>
@@ -6099,10 +6091,6 @@
     <message>
         <source>Where a hole is filled with the stitch cut, takes the brightness and colour of what is copied from what is around it, as the stitch poisson does; off: every pixel is a copy.</source>
         <translation>Là où un trou est rempli avec la couture cut, la luminosité et la couleur de ce qui est copié suivent ce qui l’entoure, comme avec la couture poisson ; désactivé : chaque pixel est une copie.</translation>
-    </message>
-    <message>
-        <source>Where a hole is filled, at most so many scales, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that what grows from opposite sides meets. 1 grows as published.</source>
-        <translation>Là où un trou est rempli, au plus autant d’échelles, chacune deux fois plus petite que la précédente : une échelle plus fine voit le résultat de la plus grossière là où elle n’a encore rien fait, de sorte que ce qui croît de côtés opposés se rejoint. 1 croît comme publié.</translation>
     </message>
     <message>
         <source>1 channel</source>
@@ -6267,6 +6255,30 @@
     <message>
         <source>Nothing in {} repeats, but rows run through all of it: they keep the order that they have there, and begin again every {:.0f} px. If it does repeat, rectify it where it is seen at an angle, or give its vectors yourself.</source>
         <translation>Rien dans {} ne se répète, mais des rangées la traversent entièrement : elles gardent l’ordre qu’elles y ont et recommencent tous les {:.0f} px. Si elle se répète, redressez-la là où elle est vue de biais, ou donnez vous-même ses vecteurs.</translation>
+    </message>
+    <message>
+        <source>At most so many, each half the size of the one before: a finer one sees the coarser one&apos;s result where it has made nothing yet, so that large structures are kept, and what grows from opposite sides meets. 1 grows as published.</source>
+        <translation>Au plus autant, chacune deux fois plus petite que la précédente : une échelle plus fine voit le résultat de la plus grossière là où elle n’a encore rien fait, de sorte que les grandes structures sont gardées et que ce qui croît de côtés opposés se rejoint. 1 croît comme publié.</translation>
+    </message>
+    <message>
+        <source>Compares all windows exactly, or only those that are likely by their principal components, in time that hardly grows with the exemplar. Automatic: all on the coarsest scale, or the likely ones of large exemplars, and on finer scales those near the coarser one&apos;s sources.</source>
+        <translation>Compare exactement toutes les fenêtres, ou seulement celles que leurs composantes principales rendent probables, en un temps qui ne croît guère avec l’échantillon. Automatique : toutes à l’échelle la plus grossière, ou les probables des grands échantillons, et aux échelles plus fines celles proches des sources de la plus grossière.</translation>
+    </message>
+    <message>
+        <source>Efros–Leung, as published</source>
+        <translation>Efros–Leung, comme publié</translation>
+    </message>
+    <message>
+        <source>Grows the output pixel by pixel, from coarse to fine; each becomes one of the exemplar&apos;s whose surroundings fit what is around it. Faithful to small structures and large ones. With one scale, as published, it is slow, and a window of the wrong size grows garbage or copies verbatim.</source>
+        <translation>Fait croître le résultat pixel par pixel, du grossier au fin ; chacun devient un pixel de l’échantillon dont les alentours s’accordent à ce qui l’entoure. Fidèle aux petites structures comme aux grandes. Avec une seule échelle, comme publié, la méthode est lente, et une fenêtre de mauvaise taille engendre du désordre ou copie mot à mot.</translation>
+    </message>
+    <message>
+        <source>Moves the borders between what is copied to where they are seen least, so that few large pieces take the place of many small ones; where a whole output grows, on coarse scales only.</source>
+        <translation>Déplace les bords entre ce qui est copié là où ils se voient le moins, de sorte que quelques grands morceaux remplacent beaucoup de petits ; là où un résultat entier croît, seulement aux échelles grossières.</translation>
+    </message>
+    <message>
+        <source>The settings of Efros &amp; Leung, ICCV 1999, as Aguerrebere, Gousseau &amp; Tartavel give them (IPOL 2013): one scale, windows of 11 px, a tolerance of 0.1 and weights of 1 / 6.4 of the window.</source>
+        <translation>Les réglages d’Efros &amp; Leung, ICCV 1999, tels qu’Aguerrebere, Gousseau &amp; Tartavel les donnent (IPOL 2013) : une échelle, des fenêtres de 11 px, une tolérance de 0,1 et des poids de 1 / 6,4 de la fenêtre.</translation>
     </message>
 </context>
 <context>

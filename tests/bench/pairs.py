@@ -119,8 +119,10 @@ def pixels(ours, options, folder):
     rival = os.path.join(options.rivals, "efros_leung")
     maps = [os.path.join(folder, "map1.png"), os.path.join(folder, "map2.png")]
     theirs = [rival, "-p", "4", "-t", "0.1", "-s", "256", "-d", "20", crop, their_out, *maps]
-    grown = ours("efros-leung", crop, 256, "--set", "window=9", "--set", "search=pca", "--set", "components=20")
-    compare("efros-leung 128 to 256, window 9", grown, ours.start, theirs, 0.0, options.runs)
+    once = ["--set", "scales=1", "--set", "search=pca", "--set", "components=20"]
+    for name, settings in (("from coarse to fine", []), ("on one scale, by components", once)):
+        grown = ours("efros-leung", crop, 256, "--set", "window=9", *settings)
+        compare(f"efros-leung 128 to 256, window 9, {name}", grown, ours.start, theirs, 0.0, options.runs)
 
     plain = cut(options.exemplar, 128, os.path.join(folder, "crop.ppm"))
     theirs = [os.path.join(options.rivals, "resynthesizer"), plain, "512", os.path.join(folder, "out.ppm")]

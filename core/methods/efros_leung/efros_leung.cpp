@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/methods/efros_leung/hole_grower.h"
+#include "core/methods/efros_leung/scale_grower.h"
 #include "core/methods/fill_join.h"
 #include "core/methods/fill_request.h"
 #include "core/methods/method.h"
@@ -35,7 +36,6 @@ void check(const Request& request, const Settings& settings) {
 }
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
-    const bool fills = fillsHole(request);
     double windows = 0;
     for (const Size& size : request.exemplarSizes()) {
         const auto area = static_cast<double>(size.area());
@@ -43,13 +43,15 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         windows += limited ? std::min(area, 4.0 * settings.radius * settings.radius) : area;
     }
     const double values = static_cast<double>(settings.window) * settings.window * request.channels();
-    const bool near = fills && settings.scales > 1 && settings.search == pixel_growth::Search::Auto;
+    const bool near = settings.scales > 1 && settings.search == pixel_growth::Search::Auto;
     const double compared = near                                           ? 1e-5
                             : settings.search == pixel_growth::Search::Pca ? 2.4e-5
                                                                            : 1.5e-9 * windows;
     Estimate need;
-    need.bytes = fills ? HoleGrower::bytesFor(request, settings, threads)
-                       : Grower::bytesFor(request, settings, threads) + fillMaskBytes(request);
+    need.bytes = fillsHole(request)    ? HoleGrower::bytesFor(request, settings, threads)
+                 : settings.scales > 1 ? ScaleGrower::bytesFor(request, settings, threads)
+                                       : Grower::bytesFor(request, settings, threads);
+    need.bytes += fillMaskBytes(request);
     need.seconds = unknownPixels(request) * (compared + values * 6e-9);
     return need;
 }
@@ -58,7 +60,8 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
     const auto checked = [&context] { context.check(); };
     const Request hidden = prepared(request, settings, checked);
     if (!fillsHole(request))
-        return Grower(hidden, settings, {request.initial(), knownOf(request)}, context).run();
+        return settings.scales > 1 ? ScaleGrower(hidden, settings, context).run()
+                                   : Grower(hidden, settings, {}, context).run();
     const FillWindow window(hidden, Grower::window(settings), checked);
     return HoleGrower(window, settings, context).run();
 }
@@ -68,9 +71,11 @@ Synthesis run(const Request& request, const Settings& settings, JobContext& cont
 extern const Method self;
 const Method self = method<Settings>(
     {.title = TR("Efros–Leung"),
-     .summary = TR("Grows the output pixel by pixel from a seed; each becomes one of the exemplar's whose "
-                   "surroundings fit what is known around it. Faithful to small structures; slow, and a "
-                   "window of the wrong size grows garbage or copies verbatim."),
+     .summary =
+         TR("Grows the output pixel by pixel, from coarse to fine; each becomes one of the exemplar's "
+            "whose surroundings fit what is around it. Faithful to small structures and large ones. "
+            "With one scale, as published, it is slow, and a window of the wrong size grows garbage or "
+            "copies verbatim."),
      .citation = "Efros & Leung, ICCV 1999; Aguerrebere, Gousseau & Tartavel, IPOL 2013",
      .category = Category::Pixels,
      .suits = {.regular = 2, .grain = 3, .objects = 3, .large = 2},
@@ -107,8 +112,8 @@ const Method self = method<Settings>(
          .group(TR("Advanced"))
          .help(
              TR("Compares all windows exactly, or only those that are likely by their principal components, "
-                "in time that hardly grows with the exemplar. Automatic: all, but where a hole is filled the "
-                "likely ones, and on finer scales those near the coarser one's sources.")),
+                "in time that hardly grows with the exemplar. Automatic: all on the coarsest scale, or the "
+                "likely ones of large exemplars, and on finer scales those near the coarser one's sources.")),
      field(&Settings::components, "components", TR("Components"))
          .range(4, 64)
          .group(TR("Advanced"))
@@ -117,11 +122,14 @@ const Method self = method<Settings>(
      field(&Settings::scales, "scales", TR("Scales"))
          .range(1, 8)
          .group(TR("Advanced"))
-         .help(TR(
-             "Where a hole is filled, at most so many scales, each half the size of the one before: a finer "
-             "one sees the coarser one's result where it has made nothing yet, so that what grows from "
-             "opposite sides meets. 1 grows as published.")),
-     radiusField(&Settings::radius), contextField(&Settings::context), seamsField(&Settings::seams),
+         .help(TR("At most so many, each half the size of the one before: a finer one sees the coarser one's "
+                  "result where it has made nothing yet, so that large structures are kept, and what grows "
+                  "from opposite sides meets. 1 grows as published.")),
+     radiusField(&Settings::radius), contextField(&Settings::context),
+     seamsField(&Settings::seams)
+         .help(TR("Moves the borders between what is copied to where they are seen least, so that few large "
+                  "pieces take the place of many small ones; where a whole output grows, on coarse scales "
+                  "only.")),
      toneField(&Settings::tone)},
     run, check, estimate);
 

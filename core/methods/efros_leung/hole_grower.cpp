@@ -1,48 +1,21 @@
 #include "core/methods/efros_leung/hole_grower.h"
 
 #include "core/base/text.h"
+#include "core/methods/efros_leung/growth_scale.h"
 #include "core/methods/fill_join.h"
 #include "core/methods/fill_tone.h"
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 namespace texloom::efros_leung {
 
 namespace {
 
 using pixel_growth::Grower;
-using pixel_growth::Search;
 
-/// Scales hold windows of this side at least; smaller ones show too little.
-constexpr int kLeastWindow = 9;
-/// Exemplars of so many pixels are searched as a whole on the coarsest scale; larger ones by components.
-constexpr std::int64_t kExactPixels = 1 << 13;
-/// Work of a scale beside that of the next finer one.
-constexpr double kCoarser = 0.3;
 /// Share of the run that it takes to move seams, and to even tone.
 constexpr double kJoin = 0.1;
-
-std::int64_t pixelsOf(const Request& request) {
-    std::int64_t pixels = 0;
-    for (const Exemplar& exemplar : request.exemplars)
-        pixels += exemplar.image->size().area();
-    return pixels;
-}
-
-/// The largest side of a window that fits where sources may be copied.
-int fittingWindow(const Request& request, int wanted, JobContext& context) {
-    int window = wanted;
-    for (const Exemplar& exemplar : request.exemplars)
-        window = std::min(window, (exemplar.image->size().shorterSide() - 1) | 1);
-    while (window > 3 && !leavesWholePatch(request, window)) {
-        context.check();
-        window -= 2;
-    }
-    return window;
-}
 
 } // namespace
 
@@ -72,24 +45,17 @@ Synthesis HoleGrower::run() {
 void HoleGrower::grow(int level) {
     const FillScale& scale = m_scales[static_cast<std::size_t>(level)];
     const Request request = level == 0 ? m_request : requestAt(m_request, m_pyramid, level, scale);
-    Settings settings = m_settings;
-    settings.window = fittingWindow(request, Grower::window(m_settings), m_context);
-    if (settings.radius > 0)
-        settings.radius = std::max(1, settings.radius >> level);
-    const bool coarsest = level + 1 == static_cast<int>(m_scales.size());
-    if (coarsest && settings.search == Search::Auto)
-        settings.search = pixelsOf(request) <= kExactPixels ? Search::Exact : Search::Pca;
+    const int levels = static_cast<int>(m_scales.size());
+    const bool coarsest = level + 1 == levels;
+    const Settings settings = settingsAt(request, m_settings, level, coarsest, m_context);
     PositionMap guess;
     if (!coarsest)
         guess = finer(m_map, scale.known, m_pyramid.sizes(level), [this] { m_context.check(); });
-    double whole = 0;
-    for (std::size_t other = 0; other < m_scales.size(); ++other)
-        whole += std::pow(kCoarser, static_cast<double>(other));
     const double growth = 0.78 + (m_settings.seams ? 0 : kJoin) + (m_settings.tone ? 0 : kJoin);
     pixel_growth::Start start{&scale.picture, &scale.known};
     start.guess = coarsest ? nullptr : &guess;
     start.offer = [this, level](const PositionMap& map) { offer(level, map); };
-    m_map = Grower(request, settings, start, m_context).run(growth * std::pow(kCoarser, level) / whole).map;
+    m_map = Grower(request, settings, start, m_context).run(growth * shareOfScale(level, levels)).map;
     if (m_settings.seams && level > 0)
         joinCopies(request, kCoarseJoinSide, settings.radius, m_map, m_context);
     offer(level, m_map);
@@ -117,10 +83,7 @@ std::uint64_t HoleGrower::bytesFor(const Request& request, const Settings& setti
                                 Image::bytesFor(request.size, request.channels() + 1) +
                                 2 * ExemplarPyramid::bytesFor(request.exemplarSizes(), request.channels()) +
                                 fillScalesBytes(request);
-    Settings growth = settings;
-    if (growth.search == Search::Auto)
-        growth.search = Search::Pca;
-    return scale + Grower::bytesFor(request, growth, threads) + fillMaskBytes(request) +
+    return scale + Grower::bytesFor(request, largestAtAnyScale(settings), threads) + fillMaskBytes(request) +
            (settings.seams ? joinBytes(request, threads) : 0) + (settings.tone ? toneBytes(request) : 0);
 }
 

@@ -38,6 +38,15 @@ Image alone(const SampleRun& sample, std::size_t step, std::shared_ptr<const Ima
 
 /// What the sources' figures and algorithms were made with, as far as they say it.
 const std::vector<std::pair<std::string, Values>> kPublished = {
+    // Efros & Leung, ICCV 1999: σ is 1 / 6.4 of the window, ε 0.1, and a seed of 3 px.
+    {"efros-leung",
+     {{"window", 11},
+      {"tolerance", 0.1},
+      {"sigma", 1 / 6.4},
+      {"seed-size", 3},
+      {"order", std::string("onion")},
+      {"search", std::string("exact")},
+      {"scales", 1}}},
     // Raad, thesis 2016: figures 2.1, 2.6, 3.4, 3.5 and 4.21, without a balance of contrast.
     {"gaussian-patches",
      {{"patch", 30},

@@ -355,6 +355,65 @@ TEST(EfrosLeung, aPictureIsNotHealedFromItsOwnHole) {
     EXPECT_THROW(method.check(request, method.resolved({{"window", 63}}, photo.size())), UsageError);
 }
 
+/// Squares of 12 × 10 px, in which windows of 9 px see one colour.
+Image chessboard(Size size) {
+    Image image(size, 1);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            image(x, y, 0) = static_cast<float>((x / 12 + y / 10) % 2);
+    return image;
+}
+
+/// The share of pixels that are not as those a period to the right and below.
+double broken(const Image& image) {
+    int count = 0, asked = 0;
+    for (int y = 0; y + 20 < image.height(); ++y)
+        for (int x = 0; x + 24 < image.width(); ++x, ++asked)
+            count += image(x, y, 0) != image(x + 24, y, 0) || image(x, y, 0) != image(x, y + 20, 0);
+    return static_cast<double>(count) / asked;
+}
+
+TEST(EfrosLeung, coarseScalesKeepWhatIsLargerThanAWindow) {
+    const Request request = requestFor(chessboard({96, 80}), {120, 120});
+    const Method& method = findMethod("efros-leung");
+    const double byScales = broken(resultOf(method, request, {{"window", 9}, {"scales", 3}}).image);
+    const double once = broken(resultOf(method, request, {{"window", 9}, {"scales", 1}}).image);
+    EXPECT_LT(byScales, 0.05);
+    EXPECT_GT(once, 0.3);
+}
+
+TEST(EfrosLeung, oneScaleGrowsAsPublished) {
+    const Request request = requestFor(blobs({40, 40}, 3), {60, 50}, {true, false});
+    Settings settings;
+    settings.window = 9;
+    const Synthesis once = resultOf(findMethod("efros-leung"), request, {{"window", 9}, {"scales", 1}});
+    EXPECT_TRUE(samePixels(once.image, grown(request, settings).image));
+}
+
+TEST(EfrosLeung, allScalesCopyWhatMasksAllow) {
+    Image mask = constant({64, 64}, 1, 1);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 24; ++x)
+            mask(x, y, 0) = 0;
+    for (const Wrap wrap : {Wrap{}, Wrap{true, true}})
+        for (const char* order : {"onion", "raster"}) {
+            Request request = requestFor(gravelOf({64, 64}), {101, 90}, wrap);
+            request.exemplars.push_back(request.exemplars.front());
+            request.exemplars.front().inputs.set(kMaskPort, shared(mask));
+            const Method& method = findMethod("efros-leung");
+            const Values values{{"window", 9}, {"order", order}};
+            const Synthesis one = resultOf(method, request, values, {.threads = 1});
+            const Synthesis many = resultOf(method, request, values, {.threads = 5});
+            EXPECT_EQ(one.map, many.map);
+            ASSERT_EQ(one.mapKind, MapKind::Exact);
+            const ImageView exemplar = request.exemplars.front().image->view();
+            EXPECT_TRUE(samePixels(one.map.apply(std::vector{exemplar, exemplar}), one.image));
+            for (int y = 0; y < 90; ++y)
+                for (int x = 0; x < 101; ++x)
+                    ASSERT_FALSE(one.map.at(x, y).exemplar == 0 && one.map.at(x, y).x < 24);
+        }
+}
+
 TEST(EfrosLeung, refusalsNameTheValueAndTheLimit) {
     EXPECT_THAT(
         refusalOf(findMethod("efros-leung"), requestFor(blobs({12, 30}, 3), {64, 64}), {{"window", 13}}),
