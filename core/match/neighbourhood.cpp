@@ -17,7 +17,8 @@ Neighbourhood::Neighbourhood(const std::vector<NeighbourhoodPart>& parts, const 
         std::size_t at = 0;
         for (const PixelRun& run : parts[p].runs) {
             const int floats = run.count * pixels[p];
-            m_stretches.push_back({p, parts[p].halved ? 1 : 0, run.dx, run.dy, m_length, floats, pixels[p]});
+            m_stretches.push_back(
+                {p, parts[p].halved ? 1 : 0, run.dx, run.dy, m_length, floats, pixels[p], parts[p].wrap});
             m_length += floats;
             for (int i = 0; weighs && i < floats; ++i)
                 m_weights.push_back(parts[p].weights.empty()
@@ -59,11 +60,18 @@ bool Neighbourhood::clear(const PlaneView& mask, int x, int y) const {
 void Neighbourhood::gather(const Pictures& pictures, int x, int y, float* to) const {
     for (const Stretch& stretch : m_stretches) {
         const Interleaved& picture = *pictures[stretch.part];
-        const int width = picture.size.width, count = stretch.floats / stretch.pixel;
-        const int row = repeated((y >> stretch.halvings) + stretch.dy, picture.size.height);
-        int column = repeated((x >> stretch.halvings) + stretch.dx, width);
+        const Size size = picture.size;
+        const int count = stretch.floats / stretch.pixel;
+        const int down = (y >> stretch.halvings) + stretch.dy, left = (x >> stretch.halvings) + stretch.dx;
+        const int row = stretch.wrap.y ? repeated(down, size.height) : mirrored(down, size.height);
+        if (!stretch.wrap.x && (left < 0 || left + count > size.width)) {
+            for (int i = 0; i < count; ++i)
+                to = std::copy_n(picture.at(mirrored(left + i, size.width), row), stretch.pixel, to);
+            continue;
+        }
+        int column = repeated(left, size.width);
         for (int done = 0; done < count; column = 0) {
-            const int straight = std::min(count - done, width - column);
+            const int straight = std::min(count - done, size.width - column);
             to = std::copy_n(picture.at(column, row), straight * stretch.pixel, to);
             done += straight;
         }

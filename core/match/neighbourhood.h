@@ -18,6 +18,9 @@ struct NeighbourhoodPart {
     bool halved = false;
     /// How much each pixel of the runs counts, in their order; all 1 if empty.
     std::vector<float> weights;
+    /// On which axes the picture goes on round its borders where a neighbourhood is gathered; on the others
+    /// it goes on mirrored.
+    Wrap wrap{true, true};
 };
 
 /// The pixels about one pixel that are compared, in one or more pictures, as one vector of floats: the causal
@@ -36,7 +39,7 @@ public:
     bool within(const Pictures& pictures, int x, int y) const;
     /// Whether the mask of the first part's scale is nowhere 0 in the neighbourhood, nor at its centre.
     bool clear(const PlaneView& mask, int x, int y) const;
-    /// The neighbourhood of (x, y) as a vector, round the borders. @param to length() floats.
+    /// The neighbourhood of (x, y) as a vector; beyond borders as its parts say. @param to length() floats.
     void gather(const Pictures& pictures, int x, int y, float* to) const;
     /// Sum of squared differences between a vector and the neighbourhood of (x, y), which lies within the
     /// pictures; given up once it is above `limit`.
@@ -65,6 +68,7 @@ private:
         std::size_t part;
         int halvings, dx, dy;
         int begin, floats, pixel;
+        Wrap wrap;
     };
     /// Sums of eight lanes, which vectorise and give the same bits at any width of vectors.
     static constexpr int kLanes = 8;

@@ -183,18 +183,18 @@ void CausalSynthesis::loadInitial(int level) {
 NeighbourhoodSet CausalSynthesis::set(int level, const PixelRuns& runs, bool withParent) const {
     std::vector<NeighbourhoodPart> parts{{runs, false, {}}};
     std::vector<int> pixels{m_pyramid.pixels(level, 0).pixel};
-    const auto add = [&](const PixelRuns& more, bool halvedPart, int pixel) {
-        parts.push_back({more, halvedPart, {}});
+    const auto add = [&](const PixelRuns& more, bool halvedPart, int pixel, Wrap wrap) {
+        parts.push_back({more, halvedPart, {}, wrap});
         pixels.push_back(pixel);
     };
     if (withParent)
-        add(squareRuns(m_options.parent), true, pixels.front());
+        add(squareRuns(m_options.parent), true, pixels.front(), {true, true});
     const std::size_t own = parts.size();
     if (m_options.guides) {
         const int pixel = m_outputGuides.front().pixel;
-        add(squareRuns(m_options.side), false, pixel);
+        add(squareRuns(m_options.side), false, pixel, m_request.wrap);
         if (withParent)
-            add(squareRuns(m_options.parent), true, pixel);
+            add(squareRuns(m_options.parent), true, pixel, m_request.wrap);
     }
     for (std::size_t p = 0; p < parts.size() && m_options.falloff; ++p)
         parts[p].weights = falloffWeights(parts[p].runs, p < own ? 1 : m_guideWeight);

@@ -45,7 +45,8 @@ struct CausalOptions {
 /// exemplar's whose causal neighbourhood is nearest, together with a square of the coarser scale, which is
 /// finished already (Wei & Levoy, "Fast texture synthesis using tree-structured vector quantization",
 /// SIGGRAPH 2000). With guides and coherence it is the method of Hertzmann et al., "Image analogies"
-/// (SIGGRAPH 2001). Neighbourhoods reach round the output's borders.
+/// (SIGGRAPH 2001). Neighbourhoods reach round the output's borders; guides go on mirrored on axes that do
+/// not wrap, where what they show on the other side says nothing.
 class CausalSynthesis {
 public:
     CausalSynthesis(const Request& request, CausalOptions options, JobContext& context);

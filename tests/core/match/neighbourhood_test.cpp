@@ -77,6 +77,29 @@ TEST(Neighbourhood, distanceIsTheSumOfWeighedSquaredDifferences) {
     }
 }
 
+TEST(Neighbourhood, goesOnBeyondBordersAsItsPartsSay) {
+    const Image image = noise({9, 7}, 2, 3);
+    const Interleaved pixels = interleaved(image);
+    const Interleaved* const from[] = {&pixels};
+    for (const Wrap wrap : {Wrap{true, true}, Wrap{true, false}, Wrap{false, true}, Wrap{false, false}}) {
+        const Neighbourhood neighbourhood({{squareRuns(5), false, {}, wrap}}, {pixels.pixel});
+        std::vector<float> found(static_cast<std::size_t>(neighbourhood.length()));
+        for (int y = 0; y < 7; ++y)
+            for (int x = 0; x < 9; ++x) {
+                neighbourhood.gather(from, x, y, found.data());
+                std::size_t at = 0;
+                for (int v = y - 2; v <= y + 2; ++v)
+                    for (int u = x - 2; u <= x + 2; ++u)
+                        for (int c = 0; c < 2; ++c, ++at) {
+                            // The reflection about the border itself: −1 shows what 0 does.
+                            const int column = wrap.x ? (u + 9) % 9 : u < 0 ? -1 - u : u > 8 ? 17 - u : u;
+                            const int row = wrap.y ? (v + 7) % 7 : v < 0 ? -1 - v : v > 6 ? 13 - v : v;
+                            ASSERT_EQ(found[at], image(column, row, c)) << x << ", " << y;
+                        }
+            }
+    }
+}
+
 TEST(NeighbourhoodSet, showsNothingThatTheMaskHides) {
     const Image image = noise({20, 20}, 1);
     const Interleaved pixels = interleaved(image);

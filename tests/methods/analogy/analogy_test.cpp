@@ -54,6 +54,27 @@ TEST(Analogy, resultFollowsTheLabels) {
     EXPECT_GT(right, 60 * 80 * 95 / 100);
 }
 
+/// Beyond a border that does not wrap, labels go on as they are, not as on the other side.
+TEST(Analogy, theFirstRowsFollowTheirOwnLabels) {
+    const Halves halves;
+    Image labels = constant({60, 80}, 1, 0);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 60; ++x)
+            labels(x, y, 0) = 1;
+    Request request = requestOf(halves.picture, labels.size(), {}, 0);
+    request.inputs.set("output-guide", shared(std::move(labels)));
+    request.exemplars.front().inputs.set("guide", shared(halves.labels));
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+        request.seed = seed;
+        const Image image = resultOf(findMethod("analogy"), request, {{"guide-weight", 20}}).image;
+        int wrong = 0;
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 60; ++x)
+                wrong += image(x, y, 0) < 4;
+        EXPECT_EQ(wrong, 0) << "seed " << seed;
+    }
+}
+
 double continued(const PositionMap& map) {
     int count = 0;
     for (int y = 0; y < map.height(); ++y)
