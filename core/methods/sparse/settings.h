@@ -17,7 +17,7 @@ enum class LowPassTarget { Auto, Exemplar, RandomPhase };
 /// explained in core/methods/dictionary_fields.h.
 struct Settings {
     int patch = 12;
-    int spacing = 6; ///< Δ: from one patch to the next
+    int spacing = 4; ///< Δ: from one patch to the next; the source has 6
     int scales = 3;
     int sparsity = 4;
     int atoms = 384;
@@ -32,8 +32,8 @@ struct Settings {
     bool lowPass = true;
     double beta = 1;
     LowPassTarget lowPassTarget = LowPassTarget::Auto;
-    bool spectrum = false;
-    double gamma = 1;
+    bool spectrum = true;
+    double gamma = 0.3;
     DictionaryLearner learner = DictionaryLearner::Ksvd;
     int learningIterations = 20;
     int learnStep = 1;

@@ -47,6 +47,16 @@ const std::vector<std::pair<std::string, Values>> kPublished = {
       {"order", std::string("onion")},
       {"search", std::string("exact")},
       {"scales", 1}}},
+    // Tartavel, Gousseau & Peyré 2013, section 4.
+    {"sparse",
+     {{"patch", 12},
+      {"spacing", 6},
+      {"scales", 3},
+      {"sparsity", 4},
+      {"atoms", 384},
+      {"histogram-weight", 1.0},
+      {"low-pass-weight", 1.0},
+      {"spectrum", false}}},
     // Raad, thesis 2016: figures 2.1, 2.6, 3.4, 3.5 and 4.21, without a balance of contrast.
     {"gaussian-patches",
      {{"patch", 30},
