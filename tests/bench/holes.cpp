@@ -1,15 +1,8 @@
-#include "core/job/job.h"
 #include "core/methods/fill_request.h"
-#include "core/methods/method.h"
+#include "tests/bench/timed_run.h"
 #include "tests/support/textures.h"
 
-#include <benchmark/benchmark.h>
-
-#include <chrono>
 #include <memory>
-#include <string>
-#include <thread>
-#include <variant>
 
 namespace texloom::bench {
 namespace {
@@ -32,24 +25,7 @@ Request pierced() {
 
 /// The goals are 2 s for all, and 0.3 s to the first preview.
 void fillHole(benchmark::State& state, const std::string& id) {
-    using Clock = std::chrono::steady_clock;
-    const Request request = pierced();
-    const Method& method = findMethod(id);
-    const Values settings = method.resolved({}, request.size);
-    double first = 0;
-    for (auto _ : state) {
-        const Clock::time_point begin = Clock::now();
-        method.check(request, settings);
-        Job<Synthesis> job({request.seed, 2, true},
-                           [&](JobContext& context) { return method.run(request, settings, context); });
-        while (!job.finished() && !job.monitor().takePreview())
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        first = std::chrono::duration<double>(Clock::now() - begin).count();
-        Outcome<Synthesis> outcome = job.take();
-        if (const auto* failure = std::get_if<Failure>(&outcome))
-            state.SkipWithError(failure->message.text().c_str());
-    }
-    state.counters["first preview [s]"] = first;
+    timeRun(state, id, pierced());
 }
 BENCHMARK_CAPTURE(fillHole, patchmatch, "patchmatch")->Unit(benchmark::kSecond)->UseRealTime();
 BENCHMARK_CAPTURE(fillHole, quilting, "quilting")->Unit(benchmark::kSecond)->UseRealTime();
