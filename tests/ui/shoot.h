@@ -13,7 +13,8 @@ inline void shoot(QWidget& widget, const char* state) {
     const QString file = QStringLiteral("%1/%2-%3-%4x.png")
                              .arg(QStringLiteral(TEXLOOM_SCREENSHOTS), QLatin1String(state),
                                   QLatin1String(QTest::currentDataTag()), scale);
-    QVERIFY2(widget.grab().save(file), qPrintable(file));
+    constexpr int kQuick = 80; // large pictures, compressed a little
+    QVERIFY2(widget.grab().save(file, nullptr, kQuick), qPrintable(file));
 }
 
 } // namespace texloom::ui
