@@ -13,6 +13,11 @@ namespace {
 /// Larger outputs are previewed without a map.
 constexpr int kPreviewSide = 640;
 
+/// An even neighbourhood counts as the next odd one, which must fit, too.
+int largestOddSide(Size size) {
+    return size.shorterSide() - (size.shorterSide() % 2 == 0 ? 1 : 0);
+}
+
 } // namespace
 
 void checkSquares(const Request& request, int side) {
@@ -22,7 +27,7 @@ void checkSquares(const Request& request, int side) {
         if (size.shorterSide() < side)
             failUsage("{} is {} × {} px, smaller than the neighbourhood of {} px; choose a neighbourhood of "
                       "at most {} px, or a larger exemplar.",
-                      exemplar.name, size.width, size.height, side, size.shorterSide());
+                      exemplar.name, size.width, size.height, side, largestOddSide(size));
         any = any || !exemplar.mask() || leavesWholePatch(exemplar.mask()->view().plane(0), side);
     }
     if (!any)

@@ -3,8 +3,6 @@
 #include "core/methods/method.h"
 #include "core/methods/pixel_grower.h"
 
-#include <vector>
-
 namespace texloom::efros_leung {
 
 /// What growth from coarse to fine has in common, whether a hole is filled or a whole output made.
