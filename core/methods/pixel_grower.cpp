@@ -122,8 +122,10 @@ void Grower::placeSeed() {
 /// The place nearest to one, at least `reach` from the top and the left, whose guess is a window's middle.
 std::optional<Grower::Place> Grower::guessedNear(int x, int y, int reach) const {
     std::optional<Place> nearest;
+    if (!m_start.guess)
+        return nearest;
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    const Size size = m_start.guess ? m_request.size : Size{};
+    const Size size = m_request.size;
     for (int v = reach; v < size.height; ++v)
         for (int u = reach; u < size.width; ++u) {
             const Source& guess = m_start.guess->at(u, v);
