@@ -75,6 +75,15 @@ TEST(Analogy, theFirstRowsFollowTheirOwnLabels) {
     }
 }
 
+TEST(Analogy, withoutCoherenceAndFalloffItIsWeiLevoys) {
+    const Request request = requestOf(blobs({48, 40}, 3), {60, 50}, {}, 0);
+    CausalOptions options = Settings{}.options();
+    options.coherence = 0;
+    options.falloff = false;
+    const Values same{{"neighbourhood", 5}, {"levels", 4}, {"parent", 3}, {"leaf", 8}, {"passes", 1}};
+    EXPECT_EQ(made(request, options).map, resultOf(findMethod("wei-levoy"), request, same).map);
+}
+
 double continued(const PositionMap& map) {
     int count = 0;
     for (int y = 0; y < map.height(); ++y)
