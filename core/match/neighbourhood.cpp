@@ -17,8 +17,9 @@ Neighbourhood::Neighbourhood(const std::vector<NeighbourhoodPart>& parts, const 
         std::size_t at = 0;
         for (const PixelRun& run : parts[p].runs) {
             const int floats = run.count * pixels[p];
-            m_stretches.push_back(
-                {p, parts[p].halved ? 1 : 0, run.dx, run.dy, m_length, floats, pixels[p], parts[p].wrap});
+            const int margin = parts[p].margin;
+            m_stretches.push_back({p, parts[p].halved ? 1 : 0, margin, run.dx + margin, run.dy + margin,
+                                   m_length, floats, pixels[p]});
             m_length += floats;
             for (int i = 0; weighs && i < floats; ++i)
                 m_weights.push_back(parts[p].weights.empty()
@@ -32,7 +33,7 @@ Neighbourhood::Neighbourhood(const std::vector<NeighbourhoodPart>& parts, const 
 bool Neighbourhood::within(const Pictures& pictures, int x, int y) const {
     return std::all_of(m_stretches.begin(), m_stretches.end(), [&](const Stretch& stretch) {
         const Size size = pictures[stretch.part]->size;
-        const int left = (x >> stretch.halvings) + stretch.dx, top = (y >> stretch.halvings) + stretch.dy;
+        const int left = (x >> stretch.halvings) + stretch.left, top = (y >> stretch.halvings) + stretch.top;
         return left >= 0 && top >= 0 && top < size.height &&
                left + stretch.floats / stretch.pixel <= size.width;
     });
@@ -50,10 +51,12 @@ bool Neighbourhood::clear(const PlaneView& mask, int x, int y) const {
     };
     return std::all_of(m_stretches.begin(), m_stretches.end(), [&](const Stretch& stretch) {
         const int count = stretch.floats / stretch.pixel;
+        if (stretch.margin > 0)
+            return true;
         if (stretch.halvings == 0)
-            return shown(x + stretch.dx, y + stretch.dy, count, 1);
+            return shown(x + stretch.left, y + stretch.top, count, 1);
         // A pixel of the coarser scale is made of two by two.
-        return shown(2 * (x / 2 + stretch.dx), 2 * (y / 2 + stretch.dy), 2 * count, 2);
+        return shown(2 * (x / 2 + stretch.left), 2 * (y / 2 + stretch.top), 2 * count, 2);
     });
 }
 
@@ -62,14 +65,8 @@ void Neighbourhood::gather(const Pictures& pictures, int x, int y, float* to) co
         const Interleaved& picture = *pictures[stretch.part];
         const Size size = picture.size;
         const int count = stretch.floats / stretch.pixel;
-        const int down = (y >> stretch.halvings) + stretch.dy, left = (x >> stretch.halvings) + stretch.dx;
-        const int row = stretch.wrap.y ? repeated(down, size.height) : mirrored(down, size.height);
-        if (!stretch.wrap.x && (left < 0 || left + count > size.width)) {
-            for (int i = 0; i < count; ++i)
-                to = std::copy_n(picture.at(mirrored(left + i, size.width), row), stretch.pixel, to);
-            continue;
-        }
-        int column = repeated(left, size.width);
+        const int row = repeated((y >> stretch.halvings) + stretch.top, size.height);
+        int column = repeated((x >> stretch.halvings) + stretch.left, size.width);
         for (int done = 0; done < count; column = 0) {
             const int straight = std::min(count - done, size.width - column);
             to = std::copy_n(picture.at(column, row), straight * stretch.pixel, to);
@@ -86,8 +83,8 @@ std::vector<int> Neighbourhood::nearestFloats(int count) const {
     std::vector<int> apart(chosen.size());
     for (const Stretch& stretch : m_stretches)
         for (int i = 0; i < stretch.floats; ++i) {
-            const int dx = (stretch.dx + i / stretch.pixel) << stretch.halvings,
-                      dy = stretch.dy << stretch.halvings;
+            const int dx = (stretch.left - stretch.margin + i / stretch.pixel) << stretch.halvings,
+                      dy = (stretch.top - stretch.margin) << stretch.halvings;
             apart[static_cast<std::size_t>(stretch.begin) + static_cast<std::size_t>(i)] = dx * dx + dy * dy;
         }
     std::stable_sort(chosen.begin(), chosen.end(), [&](int a, int b) {

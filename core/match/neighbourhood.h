@@ -18,16 +18,16 @@ struct NeighbourhoodPart {
     bool halved = false;
     /// How much each pixel of the runs counts, in their order; all 1 if empty.
     std::vector<float> weights;
-    /// On which axes the picture goes on round its borders where a neighbourhood is gathered; on the others
-    /// it goes on mirrored.
-    Wrap wrap{true, true};
+    /// So many pixels does the picture go on beyond each border of its scale. What a part with a margin shows
+    /// need not lie within the scale, nor be clear of the mask.
+    int margin = 0;
 };
 
 /// The pixels about one pixel that are compared, in one or more pictures, as one vector of floats: the causal
 /// half of a square on one scale with a square of the coarser scale, say.
 class Neighbourhood {
 public:
-    /// One for each part, all of the size of their scale.
+    /// One for each part, of the size of its scale and the part's margin.
     using Pictures = std::span<const Interleaved* const>;
 
     /// @param pixels floats of a pixel in the picture of each part.
@@ -39,15 +39,16 @@ public:
     bool within(const Pictures& pictures, int x, int y) const;
     /// Whether the mask of the first part's scale is nowhere 0 in the neighbourhood, nor at its centre.
     bool clear(const PlaneView& mask, int x, int y) const;
-    /// The neighbourhood of (x, y) as a vector; beyond borders as its parts say. @param to length() floats.
+    /// The neighbourhood of (x, y) as a vector; pictures without a margin go on round their borders.
+    /// @param to length() floats.
     void gather(const Pictures& pictures, int x, int y, float* to) const;
     /// Sum of squared differences between a vector and the neighbourhood of (x, y), which lies within the
     /// pictures; given up once it is above `limit`.
     float distance(const float* wanted, const Pictures& pictures, int x, int y, float limit) const {
         float sum = 0;
         for (const Stretch& stretch : m_stretches) {
-            const float* found = pictures[stretch.part]->at((x >> stretch.halvings) + stretch.dx,
-                                                            (y >> stretch.halvings) + stretch.dy);
+            const float* found = pictures[stretch.part]->at((x >> stretch.halvings) + stretch.left,
+                                                            (y >> stretch.halvings) + stretch.top);
             sum += m_weights.empty() ? squares(wanted + stretch.begin, found, stretch.floats)
                                      : squares(wanted + stretch.begin, found, stretch.floats,
                                                m_weights.data() + stretch.begin);
@@ -66,9 +67,9 @@ private:
     /// A run in floats.
     struct Stretch {
         std::size_t part;
-        int halvings, dx, dy;
+        int halvings, margin;
+        int left, top; ///< of its first pixel in a picture, relative to the centre's place without a margin
         int begin, floats, pixel;
-        Wrap wrap;
     };
     /// Sums of eight lanes, which vectorise and give the same bits at any width of vectors.
     static constexpr int kLanes = 8;

@@ -2,6 +2,7 @@
 
 #include "core/base/message.h"
 #include "core/image/half_scale.h"
+#include "core/image/mirror.h"
 #include "core/methods/patch_request.h"
 
 #include <algorithm>
@@ -76,6 +77,26 @@ double varianceOf(const std::vector<const Image*>& pictures, const std::function
     return variance;
 }
 
+/// A picture that goes on beyond its borders: round them on axes that wrap, else mirrored.
+Interleaved withMargin(const Image& image, int margin, Wrap wrap) {
+    const auto indices = [margin](int length, bool wraps) {
+        std::vector<int> found;
+        for (int at = -margin; at < length + margin; ++at)
+            found.push_back(wraps ? repeated(at, length) : mirrored(at, length));
+        return found;
+    };
+    const std::vector<int> columns = indices(image.width(), wrap.x), rows = indices(image.height(), wrap.y);
+    Interleaved wide({static_cast<int>(columns.size()), static_cast<int>(rows.size())}, image.channels());
+    float* to = wide.data.data();
+    for (const int y : rows)
+        for (const int x : columns) {
+            for (int c = 0; c < image.channels(); ++c)
+                to[c] = image(x, y, c);
+            to += wide.pixel;
+        }
+    return wide;
+}
+
 Size sizeAt(Size size, int level) {
     for (; level > 0; --level)
         size = halvedSize(size);
@@ -100,12 +121,13 @@ CausalSynthesis::CausalSynthesis(const Request& request, CausalOptions options, 
         makeGuides();
 }
 
+/// Squares of guides about every pixel of their scale lie within them, so that guides take no pixel of the
+/// exemplar away.
+int CausalSynthesis::guideMargin() const {
+    return std::max(m_options.side, m_options.parent) / 2;
+}
+
 void CausalSynthesis::makeGuides() {
-    const auto interleaved = [](const ImageView& image) {
-        Interleaved pixels(image.size(), image.channels);
-        pixels.load(image, 0, 0, image.size());
-        return pixels;
-    };
     const auto check = [this] { m_context.check(); };
     std::vector<const Image*> pictures;
     for (const Exemplar& exemplar : m_request.exemplars)
@@ -120,10 +142,10 @@ void CausalSynthesis::makeGuides() {
         std::vector<Interleaved>& scaled = m_exemplarGuides.emplace_back();
         for (Image& guide : guides) {
             m_context.check();
-            scaled.push_back(interleaved(guide));
+            scaled.push_back(withMargin(guide, guideMargin(), {}));
             guide = halved(guide, [this] { m_context.check(); });
         }
-        m_outputGuides.push_back(interleaved(output));
+        m_outputGuides.push_back(withMargin(output, guideMargin(), m_request.wrap));
         output = halved(output, [this] { m_context.check(); });
     }
 }
@@ -183,18 +205,18 @@ void CausalSynthesis::loadInitial(int level) {
 NeighbourhoodSet CausalSynthesis::set(int level, const PixelRuns& runs, bool withParent) const {
     std::vector<NeighbourhoodPart> parts{{runs, false, {}}};
     std::vector<int> pixels{m_pyramid.pixels(level, 0).pixel};
-    const auto add = [&](const PixelRuns& more, bool halvedPart, int pixel, Wrap wrap) {
-        parts.push_back({more, halvedPart, {}, wrap});
+    const auto add = [&](const PixelRuns& more, bool halvedPart, int pixel, int margin) {
+        parts.push_back({more, halvedPart, {}, margin});
         pixels.push_back(pixel);
     };
     if (withParent)
-        add(squareRuns(m_options.parent), true, pixels.front(), {true, true});
+        add(squareRuns(m_options.parent), true, pixels.front(), 0);
     const std::size_t own = parts.size();
     if (m_options.guides) {
         const int pixel = m_outputGuides.front().pixel;
-        add(squareRuns(m_options.side), false, pixel, m_request.wrap);
+        add(squareRuns(m_options.side), false, pixel, guideMargin());
         if (withParent)
-            add(squareRuns(m_options.parent), true, pixel, m_request.wrap);
+            add(squareRuns(m_options.parent), true, pixel, guideMargin());
     }
     for (std::size_t p = 0; p < parts.size() && m_options.falloff; ++p)
         parts[p].weights = falloffWeights(parts[p].runs, p < own ? 1 : m_guideWeight);
@@ -360,10 +382,13 @@ Estimate CausalSynthesis::estimate(const Request& request, const CausalOptions& 
         need.bytes += Image::bytesFor(request.size, channels) * 3 / 2;
     if (options.guides) {
         const int own = options.guides->output->channels();
-        for (const Size& size : exemplars)
-            need.bytes += Interleaved::bytesFor(size, own) * 4 / 3 + Image::bytesFor(size, own) * 2;
-        need.bytes +=
-            Interleaved::bytesFor(request.size, own) * 4 / 3 + Image::bytesFor(request.size, own) * 2;
+        const int margin = std::max(options.side, options.parent) / 2;
+        const auto add = [&](Size size) {
+            const Size wide{size.width + 2 * margin, size.height + 2 * margin};
+            need.bytes += Interleaved::bytesFor(wide, own) * 4 / 3 + Image::bytesFor(size, own) * 2;
+        };
+        std::for_each(exemplars.begin(), exemplars.end(), add);
+        add(request.size);
     }
     const double floats = 0.5 * options.side * options.side * channels;
     const double looked = options.exact ? found / 8 : 32 + 8 * std::log2(found);

@@ -72,6 +72,7 @@ private:
     };
 
     int levelsFor() const;
+    int guideMargin() const;
     void makeGuides();
     void begin(int level);
     void loadInitial(int level);

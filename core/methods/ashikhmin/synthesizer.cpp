@@ -120,12 +120,14 @@ bool Synthesizer::inside(int x, int y) const {
            (m_request.wrap.y || (y >= m_reach && y < size.height - m_reach));
 }
 
-/// The continuations of what surrounds the pixel. Those that the exemplar does not hold, or hides, are
-/// replaced by random pixels.
+/// The continuations of what surrounds the pixel: of its causal half in the first pass, of all in later ones,
+/// since pieces that only grow rightwards and downwards would push out better ones that lie there already.
+/// Those that the exemplar does not hold, or hides, are replaced by random pixels.
 void Synthesizer::collect(const Pass& pass, int x, int y, Workspace& work) const {
     const Random& random = m_context.random();
     auto draw = kDraws * (pass.number + 1);
-    coherentCandidates(m_canvas.map, pass.closes ? m_around : m_causal, x, y, m_request.wrap, work.coherent);
+    coherentCandidates(m_canvas.map, pass.number > 0 ? m_around : m_causal, x, y, m_request.wrap,
+                       work.coherent);
     work.candidates.clear();
     for (const Continuation& one : work.coherent)
         work.candidates.push_back(

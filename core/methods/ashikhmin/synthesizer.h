@@ -33,8 +33,8 @@ private:
     /// One time through some rows.
     struct Pass {
         std::uint32_t number = 0;
-        /// Whether rows are mended that all else is made about: then what follows is compared, too, and may
-        /// be continued.
+        /// Whether rows are mended that all else is made about: then what follows is compared, even if there
+        /// is a target.
         bool closes = false;
         double begun = 0, share = 0; ///< of the stage
     };

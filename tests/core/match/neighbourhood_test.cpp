@@ -77,27 +77,27 @@ TEST(Neighbourhood, distanceIsTheSumOfWeighedSquaredDifferences) {
     }
 }
 
-TEST(Neighbourhood, goesOnBeyondBordersAsItsPartsSay) {
-    const Image image = noise({9, 7}, 2, 3);
-    const Interleaved pixels = interleaved(image);
-    const Interleaved* const from[] = {&pixels};
-    for (const Wrap wrap : {Wrap{true, true}, Wrap{true, false}, Wrap{false, true}, Wrap{false, false}}) {
-        const Neighbourhood neighbourhood({{squareRuns(5), false, {}, wrap}}, {pixels.pixel});
-        std::vector<float> found(static_cast<std::size_t>(neighbourhood.length()));
-        for (int y = 0; y < 7; ++y)
-            for (int x = 0; x < 9; ++x) {
-                neighbourhood.gather(from, x, y, found.data());
-                std::size_t at = 0;
-                for (int v = y - 2; v <= y + 2; ++v)
-                    for (int u = x - 2; u <= x + 2; ++u)
-                        for (int c = 0; c < 2; ++c, ++at) {
-                            // The reflection about the border itself: −1 shows what 0 does.
-                            const int column = wrap.x ? (u + 9) % 9 : u < 0 ? -1 - u : u > 8 ? 17 - u : u;
-                            const int row = wrap.y ? (v + 7) % 7 : v < 0 ? -1 - v : v > 6 ? 13 - v : v;
-                            ASSERT_EQ(found[at], image(column, row, c)) << x << ", " << y;
-                        }
-            }
-    }
+TEST(Neighbourhood, goesOnRoundBordersOrIntoTheMargin) {
+    const Image image = noise({9, 7}, 2, 3), wide = noise({15, 13}, 2, 4);
+    const Interleaved pixels = interleaved(image), widePixels = interleaved(wide);
+    const Interleaved* const from[] = {&pixels, &widePixels};
+    const Neighbourhood neighbourhood({{squareRuns(5), false, {}}, {squareRuns(3), false, {}, 3}},
+                                      {pixels.pixel, widePixels.pixel});
+    std::vector<float> found(static_cast<std::size_t>(neighbourhood.length()));
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 9; ++x) {
+            neighbourhood.gather(from, x, y, found.data());
+            EXPECT_EQ(neighbourhood.within(from, x, y), x >= 2 && x < 7 && y >= 2 && y < 5);
+            std::size_t at = 0;
+            for (int v = y - 2; v <= y + 2; ++v)
+                for (int u = x - 2; u <= x + 2; ++u)
+                    for (int c = 0; c < 2; ++c, ++at)
+                        ASSERT_EQ(found[at], image((u + 9) % 9, (v + 7) % 7, c)) << x << ", " << y;
+            for (int v = y - 1; v <= y + 1; ++v)
+                for (int u = x - 1; u <= x + 1; ++u)
+                    for (int c = 0; c < 2; ++c, ++at)
+                        ASSERT_EQ(found[at], wide(u + 3, v + 3, c)) << x << ", " << y;
+        }
 }
 
 TEST(NeighbourhoodSet, showsNothingThatTheMaskHides) {
@@ -116,6 +116,18 @@ TEST(NeighbourhoodSet, showsNothingThatTheMaskHides) {
         }
     EXPECT_FALSE(set.has(-1, 5, 0));
     EXPECT_FALSE(set.has(20, 5, 0));
+}
+
+TEST(NeighbourhoodSet, partsWithAMarginTakeNothingAway) {
+    const Interleaved pixels = interleaved(noise({20, 20}, 1)), guide = interleaved(noise({24, 24}, 1));
+    Image mask = constant({20, 20}, 1, 1);
+    mask(10, 10, 0) = 0;
+    std::vector<NeighbourhoodSource> sources = only(pixels, mask.view().plane(0));
+    const NeighbourhoodSet plain(Neighbourhood({{causalRuns(5), false, {}}}, {1}), sources, [] {});
+    sources.front().pictures.push_back(&guide);
+    const NeighbourhoodSet guided(
+        Neighbourhood({{causalRuns(5), false, {}}, {squareRuns(5), false, {}, 2}}, {1, 1}), sources, [] {});
+    EXPECT_EQ(plain.sources(), guided.sources());
 }
 
 TEST(NeighbourhoodTree, findsWhatIsThereAndNearlyTheNearestElse) {

@@ -7,6 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace texloom::test::analogy_tests {
 namespace {
 
@@ -82,6 +86,67 @@ TEST(Analogy, withoutCoherenceAndFalloffItIsWeiLevoys) {
     options.falloff = false;
     const Values same{{"neighbourhood", 5}, {"levels", 4}, {"parent", 3}, {"leaf", 8}, {"passes", 1}};
     EXPECT_EQ(made(request, options).map, resultOf(findMethod("wei-levoy"), request, same).map);
+}
+
+TEST(Analogy, labelsThatAreEqualEverywhereChangeNothing) {
+    for (const bool exact : {true, false})
+        for (const Wrap wrap : {Wrap{}, Wrap{true, true}}) {
+            const Request request = requestOf(blobs({48, 40}, 3), {60, 50}, wrap, 0);
+            CausalOptions plain = Settings{}.options();
+            plain.exact = exact;
+            const Image exemplarLabels = constant({48, 40}, 1, 0.5F), labels = constant({60, 50}, 1, 0.5F);
+            CausalOptions guided = plain;
+            CausalGuides& guides = guided.guides.emplace();
+            guides.exemplars = {&exemplarLabels};
+            guides.output = &labels;
+            guides.weight = 5;
+            EXPECT_EQ(made(request, plain).map, made(request, guided).map) << exact;
+        }
+}
+
+/// Ashikhmin's rule: of the continuations of the neighbours' copies the one whose causal neighbourhood is
+/// nearest. The first two pixels made of a row, which begins 3 px further right than the one above, are left
+/// out, since their left neighbours changed later.
+TEST(Analogy, boundlessCoherenceIsAshikhmins) {
+    const Image exemplar = blobs({40, 36}, 1);
+    const Request request = requestOf(exemplar, {50, 44}, {}, 0);
+    CausalOptions options = Settings{}.options();
+    options.side = 5;
+    options.levels = 1;
+    options.falloff = false;
+    options.exact = true;
+    options.coherence = 1e30;
+    const Synthesis result = made(request, options);
+    const auto distance = [&](int x, int y, int u, int v) {
+        double sum = 0;
+        for (const PixelRun& run : causalRuns(5))
+            for (int dx = run.dx; dx < run.dx + run.count; ++dx)
+                sum += std::pow(static_cast<double>(result.image(x + dx, y + run.dy, 0)) -
+                                    static_cast<double>(exemplar(u + dx, v + run.dy, 0)),
+                                2);
+        return sum;
+    };
+    std::vector<Continuation> found;
+    int continuing = 0;
+    for (int y = 2; y < 44; ++y)
+        for (int x = 2; x < 48; ++x) {
+            if ((x + 3 * (50 - y)) % 50 < 2)
+                continue;
+            double least = std::numeric_limits<double>::infinity();
+            coherentCandidates(result.map, causalRuns(5), x, y, {}, found);
+            for (const Continuation& one : found)
+                if (one.x >= 2 && one.x < 38 && one.y >= 2 && one.y < 36)
+                    least = std::min(least, distance(x, y, one.x, one.y));
+            const Source source = result.map.at(x, y);
+            if (std::isinf(least))
+                continue;
+            ++continuing;
+            EXPECT_LE(distance(x, y, source.x, source.y), least * (1 + 1e-5) + 1e-9) << x << ", " << y;
+            EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                                    [&](const Continuation& one) { return one.source() == source; }))
+                << x << ", " << y;
+        }
+    EXPECT_GT(continuing, 42 * 46 / 2);
 }
 
 double continued(const PositionMap& map) {

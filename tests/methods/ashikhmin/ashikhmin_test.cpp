@@ -91,6 +91,32 @@ TEST(Ashikhmin, resultTakesTheShapeOfTheTarget) {
     EXPECT_GT(right(10), right(0));
 }
 
+/// Where the target is a piece of the exemplar, that piece is the one picture whose every term is zero.
+TEST(Ashikhmin, targetCutOutOfTheExemplarIsGivenBack) {
+    const Image exemplar = blobs({40, 36}, 3);
+    const Size size{24, 20};
+    const Source corner{7, 6, 0};
+    Image target(size, 3);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                target(x, y, c) = exemplar(corner.x + x, corner.y + y, c);
+    Request request = requestFor(exemplar, size);
+    request.inputs.set(kTargetPort, shared(target));
+    Settings settings;
+    settings.neighbourhood = 9;
+    settings.targetWeight = 10;
+    settings.jump = 1;
+    settings.passes = 10;
+    const Synthesis result = made(request, settings);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            ASSERT_EQ(result.map.at(x, y), (Source{static_cast<std::uint16_t>(corner.x + x),
+                                                   static_cast<std::uint16_t>(corner.y + y), 0}))
+                << x << ", " << y;
+    EXPECT_TRUE(samePixels(result.image, target));
+}
+
 /// The shares of pixels whose left neighbour's source is the one to the left of theirs.
 double continued(const PositionMap& map) {
     int count = 0;
