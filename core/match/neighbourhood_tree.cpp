@@ -24,6 +24,8 @@ constexpr int kLeastShare = 16;
 constexpr int kTreeLanes = 8;
 /// Neighbourhoods that one thread describes at a time.
 constexpr std::size_t kDescribed = 1024;
+/// Neighbourhoods that one thread divides at a time, where parts are smaller.
+constexpr std::size_t kDivided = 4096;
 
 TEXLOOM_WIDE_VECTORS float squares(const float* a, const float* b, int count) {
     float lanes[kTreeLanes] = {};
@@ -89,11 +91,17 @@ NeighbourhoodTree::NeighbourhoodTree(const NeighbourhoodSet& set, const Options&
             describe(vector.data(), m_descriptors.data() + i * static_cast<std::size_t>(m_axes));
         }
     });
-    divide(order, 0, static_cast<int>(order.size()), options.leaf, check);
+    divide(order, options.leaf, check, each);
     m_sources.reserve(order.size());
     for (const int entry : order)
         m_sources.push_back(sources[static_cast<std::size_t>(entry)]);
     m_descriptors = {};
+}
+
+NeighbourhoodTree::NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, JobContext& context)
+    : NeighbourhoodTree(
+          set, options, [&context] { context.check(); },
+          [&context](int count, const std::function<void(int)>& body) { context.parallel(0, count, body); }) {
 }
 
 void NeighbourhoodTree::learnAxes(const Options& options, const Check& check) {
@@ -221,21 +229,45 @@ int NeighbourhoodTree::partition(std::vector<int>& order, int begin, int end, fl
     return half;
 }
 
-int NeighbourhoodTree::divide(std::vector<int>& order, int begin, int end, int leaf, const Check& check) {
-    if (end - begin > 512)
+/// Level by level, since what is divided on one level lies apart.
+void NeighbourhoodTree::divide(std::vector<int>& order, int leaf, const Check& check, const Each& each) {
+    m_nodes.push_back({-1, -1, 0, static_cast<int>(order.size()), 0});
+    for (std::size_t first = 0; first < m_nodes.size();) {
+        const std::size_t end = m_nodes.size();
+        std::vector<int> divided;
+        for (std::size_t i = first; i < end; ++i)
+            if (m_nodes[i].end - m_nodes[i].begin > leaf)
+                divided.push_back(static_cast<int>(i));
+        if (!divided.empty())
+            divideLevel(order, divided, check, each);
+        first = end;
+    }
+}
+
+void NeighbourhoodTree::divideLevel(std::vector<int>& order, std::span<const int> nodes, const Check& check,
+                                    const Each& each) {
+    for (const int number : nodes) {
+        m_nodes[static_cast<std::size_t>(number)].centroids = m_centroids.size();
+        m_centroids.resize(m_centroids.size() + 2 * static_cast<std::size_t>(m_axes));
+    }
+    std::vector<int> middles(nodes.size());
+    const std::size_t atOnce = std::max<std::size_t>(1, nodes.size() * kDivided / order.size());
+    each(static_cast<int>((nodes.size() + atOnce - 1) / atOnce), [&](int share) {
         check();
-    const int number = static_cast<int>(m_nodes.size());
-    m_nodes.push_back({-1, -1, begin, end, m_centroids.size()});
-    if (end - begin <= leaf)
-        return number;
-    m_centroids.resize(m_centroids.size() + 2 * static_cast<std::size_t>(m_axes));
-    const int middle = partition(order, begin, end,
-                                 m_centroids.data() + m_nodes[static_cast<std::size_t>(number)].centroids);
-    const int left = divide(order, begin, middle, leaf, check);
-    const int right = divide(order, middle, end, leaf, check);
-    m_nodes[static_cast<std::size_t>(number)].left = left;
-    m_nodes[static_cast<std::size_t>(number)].right = right;
-    return number;
+        const std::size_t begin = static_cast<std::size_t>(share) * atOnce;
+        for (std::size_t i = begin; i < std::min(nodes.size(), begin + atOnce); ++i) {
+            const Node& node = m_nodes[static_cast<std::size_t>(nodes[i])];
+            middles[i] = partition(order, node.begin, node.end, m_centroids.data() + node.centroids);
+        }
+    });
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Node& node = m_nodes[static_cast<std::size_t>(nodes[i])];
+        const Node left{-1, -1, node.begin, middles[i], 0}, right{-1, -1, middles[i], node.end, 0};
+        node.left = static_cast<int>(m_nodes.size());
+        node.right = node.left + 1;
+        m_nodes.push_back(left);
+        m_nodes.push_back(right);
+    }
 }
 
 NeighbourhoodTree::Lookup::Lookup(const NeighbourhoodTree& tree, const float* wanted)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/job/job_context.h"
 #include "core/match/neighbourhood.h"
 
 #include <array>
@@ -32,6 +33,8 @@ public:
     /// does what can be done at the same time.
     NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, const std::function<void()>& check,
                       const Each& each = &NeighbourhoodTree::inTurn);
+    /// On the threads of a job.
+    NeighbourhoodTree(const NeighbourhoodSet& set, const Options& options, JobContext& context);
 
     /// The leaves near a vector, its own first.
     class Lookup {
@@ -72,7 +75,9 @@ private:
 
     void learnAxes(const Options& options, const Check& check);
     void describe(const float* vector, float* descriptor) const;
-    int divide(std::vector<int>& order, int begin, int end, int leaf, const Check& check);
+    void divide(std::vector<int>& order, int leaf, const Check& check, const Each& each);
+    void divideLevel(std::vector<int>& order, std::span<const int> nodes, const Check& check,
+                     const Each& each);
     int partition(std::vector<int>& order, int begin, int end, float* centroids) const;
     void spread(const std::vector<int>& order, int begin, int end, int step, float* centroids,
                 int& axis) const;

@@ -270,8 +270,7 @@ void CausalSynthesis::makeLevel(int level, double weight, ScanOrder::Order order
     // The tree refers to the set, which stays where it is from here on.
     const auto grow = [&](Matcher& made) {
         if (!m_options.exact)
-            made.tree = std::make_unique<NeighbourhoodTree>(made.set, treeOptions(m_options),
-                                                            [this] { m_context.check(); });
+            made.tree = std::make_unique<NeighbourhoodTree>(made.set, treeOptions(m_options), m_context);
     };
     {
         // An initial image is there from the beginning, so that all of it can be compared.

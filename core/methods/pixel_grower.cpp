@@ -47,9 +47,7 @@ Grower::Grower(const Request& request, const Settings& settings, const Start& st
 Synthesis Grower::run(double weight) {
     m_context.stage(0.02 * weight, TR("Preparing the exemplar"));
     if (m_settings.search == Search::Pca)
-        m_tree = std::make_unique<NeighbourhoodTree>(
-            m_scan.windows(), treeOptions(m_settings), [this] { m_context.check(); },
-            [this](int count, const std::function<void(int)>& body) { m_context.parallel(0, count, body); });
+        m_tree = std::make_unique<NeighbourhoodTree>(m_scan.windows(), treeOptions(m_settings), m_context);
     m_turn.assign(m_known.flags.size(), 0);
     m_context.stage(0.96 * weight, TR("Growing pixels"));
     begin();

@@ -23,8 +23,7 @@ constexpr std::uint32_t kDraw = 8;
 
 JumpLists::JumpLists(const NeighbourhoodSet& set, int count, int apart, JobContext& context)
     : m_set(set), m_count(count), m_apart(apart) {
-    const auto check = [&context] { context.check(); };
-    const NeighbourhoodTree tree(set, {}, check);
+    const NeighbourhoodTree tree(set, {}, context);
     const std::vector<Source>& sources = set.sources();
     for (const NeighbourhoodSource& exemplar : set.exemplars())
         m_numbers.emplace_back(static_cast<std::size_t>(exemplar.pictures.front()->size.area()), -1);

@@ -36,7 +36,7 @@ struct Comparison {
         : axis(of), weight(share), runs(shown), pixels(exemplar.size(), exemplar.channels()),
           set(Neighbourhood({{runs, false, {}}}, {pixels.pixel}), source(exemplar),
               [&context] { context.check(); }),
-          tree(set, {}, [&context] { context.check(); }) {}
+          tree(set, {}, context) {}
 
     std::vector<NeighbourhoodSource> source(const Image& exemplar) {
         pixels.load(exemplar, 0, 0, exemplar.size());

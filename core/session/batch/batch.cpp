@@ -124,8 +124,10 @@ std::vector<Axis> axesFrom(const JsonField& field) {
 std::string nameText(const Json& value) {
     if (value.is_array()) {
         std::string text;
-        for (const Json& number : value)
-            text += (text.empty() ? "" : "x") + number.dump();
+        for (const Json& number : value) {
+            text += text.empty() ? "" : "x";
+            text += number.dump();
+        }
         return text;
     }
     return value.is_string() ? value.get<std::string>() : value.dump();

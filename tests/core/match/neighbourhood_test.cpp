@@ -2,9 +2,12 @@
 #include "tests/core/match/interleaved_image.h"
 #include "tests/support/textures.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace texloom::test {
@@ -153,6 +156,32 @@ TEST(NeighbourhoodTree, findsWhatIsThereAndNearlyTheNearestElse) {
             found += static_cast<double>(set.distance(wanted.data(), tree.nearest(wanted.data(), 4), kFar));
         }
     EXPECT_LT(found, 1.25 * exact);
+}
+
+TEST(NeighbourhoodTree, isTheSameInWhateverOrderItIsDivided) {
+    const Interleaved pixels = interleaved(blobs({120, 110}, 3));
+    const NeighbourhoodSet set(Neighbourhood({{causalRuns(7), false, {}}}, {pixels.pixel}), only(pixels),
+                               [] {});
+    const NeighbourhoodTree tree(set, {}, [] {});
+    int most = 0;
+    const NeighbourhoodTree backwards(
+        set, {}, [] {},
+        [&most](int count, const std::function<void(int)>& body) {
+            most = std::max(most, count);
+            for (int i = count - 1; i >= 0; --i)
+                body(i);
+        });
+    EXPECT_GT(most, 2);
+    const Interleaved queries = interleaved(blobs({120, 110}, 3, 9));
+    std::vector<float> wanted(static_cast<std::size_t>(set.neighbourhood().length()));
+    for (int y = 5; y < 105; y += 5)
+        for (int x = 5; x < 115; x += 5) {
+            const Interleaved* const from[] = {&queries};
+            set.neighbourhood().gather(from, x, y, wanted.data());
+            NeighbourhoodTree::Lookup one(tree, wanted.data()), other(backwards, wanted.data());
+            for (int leaf = 0; leaf < 3; ++leaf)
+                EXPECT_THAT(one.next(), testing::ElementsAreArray(other.next()));
+        }
 }
 
 TEST(NeighbourhoodTree, leavesHoldEveryNeighbourhoodOnce) {
