@@ -6280,6 +6280,30 @@
         <source>The settings of Efros &amp; Leung, ICCV 1999, as Aguerrebere, Gousseau &amp; Tartavel give them (IPOL 2013): one scale, windows of 11 px, a tolerance of 0.1 and weights of 1 / 6.4 of the window.</source>
         <translation>Die Einstellungen von Efros &amp; Leung, ICCV 1999, wie Aguerrebere, Gousseau &amp; Tartavel sie angeben (IPOL 2013): eine Skala, Fenster von 11 px, eine Toleranz von 0,1 und Gewichte von 1 / 6,4 des Fensters.</translation>
     </message>
+    <message>
+        <source>Figures 2.1, 2.4 and 2.5 of Raad&apos;s thesis: patches of 10, 20 and 30 px from 10, 20 and 30 neighbours, replaced in the exemplar itself, then grown; and maps of where each pixel comes from, in which a copied piece is a smooth patch of colour.</source>
+        <translation>Abbildungen 2.1, 2.4 und 2.5 aus Raads Dissertation: Patches von 10, 20 und 30 px aus 10, 20 und 30 Nachbarn, erst in der Vorlage selbst ersetzt, dann gewachsen; dazu Karten, woher jedes Pixel stammt, in denen ein kopiertes Stück eine glatte Farbfläche ist.</translation>
+    </message>
+    <message>
+        <source>Gaussian patches: patch and neighbours</source>
+        <translation>Gauß-Patches: Patch und Nachbarn</translation>
+    </message>
+    <message>
+        <source>Grown, fig. 2.4</source>
+        <translation>Gewachsen, Abb. 2.4</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian and its map, fig. 2.5</source>
+        <translation>Lokal gaußsch und seine Karte, Abb. 2.5</translation>
+    </message>
+    <message>
+        <source>Patches replaced, fig. 2.1</source>
+        <translation>Patches ersetzt, Abb. 2.1</translation>
+    </message>
+    <message>
+        <source>Quilting and its map, fig. 2.5</source>
+        <translation>Quilting und seine Karte, Abb. 2.5</translation>
+    </message>
 </context>
 <context>
     <name>files</name>

@@ -6280,6 +6280,30 @@
         <source>The settings of Efros &amp; Leung, ICCV 1999, as Aguerrebere, Gousseau &amp; Tartavel give them (IPOL 2013): one scale, windows of 11 px, a tolerance of 0.1 and weights of 1 / 6.4 of the window.</source>
         <translation>Les réglages d’Efros &amp; Leung, ICCV 1999, tels qu’Aguerrebere, Gousseau &amp; Tartavel les donnent (IPOL 2013) : une échelle, des fenêtres de 11 px, une tolérance de 0,1 et des poids de 1 / 6,4 de la fenêtre.</translation>
     </message>
+    <message>
+        <source>Figures 2.1, 2.4 and 2.5 of Raad&apos;s thesis: patches of 10, 20 and 30 px from 10, 20 and 30 neighbours, replaced in the exemplar itself, then grown; and maps of where each pixel comes from, in which a copied piece is a smooth patch of colour.</source>
+        <translation>Figures 2.1, 2.4 et 2.5 de la thèse de Raad : des patchs de 10, 20 et 30 px à partir de 10, 20 et 30 voisins, remplacés dans l’échantillon même, puis posés l’un après l’autre ; et des cartes de l’origine de chaque pixel, où un morceau copié est une plage de couleur lisse.</translation>
+    </message>
+    <message>
+        <source>Gaussian patches: patch and neighbours</source>
+        <translation>Patchs gaussiens : patch et voisins</translation>
+    </message>
+    <message>
+        <source>Grown, fig. 2.4</source>
+        <translation>Posés l’un après l’autre, fig. 2.4</translation>
+    </message>
+    <message>
+        <source>Locally Gaussian and its map, fig. 2.5</source>
+        <translation>Localement gaussien et sa carte, fig. 2.5</translation>
+    </message>
+    <message>
+        <source>Patches replaced, fig. 2.1</source>
+        <translation>Patchs remplacés, fig. 2.1</translation>
+    </message>
+    <message>
+        <source>Quilting and its map, fig. 2.5</source>
+        <translation>Quilting et sa carte, fig. 2.5</translation>
+    </message>
 </context>
 <context>
     <name>files</name>
