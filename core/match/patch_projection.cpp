@@ -15,6 +15,15 @@ void addScaled(float factor, const float* from, int count, float* to) {
         to[i] += factor * from[i];
 }
 
+/// addScaled() for four factors of neighbouring samples, one after the other, to the same bits.
+TEXLOOM_WIDE_VECTORS
+void addFourScaled(const float* factors, const float* from, int count, float* to) {
+    const float first = factors[0], second = factors[1], third = factors[2], fourth = factors[3];
+    for (int i = 0; i < count; ++i)
+        to[i] =
+            (((to[i] + first * from[i]) + second * from[i + 1]) + third * from[i + 2]) + fourth * from[i + 3];
+}
+
 } // namespace
 
 PatchProjection::PatchProjection(Size image, Wrap wrap, int patch)
@@ -38,11 +47,16 @@ void PatchProjection::pad(Image& image) const {
 void PatchProjection::projectRow(const Image& padded, std::span<const float> direction, int y,
                                  float* to) const {
     std::fill_n(to, m_positions.width, 0.0F);
-    std::size_t i = 0;
+    const float* factor = direction.data();
     for (int c = 0; c < padded.channels(); ++c)
-        for (int dy = 0; dy < m_patch; ++dy)
-            for (int dx = 0; dx < m_patch; ++dx)
-                addScaled(direction[i++], padded.plane(c).row(y + dy) + dx, m_positions.width, to);
+        for (int dy = 0; dy < m_patch; ++dy) {
+            const float* from = padded.plane(c).row(y + dy);
+            int dx = 0;
+            for (; dx + 4 <= m_patch; dx += 4, factor += 4)
+                addFourScaled(factor, from + dx, m_positions.width, to);
+            for (; dx < m_patch; ++dx)
+                addScaled(*factor++, from + dx, m_positions.width, to);
+        }
 }
 
 void PatchProjection::spreadRow(const Image& numbers, std::span<const float> directions, int channel,

@@ -2013,10 +2013,6 @@
         <translation>Ein Bild in der Größe des Ergebnisses, mit dem das Verfahren beginnt.</translation>
     </message>
     <message>
-        <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
-        <translation>Je Skala: mehr bringen die Patches näher an die der Vorlage.</translation>
-    </message>
-    <message>
         <source>Blocks of {} px hold whole ones.</source>
         <translation>Blöcke von {} px fassen ganze.</translation>
     </message>
@@ -6303,6 +6299,10 @@
     <message>
         <source>Quilting and its map, fig. 2.5</source>
         <translation>Quilting und seine Karte, Abb. 2.5</translation>
+    </message>
+    <message>
+        <source>At the finest scale, and up to four times as many at coarser ones: more bring the patches closer to the exemplar&apos;s.</source>
+        <translation>Auf der feinsten Skala, und bis zu viermal so viele auf gröberen: mehr bringen die Patches näher an die der Vorlage.</translation>
     </message>
 </context>
 <context>

@@ -2013,10 +2013,6 @@
         <translation>Une image de la taille du résultat, d’où part la méthode.</translation>
     </message>
     <message>
-        <source>At each scale: more bring the patches closer to the exemplar&apos;s.</source>
-        <translation>À chaque échelle : davantage rapproche les patchs de ceux de l’échantillon.</translation>
-    </message>
-    <message>
         <source>Blocks of {} px hold whole ones.</source>
         <translation>Des blocs de {} px en contiennent d’entiers.</translation>
     </message>
@@ -6303,6 +6299,10 @@
     <message>
         <source>Quilting and its map, fig. 2.5</source>
         <translation>Quilting et sa carte, fig. 2.5</translation>
+    </message>
+    <message>
+        <source>At the finest scale, and up to four times as many at coarser ones: more bring the patches closer to the exemplar&apos;s.</source>
+        <translation>À l’échelle la plus fine, et jusqu’à quatre fois plus aux échelles plus grossières : davantage rapproche les patchs de ceux de l’échantillon.</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,11 @@ namespace texloom::patch_distribution {
 
 namespace {
 
+/// Adam's usual rates, the second one faster, since scales have few iterations.
+constexpr double kMeanKept = 0.9, kSquareKept = 0.99;
+/// Wants that are as small a share of the reach are rounding, and hardly followed.
+constexpr double kRounding = 1e-3;
+
 /// Values with weights as as many values that count alike, by quantiles.
 std::vector<float> resampled(std::vector<std::pair<float, double>> values) {
     std::sort(values.begin(), values.end());
@@ -31,11 +36,12 @@ std::vector<float> resampled(std::vector<std::pair<float, double>> values) {
 } // namespace
 
 Matcher::Matcher(std::span<const PatchSource> exemplars, Size size, Wrap wrap, const Settings& settings,
-                 JobContext& context)
+                 std::vector<double> reach, JobContext& context)
     : m_exemplars(exemplars.begin(), exemplars.end()), m_settings(settings), m_context(context),
       m_projection(size, wrap, settings.patch),
       m_padded(m_projection.padded(), exemplars.front().image.channels),
-      m_numbers(m_projection.positions(), settings.directions),
+      m_numbers(m_projection.positions(), settings.directions), m_reach(std::move(reach)),
+      m_means(size, m_padded.channels()), m_squares(size, m_padded.channels()),
       m_alike(std::all_of(exemplars.begin(), exemplars.end(),
                           [&](const PatchSource& one) { return one.weight == exemplars.front().weight; })) {
     for (const PatchSource& exemplar : m_exemplars) {
@@ -144,19 +150,28 @@ double Matcher::moveAlong(int k, std::span<const float> direction) {
     return square;
 }
 
-void Matcher::spread(Image& image, std::span<const float> directions, double pace) {
-    // A few directions see as small a share of each way; that many more times it is gone.
-    const double length = image.channels() * m_settings.patch * m_settings.patch;
-    const double factor = pace * std::max(1.0, length / m_settings.directions);
+/// One step of Adam towards what the patches over each pixel want of it.
+void Matcher::move(Image& image, std::span<const float> directions, double pace) {
+    ++m_moves;
+    const double early = std::sqrt(1 - std::pow(kSquareKept, m_moves)) / (1 - std::pow(kMeanKept, m_moves));
     m_context.parallel(0, image.height(), [&](int y) {
-        std::vector<float> change(static_cast<std::size_t>(image.width()));
+        std::vector<float> wanted(static_cast<std::size_t>(image.width()));
         for (int c = 0; c < image.channels(); ++c) {
-            std::fill(change.begin(), change.end(), 0.0F);
-            m_projection.spreadRow(m_numbers, directions, c, image.channels(), y, change.data());
+            std::fill(wanted.begin(), wanted.end(), 0.0F);
+            m_projection.spreadRow(m_numbers, directions, c, image.channels(), y, wanted.data());
+            const double reach = m_reach[static_cast<std::size_t>(c)];
+            const auto rate = static_cast<float>(pace * early * reach);
+            const auto least = static_cast<float>(kRounding * reach) + 1e-9F;
             float* row = image.plane(c).row(y);
-            for (int x = 0; x < image.width(); ++x)
-                row[x] += static_cast<float>(factor / m_projection.covering(x, y)) *
-                          change[static_cast<std::size_t>(x)];
+            float* mean = m_means.plane(c).row(y);
+            float* square = m_squares.plane(c).row(y);
+            for (int x = 0; x < image.width(); ++x) {
+                const float way =
+                    wanted[static_cast<std::size_t>(x)] / static_cast<float>(m_projection.covering(x, y));
+                mean[x] += static_cast<float>(1 - kMeanKept) * (way - mean[x]);
+                square[x] += static_cast<float>(1 - kSquareKept) * (way * way - square[x]);
+                row[x] += rate * mean[x] / (std::sqrt(square[x]) + least);
+            }
         }
     });
 }
@@ -174,7 +189,7 @@ double Matcher::step(Image& image, int number, double pace) {
         squares[static_cast<std::size_t>(k)] = moveAlong(
             k, std::span<const float>(directions).subspan(static_cast<std::size_t>(k) * length, length));
     });
-    spread(image, directions, pace);
+    move(image, directions, pace);
     double sum = 0;
     for (const double square : squares)
         sum += square / m_settings.directions;
@@ -185,7 +200,7 @@ std::uint64_t Matcher::bytesFor(std::span<const Size> exemplars, Size size, int 
                                 const Settings& settings, int threads) {
     const Size padded{size.width + settings.patch, size.height + settings.patch};
     std::uint64_t bytes =
-        Image::bytesFor(padded, channels) + Image::bytesFor(padded, settings.directions) +
+        3 * Image::bytesFor(padded, channels) + Image::bytesFor(padded, settings.directions) +
         static_cast<std::uint64_t>(threads) * (SampleRanks::bytesFor(padded) + Image::bytesFor(padded, 1));
     for (const Size& exemplar : exemplars)
         bytes += Image::bytesFor(exemplar, channels) +

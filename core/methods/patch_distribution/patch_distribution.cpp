@@ -15,13 +15,32 @@ namespace texloom::patch_distribution {
 namespace {
 
 /// The coarsest scale leaves so many patches side by side in the exemplar.
-constexpr int kPatchesAcross = 3;
-/// At the end of a scale patches are moved less and less far, which takes the chance of the directions off.
-constexpr double kPace = 0.8, kLastPace = 0.1, kSlowing = 0.5;
+constexpr int kPatchesAcross = 2;
+/// How far a pixel moves at most in one iteration, as a share of what its scale adds to the exemplar. It
+/// falls to the last one, which takes the chance of the directions off.
+constexpr double kPace = 0.5, kLastPace = 0.005;
+/// What a scale adds counts as at least this share of the exemplar's whole deviation.
+constexpr double kLeastReach = 0.1;
+/// The same as kPace for the coarsest scale of an initial image, whose layout is kept.
+constexpr double kInitialPace = 0.15;
+/// Coarse scales decide on the layout and cost little: each has twice the iterations of the next finer one,
+/// and none more than so many times those of the finest.
+constexpr int kMostRepeats = 4;
+/// Draws of noise lie beyond those of directions, which are 256 at most.
+constexpr int kFirstNoise = 1024;
 
 int scalesFor(const Request& request, const Settings& settings) {
     return std::min(settings.scales,
                     ExemplarPyramid::levelsFor(request.exemplarSizes(), kPatchesAcross * settings.patch));
+}
+
+int repeatsAt(int scale) {
+    return std::min(kMostRepeats, 1 << scale);
+}
+
+/// Cost of a scale in terms of the finest one's.
+double costOf(int scale) {
+    return repeatsAt(scale) * std::pow(0.25, scale);
 }
 
 /// The output at a scale, large enough for a patch.
@@ -52,12 +71,14 @@ public:
         const ExemplarPyramid pyramid(sources, scalesFor(m_request, m_settings), m_settings.patch,
                                       [this] { m_context.check(); });
         Image image = start(pyramid.levels() - 1);
-        const double whole = 0.9 / (1 - std::pow(0.25, pyramid.levels()));
+        double whole = 0;
+        for (int scale = 0; scale < pyramid.levels(); ++scale)
+            whole += costOf(scale);
         for (int scale = pyramid.levels() - 1; scale >= 0; --scale) {
             const Size size = sizeAt(m_request.size, scale, m_settings.patch);
             if (image.size() != size)
                 image = enlarged(image, size);
-            m_context.stage(0.75 * whole * std::pow(0.25, scale), TR("Matching patches"));
+            m_context.stage(0.9 * costOf(scale) / whole, TR("Matching patches"));
             match(pyramid, scale, image);
         }
         return withMap(colours(image));
@@ -134,16 +155,66 @@ private:
         return large;
     }
 
+    /// The deviation of what a scale shows and the next coarser one does not, for each component: all of it
+    /// at the coarsest.
+    std::vector<double> detailOf(const ExemplarPyramid& pyramid, int scale) const {
+        std::vector<double> squares(static_cast<std::size_t>(m_colours.components()), 0.0);
+        double pixels = 0;
+        for (std::size_t e = 0; e < pyramid.level(scale).size(); ++e) {
+            const ImageView fine = pyramid.level(scale)[e].image;
+            const Image coarse = scale + 1 == pyramid.levels()
+                                     ? Image(fine.size(), fine.channels)
+                                     : enlarged(Image(pyramid.level(scale + 1)[e].image), fine.size());
+            pixels += static_cast<double>(fine.size().area());
+            for (int y = 0; y < fine.height; ++y) {
+                m_context.check();
+                for (int c = 0; c < fine.channels; ++c)
+                    for (int x = 0; x < fine.width; ++x) {
+                        const double detail = static_cast<double>(fine(x, y, c)) - coarse(x, y, c);
+                        squares[static_cast<std::size_t>(c)] += detail * detail;
+                    }
+            }
+        }
+        for (double& square : squares)
+            square = std::sqrt(square / pixels);
+        return squares;
+    }
+
+    /// How far pixels move. What is far from right, as between unlike exemplars, needs more than the detail.
+    std::vector<double> reachOf(const ExemplarPyramid& pyramid, std::vector<double> detail) const {
+        const std::vector<double> whole = detailOf(pyramid, pyramid.levels() - 1);
+        for (std::size_t c = 0; c < detail.size(); ++c)
+            detail[c] = std::max(detail[c], kLeastReach * whole[c]);
+        return detail;
+    }
+
+    /// What the coarser scale could not hold begins as noise: without it fine grain would keep the blur of
+    /// the coarse pixels.
+    void addNoise(Image& image, const std::vector<double>& detail, int scale) const {
+        m_context.parallel(0, image.height(), [&](int y) {
+            for (int c = 0; c < image.channels(); ++c)
+                for (int x = 0; x < image.width(); ++x)
+                    image(x, y, c) += static_cast<float>(
+                        detail[static_cast<std::size_t>(c)] *
+                        m_context.random().normal(
+                            x, y, static_cast<std::uint32_t>(kFirstNoise + scale * image.channels() + c)));
+        });
+    }
+
     void match(const ExemplarPyramid& pyramid, int scale, Image& image) {
-        Matcher matcher(pyramid.level(scale), image.size(), m_request.wrap, m_settings, m_context);
-        const int steady = static_cast<int>((1 - kSlowing) * m_settings.iterations);
-        for (int n = 0; n < m_settings.iterations; ++n) {
-            const double late =
-                static_cast<double>(std::max(0, n - steady)) / std::max(1, m_settings.iterations - steady);
-            m_distance =
-                matcher.step(image, scale * m_settings.iterations + n, kPace + late * (kLastPace - kPace));
+        const std::vector<double> detail = detailOf(pyramid, scale);
+        const bool coarsest = scale + 1 == pyramid.levels();
+        if (!coarsest)
+            addNoise(image, detail, scale);
+        Matcher matcher(pyramid.level(scale), image.size(), m_request.wrap, m_settings,
+                        reachOf(pyramid, detail), m_context);
+        const double pace = coarsest && m_request.initial() ? kInitialPace : kPace;
+        const int iterations = m_settings.iterations * repeatsAt(scale);
+        for (int n = 0; n < iterations; ++n) {
+            const double late = static_cast<double>(n) / iterations;
+            m_distance = matcher.step(image, m_steps++, pace + late * (kLastPace - pace));
             m_context.curve(TR("Distance of patches"), m_distance);
-            m_context.progress(static_cast<double>(n + 1) / m_settings.iterations);
+            m_context.progress(static_cast<double>(n + 1) / iterations);
             if (m_context.previewDue())
                 show(image, scale);
         }
@@ -178,6 +249,7 @@ private:
     std::vector<double> m_means;
     ChannelPca m_colours;
     double m_distance = 0;
+    int m_steps = 0; ///< over all scales
 };
 
 Estimate estimate(const Request& request, const Settings& settings, int threads) {
@@ -193,7 +265,7 @@ Estimate estimate(const Request& request, const Settings& settings, int threads)
         need.bytes += Image::bytesFor(exemplar, channels);
         patches += static_cast<double>(exemplar.area());
     }
-    need.seconds = 1.34 * settings.iterations * settings.directions * patches *
+    need.seconds = 2 * settings.iterations * settings.directions * patches *
                    (1.5e-10 * channels * settings.patch * settings.patch + 2e-8);
     addEstimatedMap(request, need);
     return need;
@@ -227,7 +299,8 @@ const Method self = method<Settings>(
      scalesField(&Settings::scales),
      field(&Settings::iterations, "iterations", TR("Iterations"))
          .range(1, 1000)
-         .help(TR("At each scale: more bring the patches closer to the exemplar's.")),
+         .help(TR("At the finest scale, and up to four times as many at coarser ones: more bring the "
+                  "patches closer to the exemplar's.")),
      field(&Settings::directions, "directions", TR("Directions"))
          .range(1, 256)
          .group(TR("Advanced"))

@@ -6,7 +6,7 @@ namespace texloom::patch_distribution {
 struct Settings {
     int patch = 7;       ///< side in pixels
     int directions = 16; ///< along which patches are compared in one iteration
-    int iterations = 60; ///< at each scale
+    int iterations = 60; ///< at the finest scale
     int scales = 5;      ///< at most
 };
 

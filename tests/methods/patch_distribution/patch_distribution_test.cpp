@@ -104,7 +104,7 @@ TEST(PatchDistribution, exemplarItselfStays) {
     const std::vector<PatchSource> sources{{exemplar.view(), {}, 1}};
     Image image(exemplar);
     Job<double> job({0, 2, false}, [&](JobContext& context) {
-        Matcher matcher(sources, image.size(), {}, settings, context);
+        Matcher matcher(sources, image.size(), {}, settings, {0.1, 0.1}, context);
         double most = 0;
         for (int n = 0; n < 5; ++n)
             most = std::max(most, matcher.step(image, n, 1));
@@ -140,6 +140,20 @@ TEST(PatchDistribution, coloursAreTheExemplars) {
         }
     EXPECT_GT(near, 96 * 80 * 3 / 4);
     EXPECT_NEAR(mean, 0.5, 0.03);
+}
+
+TEST(PatchDistribution, fineGrainIsNotLeftAtTheBlurOfCoarseScales) {
+    // Of neighbouring pixels of white noise one says nothing of the other; enlarged ones are much alike.
+    const Image image = made(requestOf(noise({96, 96}, 1), {96, 96}, {true, true})).image;
+    const double mean = channelMeans(image).front();
+    double product = 0, square = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+            product += (at(image, x, y, 0) - mean) * (at(image, x + 1, y, 0) - mean);
+            square += (at(image, x, y, 0) - mean) * (at(image, x, y, 0) - mean);
+        }
+    EXPECT_NEAR(square / (96 * 96), 1.0 / 12, 0.01); // noise() is uniform from 0 to 1
+    EXPECT_LT(product / square, 0.2);
 }
 
 TEST(PatchDistribution, exemplarsAreMixedByWeight) {
